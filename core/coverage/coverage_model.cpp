@@ -19,6 +19,9 @@ constexpr double kShortest_s = 1e-9;
 /** What is looked for again after so long out of view has another chance to be found. */
 constexpr double kNewChance_s = 20;
 
+/** A place of a lost iceberg has been looked at when it is in the middle of the view. */
+constexpr double kPlace = 0.25;
+
 double largestQ_m2ps(const FlightPicture& picture)
 {
     double q_m2ps = 0;
@@ -199,7 +202,7 @@ private:
 
     [[nodiscard]] ViewWindow windowAt(int iceberg, double time_s) const
     {
-        const auto& account = m_state.accounts[static_cast<std::size_t>(iceberg)];
+        const auto& account = m_model.accountOf(m_state, iceberg);
         return m_model.windowOf(iceberg, m_model.growthUntil(iceberg, account, time_s).sigma_m2);
     }
 
@@ -210,7 +213,14 @@ private:
         const double until_s = std::min(leave_s, m_end_s);
         if (m_views)
             m_views->push_back({.iceberg = iceberg, .enter_s = enter_s, .leave_s = until_s});
-        CoverageState::Account& account = m_state.accounts[static_cast<std::size_t>(iceberg)];
+        const int owner = m_model.icebergAt(iceberg);
+        CoverageState::Account& account = m_state.accounts[static_cast<std::size_t>(owner)];
+        const unsigned bit = m_model.berg(iceberg).bit;
+        if (bit != 0) {
+            if ((account.looked & bit) == 0)
+                m_state.cost_m2s += m_model.lookAt_m2s(iceberg, account, enter_s);
+            return;
+        }
         m_state.cost_m2s += m_model.passOthers_m2s(iceberg, account, enter_s);
         const bool isNew = m_model.berg(iceberg).chance < 1
                                ? enter_s > account.lookedFor_s + kNewChance_s
@@ -233,6 +243,7 @@ private:
 
 CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon)
     : m_window(picture.sensor, viewMargin_m(largestQ_m2ps(picture)))
+    , m_placeWindow(m_window.scaled(kPlace))
     , m_paysForLooks(picture.observer.model != ObserverModel::Simple)
     , m_horizon(horizon)
     , m_flightEnd_s(std::min(horizon.length_s, horizon.flown_s))
@@ -254,11 +265,28 @@ CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon
         Berg& berg = m_bergs.back();
         if (m_paysForLooks && track.status != TrackStatus::Tracked)
             berg.chance = picture.chances.empty() ? kChanceOfLost : picture.chances[i];
+        berg.owner = static_cast<int>(i);
+        if (berg.chance < 1 && i < picture.places.size() && !picture.places[i].empty())
+            continue;
         const ViewWindow window =
             track.inView ? windowOf(static_cast<int>(i), berg.account.start().position_m2)
                          : m_window;
         berg.place_m = likelyPlace_m(window, m_uav, berg.place_m, track.inView);
         m_fastest_mps = std::max(m_fastest_mps, berg.velocity_mps.norm());
+    }
+    m_icebergs = m_bergs.size();
+    for (std::size_t i = 0; i < std::min(m_icebergs, picture.places.size()); ++i) {
+        if (!(m_bergs[i].chance < 1))
+            continue;
+        const Berg about = m_bergs[i];
+        for (std::size_t k = 0; k < picture.places[i].size(); ++k) {
+            const SearchPlace& place = picture.places[i][k];
+            Berg& berg = k == 0 ? m_bergs[i] : m_bergs.emplace_back(about);
+            berg.place_m = about.place_m + place.offset_m;
+            berg.chance = place.chance;
+            berg.bit = 1U << k;
+            m_fastest_mps = std::max(m_fastest_mps, berg.velocity_mps.norm());
+        }
     }
     m_all.resize(m_bergs.size());
     std::iota(m_all.begin(), m_all.end(), 0);
@@ -287,6 +315,26 @@ void CoverageModel::setOthers(std::vector<CoverageView> views)
         for (std::size_t k = m_others.size() - 1; !m_paysForLooks && k-- > m_firstOfOther.back();)
             m_others[k].rest_m2s = restOf_m2s(i, {.paid_s = m_others[k].leave_s, .next = k + 1});
     }
+}
+
+double CoverageModel::lookAt_m2s(int place, CoverageState::Account& account, double time_s) const
+{
+    const Berg& berg = this->berg(place);
+    double cost_m2s = 0;
+    if (time_s > account.paid_s) {
+        cost_m2s = berg.account.grow(account.known, time_s - account.paid_s);
+        account.paid_s = time_s;
+    }
+    berg.account.lookForLost(account.known, std::min(1.0, berg.chance / account.left));
+    account.left = std::max(1e-3, account.left - berg.chance);
+    account.looked |= berg.bit;
+    return cost_m2s;
+}
+
+double CoverageModel::chanceAt(const CoverageState& state, int place) const
+{
+    const Berg& berg = this->berg(place);
+    return berg.bit == 0 ? 1 : berg.chance / accountOf(state, place).left;
 }
 
 double CoverageModel::restOf_m2s(int iceberg, const CoverageState::Account& account) const
@@ -332,64 +380,19 @@ double CoverageModel::view_m2s(int iceberg, CoverageState::Account& account, dou
 
 void CoverageModel::passOthers(CoverageState& state) const
 {
-    for (const int i : m_all)
-        state.cost_m2s +=
-            passOthers_m2s(i, state.accounts[static_cast<std::size_t>(i)], state.time_s);
+    for (std::size_t i = 0; i < m_icebergs; ++i)
+        state.cost_m2s += passOthers_m2s(static_cast<int>(i), state.accounts[i], state.time_s);
 }
 
 CoverageState CoverageModel::start() const
 {
     CoverageState state{.uav = m_uav};
-    for (std::size_t i = 0; i < m_bergs.size(); ++i)
+    for (std::size_t i = 0; i < m_icebergs; ++i)
         state.accounts.push_back(
             {.paid_s = 0, .known = m_bergs[i].account.start(), .next = m_firstOfOther[i]});
     if (!m_isAlone)
         passOthers(state);
     return state;
-}
-
-TangentTurn CoverageModel::turnOf(const CoverageState& state, const CoverageLeg& leg) const
-{
-    // Aimed at where the iceberg will be when it is seen: iterated, as the time depends on it.
-    constexpr int kMostRounds = 8;
-    constexpr double kGoodEnough_m = 0.3;
-    /** An offset is taken in by a little more than the view. */
-    constexpr double kInside = 1.02;
-    const double drift_mps = berg(leg.iceberg).velocity_mps.norm();
-    double ahead_s =
-        std::max(0.0, distance_m(state, leg.iceberg) - m_window.half_m().x()) / m_speed_mps;
-    const auto& account = state.accounts[static_cast<std::size_t>(leg.iceberg)];
-    const ViewWindow window =
-        windowOf(leg.iceberg, growthUntil(leg.iceberg, account, state.time_s + ahead_s).sigma_m2);
-    const double offset_m =
-        leg.offset_m * (1 - kInside * (1 - window.largestOffset_m() / m_window.largestOffset_m()));
-    TangentTurn turn;
-    for (int round = 0; round < kMostRounds; ++round) {
-        turn = turnOntoLine(
-            state.uav,
-            {.target_m = place_m(leg.iceberg, state.time_s + ahead_s), .offset_m = offset_m},
-            m_radius_m);
-        const double entry_m = window.entry_m(turn.end.ahead, offset_m);
-        const double was_s = ahead_s;
-        ahead_s = std::abs(turn.turn_rad) / m_limit_radps +
-                  std::max(0.0, turn.length_m - entry_m) / m_speed_mps;
-        if (std::abs(ahead_s - was_s) * drift_mps < kGoodEnough_m)
-            break;
-    }
-    return turn;
-}
-
-/** A turn at the limit to that side, or straight on. */
-TangentTurn CoverageModel::holdTurn(const CoverageState& state, const CoverageLeg& leg) const
-{
-    TangentTurn hold{.turn_rad = leg.side * m_limit_radps * leg.stay_s, .end = state.uav};
-    if (leg.side == 0)
-        hold.length_m = m_speed_mps * leg.stay_s;
-    else
-        hold.end = turnedTo(
-            state.uav, rotated(state.uav.ahead, std::cos(hold.turn_rad), std::sin(hold.turn_rad)),
-            leg.side, m_radius_m);
-    return hold;
 }
 
 bool CoverageModel::fly(CoverageState& state, const CoverageLeg& leg,
@@ -413,15 +416,15 @@ bool CoverageModel::fly(CoverageState& state, const CoverageLeg& leg,
 double CoverageModel::total_m2s(const CoverageState& state) const
 {
     double cost_m2s = state.cost_m2s;
-    for (const int i : m_all)
-        cost_m2s += restOf_m2s(i, state.accounts[static_cast<std::size_t>(i)]);
+    for (std::size_t i = 0; i < m_icebergs; ++i)
+        cost_m2s += restOf_m2s(static_cast<int>(i), state.accounts[i]);
     return cost_m2s;
 }
 
 double CoverageModel::costSoFar_m2s(const CoverageState& state) const
 {
     double cost_m2s = state.cost_m2s;
-    for (std::size_t i = 0; i < m_bergs.size(); ++i) {
+    for (std::size_t i = 0; i < m_icebergs; ++i) {
         const CoverageState::Account& account = state.accounts[i];
         cost_m2s += growthUntil(static_cast<int>(i), account, state.time_s).cost_m2s;
     }
@@ -430,12 +433,13 @@ double CoverageModel::costSoFar_m2s(const CoverageState& state) const
 
 double CoverageModel::sigma_m2(const CoverageState& state, int iceberg) const
 {
-    const CoverageState::Account& account = state.accounts[static_cast<std::size_t>(iceberg)];
-    return growthUntil(iceberg, account, state.time_s).sigma_m2;
+    return growthUntil(iceberg, accountOf(state, iceberg), state.time_s).sigma_m2;
 }
 
 bool CoverageModel::inView(const CoverageState& state, int iceberg) const
 {
+    if ((accountOf(state, iceberg).looked & berg(iceberg).bit) != 0)
+        return true; // nothing is gained there
     const Point place_m =
         axesOf(m_window, state.uav).coordinates(this->place_m(iceberg, state.time_s));
     return m_window.contains(place_m) &&
@@ -445,21 +449,6 @@ bool CoverageModel::inView(const CoverageState& state, int iceberg) const
 double CoverageModel::distance_m(const CoverageState& state, int iceberg) const
 {
     return (place_m(iceberg, state.time_s) - state.uav.position_m).norm();
-}
-
-CoverageModel::Course CoverageModel::course(const CoverageState& state,
-                                            const CoverageLeg& leg) const
-{
-    Course course{.turn = leg.isHold() ? holdTurn(state, leg) : turnOf(state, leg),
-                  .abeam_m = Point::Zero()};
-    if (leg.isHold()) // a line to go on along until the next leg begins
-        course.turn.length_m = std::max(course.turn.length_m, m_speed_mps);
-    const Pose& end = course.turn.end;
-    const double turned_s = state.time_s + std::abs(course.turn.turn_rad) / m_limit_radps;
-    const double abeam_s = turned_s + course.turn.length_m / m_speed_mps;
-    course.abeam_m = end.position_m + end.ahead * course.turn.length_m + m_wind_mps * abeam_s;
-    course.turn.end.position_m += m_wind_mps * turned_s;
-    return course;
 }
 
 } // namespace berg

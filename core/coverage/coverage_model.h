@@ -58,6 +58,8 @@ struct CoverageState
         std::size_t next = 0; ///< the first view of other UAVs that is not accounted for
         /** Of one that is lost: until when it was looked for last. */
         double lookedFor_s = -std::numeric_limits<double>::infinity();
+        unsigned looked = 0; ///< places that have been looked at, by bit
+        double left = 1;     ///< chance that it is elsewhere
     };
 
     double time_s = 0; ///< since the picture
@@ -99,7 +101,14 @@ public:
     /** Borrows nothing. Costs are of the sigmas times the weights of the picture. */
     CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon);
 
+    /** Of what legs can go to: icebergs, and then further places of those that are lost. A leg's
+     * `iceberg` is an index into these. */
     [[nodiscard]] int icebergCount() const { return static_cast<int>(m_bergs.size()); }
+    /** Of a place of legs; of an iceberg itself. */
+    [[nodiscard]] int icebergAt(int place) const { return berg(place).owner; }
+    /** That it is found there if it has not been before; 1 of what is not lost, or has no places.
+     */
+    [[nodiscard]] double chanceAt(const CoverageState& state, int place) const;
     /** Whether a look does not tell all, so that it may pay to keep icebergs in view. */
     [[nodiscard]] bool paysForLooks() const { return m_paysForLooks; }
     [[nodiscard]] double largestOffset_m() const { return m_window.largestOffset_m(); }
@@ -152,6 +161,8 @@ private:
         Point velocity_mps;
         CovarianceAccount account;
         double chance = 1; ///< of finding one that is lost
+        int owner = 0;     ///< the iceberg
+        unsigned bit = 0;  ///< of its places; 0: none are told
     };
     class Flight;
 
@@ -179,6 +190,8 @@ private:
     /** In view from then until then: what that costs, the time before it included. */
     double view_m2s(int iceberg, CoverageState::Account& account, double enter_s,
                     double leave_s) const;
+    /** A place of a lost iceberg is looked at; what that costs, the time before it included. */
+    double lookAt_m2s(int place, CoverageState::Account& account, double time_s) const;
     /** Takes the others' views that have begun by then into the account; what that costs. */
     double passOthers_m2s(int iceberg, CoverageState::Account& account, double time_s) const
     {
@@ -198,13 +211,21 @@ private:
     /** The view of one whose account comes to this sigma. */
     [[nodiscard]] ViewWindow windowOf(int iceberg, double sigma_m2) const
     {
+        if (berg(iceberg).bit != 0)
+            return m_placeWindow;
         return m_paysForLooks ? m_window.narrowed(berg(iceberg).account.deviation_m(sigma_m2))
                               : m_window;
+    }
+    [[nodiscard]] const CoverageState::Account& accountOf(const CoverageState& state,
+                                                          int iceberg) const
+    {
+        return state.accounts[static_cast<std::size_t>(berg(iceberg).owner)];
     }
     [[nodiscard]] TangentTurn turnOf(const CoverageState& state, const CoverageLeg& leg) const;
     [[nodiscard]] TangentTurn holdTurn(const CoverageState& state, const CoverageLeg& leg) const;
 
-    ViewWindow m_window; ///< of an iceberg whose place is known
+    ViewWindow m_window;      ///< of an iceberg whose place is known
+    ViewWindow m_placeWindow; ///< a view in it covers the place of a lost one
     bool m_paysForLooks;
     CoverageHorizon m_horizon;
     double m_flightEnd_s;
@@ -216,8 +237,9 @@ private:
     double m_arc_s;       ///< longest arc
     double m_cosineOfArc; ///< of its angle
     double m_sineOfArc;
-    double m_fastest_mps = 0; ///< of the icebergs, through the air
-    std::vector<Berg> m_bergs;
+    double m_fastest_mps = 0;  ///< of the icebergs, through the air
+    std::vector<Berg> m_bergs; ///< icebergs, then further places of those that are lost
+    std::size_t m_icebergs = 0;
     std::vector<int> m_all;                  ///< their indices
     std::vector<OtherView> m_others;         ///< of one iceberg after the other, ascending
     std::vector<std::size_t> m_firstOfOther; ///< of each iceberg

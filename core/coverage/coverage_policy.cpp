@@ -301,7 +301,8 @@ private:
     }
 
     [[nodiscard]] std::map<int, int> inVain(const PlanRequest& request) const;
-    void keep(const PlanRequest& request, const FleetCoverage& found, const PlanAnswer& answer);
+    void keep(const PlanRequest& request, std::span<const CoverageModel> models,
+              const FleetCoverage& found, const PlanAnswer& answer);
 
     /** What a UAV flies. */
     struct Flown
@@ -376,15 +377,19 @@ std::map<int, int> CoveragePolicy::inVain(const PlanRequest& request) const
     return inVain;
 }
 
-void CoveragePolicy::keep(const PlanRequest& request, const FleetCoverage& found,
-                          const PlanAnswer& answer)
+void CoveragePolicy::keep(const PlanRequest& request, std::span<const CoverageModel> models,
+                          const FleetCoverage& found, const PlanAnswer& answer)
 {
     m_last.clear();
     for (std::size_t u = 0; u < found.plans.size(); ++u) {
         if (found.plans[u].empty())
             continue;
         const AimedLeg& leg = answer.uavs[u].legs.front();
-        m_last[request.uavs[u].uav] = {.plan = keptPlan(found.plans[u], request.ids),
+        CoveragePlan plan = found.plans[u]; // by the next plan places of lost ones are others
+        for (CoverageLeg& own : plan)
+            if (!own.isHold())
+                own.iceberg = models[u].icebergAt(own.iceberg);
+        m_last[request.uavs[u].uav] = {.plan = keptPlan(plan, request.ids),
                                        .planned_s = request.uavs[u].picture->time_s,
                                        .sighting_s = leg.end_s ? std::nullopt
                                                                : std::optional(leg.sighting_s)};
@@ -452,7 +457,7 @@ PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& 
         answer.outcome.reason = cut.value_or(StopReason::WorkLimit);
         answer.outcome.work = search.work();
         answer.outcome.hintUsed = warm.has_value();
-        keep(request, found, answer);
+        keep(request, models, found, answer);
     }
     m_inVain = std::move(inVain);
     answer.outcome.status = SolveStatus::Feasible;

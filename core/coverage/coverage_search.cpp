@@ -197,7 +197,7 @@ bool CoverageSearch::mayFly(const CoverageLeg& leg, bool isFirst) const
            (!isFirst || m_limits.first.empty() || m_limits.first[i]);
 }
 
-/** The largest sigma for its way; none when every iceberg is in view. */
+/** The largest sigma to be taken for its way; none when every iceberg is in view. */
 std::optional<CoverageLeg> CoverageSearch::greedyLeg(const CoverageState& state, bool isFirst) const
 {
     constexpr double kShortestPath_m = 50;
@@ -208,7 +208,7 @@ std::optional<CoverageLeg> CoverageSearch::greedyLeg(const CoverageState& state,
             continue;
         const double path_m =
             std::max(kShortestPath_m, m_model.distance_m(state, i) - m_model.largestOffset_m());
-        const double score = m_model.sigma_m2(state, i) / path_m;
+        const double score = m_model.chanceAt(state, i) * m_model.sigma_m2(state, i) / path_m;
         if (score > bestScore) {
             best = CoverageLeg{.iceberg = i, .offset_m = 0};
             bestScore = score;

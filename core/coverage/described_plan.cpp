@@ -64,7 +64,8 @@ DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
         onLeg.clear();
         const double stay_s = leg.isHold() ? 0 : std::exchange(leg.stay_s, 0);
         model.fly(state, leg, &onLeg);
-        described.legs.push_back({.iceberg = ids[static_cast<std::size_t>(icebergOf(plan, k))],
+        const int iceberg = model.icebergAt(icebergOf(plan, k));
+        described.legs.push_back({.iceberg = ids[static_cast<std::size_t>(iceberg)],
                                   .turn_rad = course.turn.turn_rad,
                                   .from_m = course.turn.end.position_m,
                                   .abeam_m = course.abeam_m,
@@ -96,7 +97,8 @@ std::vector<double> sightingsOf(const DescribedPlan& described, std::size_t iceb
 }
 
 /** In whose order each iceberg is; -1: in nobody's. */
-std::vector<int> owners(const PlanRequest& request, std::span<const CoveragePlan> plans,
+std::vector<int> owners(std::span<const CoverageModel> models, const PlanRequest& request,
+                        std::span<const CoveragePlan> plans,
                         const std::vector<std::vector<double>>& sightings_s)
 {
     std::vector<int> owner(request.ids.size(), -1);
@@ -114,7 +116,7 @@ std::vector<int> owners(const PlanRequest& request, std::span<const CoveragePlan
         }
     for (std::size_t u = 0; u < plans.size(); ++u)
         if (const int iceberg = firstIceberg(plans[u]); iceberg >= 0)
-            owner[static_cast<std::size_t>(iceberg)] = static_cast<int>(u);
+            owner[static_cast<std::size_t>(models[u].icebergAt(iceberg))] = static_cast<int>(u);
     return owner;
 }
 
@@ -159,7 +161,7 @@ std::vector<UavAnswer> describeFleet(std::span<const CoverageModel> models,
         described.push_back(describe(models[u], own, request.ids, plans[u]));
         sightings_s.push_back(sightingsOf(described[u], request.ids.size()));
     }
-    const std::vector<int> owner = owners(request, plans, sightings_s);
+    const std::vector<int> owner = owners(models, request, plans, sightings_s);
     std::vector<UavAnswer> answers;
     for (std::size_t u = 0; u < models.size(); ++u) {
         const auto isOwn = [&](std::size_t k) { return owner[k] == static_cast<int>(u); };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/tracking/observer.h"
+#include "core/tracking/lost_search.h"
 #include "core/vehicle/los_guidance.h"
 
 #include <cstdint>
@@ -23,6 +23,9 @@ struct FlightPicture
     /** By track: chance that it is found where it is believed to be if it is lost. Empty: as when
      * nobody has looked for it yet. */
     std::vector<double> chances;
+    /** By track: where one that is lost may be, likeliest first. Empty: searched for at its
+     * estimate with its chance. */
+    std::vector<std::vector<SearchPlace>> places;
     std::uint64_t seed = 0; ///< of the scenario
     std::int64_t step = 0;  ///< with `seed`, names the random numbers of a search made now
 };

@@ -192,7 +192,6 @@ void Fleet::leaveSearch(int uav)
         m_observer.giveUp(std::move(search), uav, m_report);
 }
 
-/** Whether it may be sent there at all. */
 bool Fleet::maySearch(int uav, int iceberg) const
 {
     const int assigned = m_observer.world().body(iceberg).assignedUav;
@@ -212,6 +211,10 @@ bool Fleet::hasSomethingToSearch(int uav) const
 void Fleet::beginOrEndSearch(int uav)
 {
     Autopilot& me = m_autopilots[toIndex(uav)];
+    if (searchesByPlan() && me.errand() != nullptr && me.errand()->aim) {
+        m_observer.leaveToPlan(uav);
+        return;
+    }
     if (!m_observer.searches().of(uav))
         searchAgain(uav);
     const std::optional<Search>& search = m_observer.searches().of(uav);

@@ -35,6 +35,18 @@ public:
     /** Whether it may be planned for the UAV as one of a cluster. */
     [[nodiscard]] bool clusterable(int uav, int iceberg) const;
 
+    /** Whether it may be sent to search for it at all. */
+    [[nodiscard]] bool maySearch(int uav, int iceberg) const;
+    /** Whether a plan with aim points has the places of lost icebergs among those it orders; else
+     * searches are begun and ended between plan and UAV. With one UAV, where looks tell less than
+     * all. */
+    [[nodiscard]] bool searchesByPlan() const
+    {
+        const ObserverSpec& spec = m_observer.world().observer();
+        return count() == 1 && spec.model == ObserverModel::Kalman &&
+               spec.search != SearchPattern::None;
+    }
+
     /** One step: `poses` as for `Simulation::advanceStep`. */
     void advance(std::span<const DubinsState> poses);
     /** `mayGoOn`: a UAV that is on a leg to it already flies on. */
@@ -51,7 +63,6 @@ public:
 
 private:
     [[nodiscard]] bool affordable(int uav, int iceberg) const;
-    [[nodiscard]] bool maySearch(int uav, int iceberg) const;
     [[nodiscard]] bool hasSomethingToSearch(int uav) const;
     void beginOrEndSearch(int uav);
     void searchAgain(int uav);

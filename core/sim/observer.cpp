@@ -247,6 +247,8 @@ void Observer::miss(int iceberg, std::span<const FieldOfView> views,
     const Point estimate_m = this->estimate_m(iceberg);
     if (track.status != TrackStatus::Tracked) {
         m_searches.miss(iceberg, views, estimate_m, m_world.observer().detection);
+        if (track.status == TrackStatus::Lost)
+            m_searches.missOfPlan(iceberg, views, estimate_m, m_world.observer().detection);
     } else if (firstWith(views, estimate_m) < 0) {
         track.inView = false;
         track.presence = 1;
@@ -286,6 +288,14 @@ void Observer::giveUp(Search search, int uav, StepReport& report)
     report.add({.kind = EventKind::GivenUp, .iceberg = search.iceberg, .uav = uav},
                PlanReason::GivenUp);
     m_searches.giveUp(std::move(search));
+}
+
+void Observer::leaveToPlan(int uav)
+{
+    if (m_searches.of(uav))
+        m_searches.giveUp(m_searches.take(uav));
+    for (const Search& search : m_searches.givenUp())
+        m_tracks[toIndex(search.iceberg)].status = TrackStatus::Lost;
 }
 
 void Observer::beginSearch(int uav, Search search)

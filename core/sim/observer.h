@@ -58,6 +58,9 @@ public:
 
     /** Of an iceberg that is lost or given up. */
     void beginSearch(int uav, Search search);
+    /** What it searches for, and what has been given up, is lost, and looked for where the plan
+     * leads. */
+    void leaveToPlan(int uav);
     /** For now: every new plan compares again. */
     void giveUp(Search search, int uav, StepReport& report);
 

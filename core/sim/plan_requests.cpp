@@ -19,6 +19,20 @@ Eigen::MatrixXd distances_m(const Simulation& simulation, int uav, std::span<con
            legLengths_m(me.guard().uav(), nodes_m);
 }
 
+/** Where a lost iceberg may be that the plan is to search for. */
+std::vector<SearchPlace> placesOf(const Simulation& simulation, int uav, int iceberg)
+{
+    constexpr std::size_t kMost = 4;
+    /** Of the smaller extent of the view: a little less than half of it on each side. */
+    constexpr double kHalf = 0.45;
+    const Fleet& fleet = simulation.fleet();
+    const Search* search = fleet.observer().searches().ofIceberg(iceberg);
+    if (search == nullptr || !fleet.searchesByPlan() || !fleet.maySearch(uav, iceberg))
+        return {};
+    return search->path.likeliestPlaces(kHalf * fleet.autopilot(uav).sensor().fov_m.minCoeff(),
+                                        kMost);
+}
+
 UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<int>& ids)
 {
     const World& world = simulation.world();
@@ -43,6 +57,7 @@ UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<i
         places_m.push_back(observer.estimate_m(i));
         picture.tracks.push_back(observer.track(i));
         picture.weights.push_back(priority(observer, i));
+        picture.places.push_back(placesOf(simulation, uav, i));
     }
     request.picture = std::make_shared<const FlightPicture>(std::move(picture));
     request.distance_m = distances_m(simulation, uav, places_m);

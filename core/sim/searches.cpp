@@ -1,5 +1,6 @@
 #include "core/sim/searches.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace berg {
@@ -34,6 +35,24 @@ void Searches::miss(int iceberg, std::span<const FieldOfView> views, const Point
         if (search && search->iceberg == iceberg)
             for (const FieldOfView& view : views)
                 search->path.miss(view, estimate_m, detection);
+}
+
+void Searches::missOfPlan(int iceberg, std::span<const FieldOfView> views, const Point& estimate_m,
+                          double detection)
+{
+    for (Search& search : m_givenUp)
+        if (search.iceberg == iceberg)
+            for (const FieldOfView& view : views)
+                search.path.miss(view, estimate_m, detection);
+}
+
+const Search* Searches::ofIceberg(int iceberg) const
+{
+    for (const std::optional<Search>& search : m_byUav)
+        if (search && search->iceberg == iceberg)
+            return &*search;
+    const auto left = std::ranges::find(m_givenUp, iceberg, &Search::iceberg);
+    return left == m_givenUp.end() ? nullptr : &*left;
 }
 
 } // namespace berg

@@ -6,7 +6,8 @@
 
 namespace berg {
 
-/** Who searches for which lost iceberg, one each, and what has been given up. */
+/** Who searches for which lost iceberg, one each, and what has been given up or is left to plans.
+ */
 class Searches
 {
 public:
@@ -30,6 +31,12 @@ public:
     /** Looks showed no iceberg: told to whoever searches for it. */
     void miss(int iceberg, std::span<const FieldOfView> views, const Point& estimate_m,
               double detection);
+
+    /** The same of one that nobody searches for but by the plan. */
+    void missOfPlan(int iceberg, std::span<const FieldOfView> views, const Point& estimate_m,
+                    double detection);
+    /** Whoever searches for it, or did; null: nobody. */
+    [[nodiscard]] const Search* ofIceberg(int iceberg) const;
 
 private:
     std::vector<std::optional<Search>> m_byUav;

@@ -167,6 +167,51 @@ double LostSearch::chancePerSecond(const Point& uav_m, double speed_mps, double 
     return best;
 }
 
+std::vector<SearchPlace> LostSearch::likeliestPlaces(double half_m, std::size_t most) const
+{
+    constexpr double kLeastChance = 0.02;
+    const double spacing_m = m_spread_m * 2 * kCellsReach_sd / (kCellsAcross - 1);
+    const int within = std::min(kCellsAcross, static_cast<int>(half_m / spacing_m));
+    std::vector<double> left = m_chances;
+    std::vector<SearchPlace> places;
+    const auto cell = [](int row, int column) {
+        return static_cast<std::size_t>(row * kCellsAcross + column);
+    };
+    const auto range = [within](int at) {
+        return std::pair(std::max(0, at - within), std::min(kCellsAcross - 1, at + within));
+    };
+    while (places.size() < most) {
+        // Of each cell the sum over the columns of its view, then over its rows.
+        std::vector<double> ofRow(left.size(), 0);
+        for (int row = 0; row < kCellsAcross; ++row)
+            for (int column = 0; column < kCellsAcross; ++column)
+                for (auto [k, last] = range(column); k <= last; ++k)
+                    ofRow[cell(row, column)] += left[cell(row, k)];
+        double best = 0;
+        int bestRow = 0;
+        int bestColumn = 0;
+        for (int row = 0; row < kCellsAcross; ++row)
+            for (int column = 0; column < kCellsAcross; ++column) {
+                double sum = 0;
+                for (auto [k, last] = range(row); k <= last; ++k)
+                    sum += ofRow[cell(k, column)];
+                if (sum > best * (1 + 1e-9)) {
+                    best = sum;
+                    bestRow = row;
+                    bestColumn = column;
+                }
+            }
+        if (best < kLeastChance)
+            break;
+        places.push_back({.offset_m = m_spread_m * cells().offset_sd[cell(bestRow, bestColumn)],
+                          .chance = best});
+        for (auto [row, lastRow] = range(bestRow); row <= lastRow; ++row)
+            for (auto [column, last] = range(bestColumn); column <= last; ++column)
+                left[cell(row, column)] = 0;
+    }
+    return places;
+}
+
 LostSearch LostSearch::restored(std::vector<Point> corners_m, std::size_t next, double spread_m,
                                 std::vector<double> chances)
 {

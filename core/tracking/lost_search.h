@@ -28,6 +28,13 @@ namespace berg {
  */
 [[nodiscard]] double afterMiss(double prior, double detection);
 
+/** Where a lost iceberg may be looked for. */
+struct SearchPlace
+{
+    Point offset_m = Point::Zero(); ///< from its estimate
+    double chance = 0;              ///< that a view over this place shows it
+};
+
 /**
  * A search for one lost iceberg: where it may be, and the pattern that is flown to find it. All
  * places are offsets from the iceberg's estimate, the datum, with which pattern and chances drift.
@@ -68,6 +75,12 @@ public:
      */
     [[nodiscard]] double chancePerSecond(const Point& uav_m, double speed_mps, double reach_m,
                                          double detection) const;
+
+    /**
+     * The likeliest place for a square view of half width `half_m` (north-aligned), then the
+     * likeliest one apart from it, and so on: `most` at most, their chances descending.
+     */
+    [[nodiscard]] std::vector<SearchPlace> likeliestPlaces(double half_m, std::size_t most) const;
 
     /** Of what is left of it, for whoever draws or keeps it. */
     [[nodiscard]] const std::vector<Point>& corners_m() const { return m_corners_m; }

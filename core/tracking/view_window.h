@@ -39,6 +39,15 @@ public:
         return narrow;
     }
 
+    /** The middle of it. */
+    [[nodiscard]] ViewWindow scaled(double share) const
+    {
+        ViewWindow part = *this;
+        part.m_half_m *= share;
+        part.m_largestOffset_m *= share;
+        return part;
+    }
+
     /** Whether the axes turn with the UAV. */
     [[nodiscard]] bool turns() const { return m_shape == FovShape::Body; }
     [[nodiscard]] FovShape shape() const { return m_shape; }

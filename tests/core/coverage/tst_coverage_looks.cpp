@@ -185,6 +185,56 @@ private slots:
     }
 
     /** Holds are part of the plans, and plans are never worse than what they start from. */
+    /** Places where a lost one may be are told apart: each is worth its chance, once. */
+    void placesOfALostOne()
+    {
+        const Scenario scenario = oneAhead();
+        FlightPicture picture = *planRequest(Simulation(scenario)).uavs[0].picture;
+        picture.tracks[0].status = TrackStatus::Lost;
+        picture.places = {
+            {{.offset_m = {0, 600}, .chance = 0.5}, {.offset_m = {0, -600}, .chance = 0.25}}, {}};
+        const CoverageModel model(picture, {.length_s = 300});
+        QCOMPARE(model.icebergCount(), 3); // two icebergs and one more place
+        QCOMPARE(model.icebergAt(2), 0);
+        CoverageState state = model.start();
+        QCOMPARE(model.chanceAt(state, 0), 0.5);
+        const double unseen_m2 = model.sigma_m2(state, 0);
+        CoverageState second = state;
+        QVERIFY(model.fly(state, {.iceberg = 0}));
+        const double first_m2 = model.sigma_m2(state, 0);
+        QVERIFY(first_m2 < 0.75 * unseen_m2 && first_m2 > 0.45 * unseen_m2);
+        QVERIFY(!model.fly(state, {.iceberg = 0}));                // nothing more is gained there
+        QVERIFY(std::abs(model.chanceAt(state, 2) - 0.5) < 1e-12); // of what is left
+        QVERIFY(model.fly(state, {.iceberg = 2}));
+        QVERIFY(model.sigma_m2(state, 0) < first_m2); // although it has grown on the way
+        QVERIFY(model.fly(second, {.iceberg = 2}));
+        QVERIFY(model.sigma_m2(second, 0) > first_m2);
+    }
+
+    /** Lost ones are searched for on legs of the plan; no pattern of the autopilot interrupts it.
+     */
+    void plansSearch()
+    {
+        int lost = 0;
+        int found = 0;
+        for (int seed = 1; seed <= 4; ++seed) {
+            Mission mission(measured(randomScenario(seed), 0.8),
+                            {.workLimit = 20'000, .record = false});
+            for (int until_s = 5; until_s <= 1000; until_s += 5) {
+                mission.advance(until_s);
+                const FlightMode mode = mission.simulation().fleet().autopilot(0).mode();
+                QVERIFY(mode != FlightMode::Search);
+            }
+            for (const MissionEvent& event : mission.events()) {
+                lost += event.kind == EventKind::Lost;
+                found += event.kind == EventKind::Found;
+            }
+        }
+        qInfo("lost %d, found %d", lost, found);
+        QVERIFY(lost > 10);
+        QVERIFY(2 * found > lost);
+    }
+
     void searchUsesHolds()
     {
         int holds = 0;

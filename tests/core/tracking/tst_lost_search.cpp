@@ -161,6 +161,29 @@ private slots:
         QCOMPARE(search.chancePerSecond({0, 0}, 20, 0, 1) < 20.0 / 540, true);
     }
 
+    /** The likeliest place is where it should be, until that has been seen to be empty. */
+    void likeliestPlacesAreApart()
+    {
+        constexpr double kHalf_m = 150;
+        constexpr std::size_t kMost = 4;
+        LostSearch search = squareSearch(200);
+        const SearchPlace first = search.likeliestPlaces(kHalf_m, kMost).front();
+        QVERIFY(first.offset_m.norm() < 1e-9);
+        const double inside = std::erf(kHalf_m / (std::sqrt(2.0) * 200));
+        COMPARE_NEAR(first.chance, inside * inside, 0.06); // in cells of 64 m
+        search.miss(FieldOfView({.fov_m = {320, 320}}, {0, 0}, 0), {0, 0}, 1);
+        const std::vector<SearchPlace> places = search.likeliestPlaces(kHalf_m, kMost);
+        QCOMPARE(places.size(), kMost);
+        double sum = 0;
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            sum += places[k].chance;
+            QVERIFY(places[k].offset_m.norm() > 100);
+            QVERIFY(k == 0 || places[k].chance <= places[k - 1].chance + 1e-12);
+        }
+        QVERIFY(sum > 0.5 && sum <= 1);
+        QVERIFY(search.likeliestPlaces(kHalf_m, 1).size() == 1);
+    }
+
     void endsWithThePattern()
     {
         LostSearch search = squareSearch(300);
