@@ -9,18 +9,22 @@
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSettings>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
+
+constexpr const char* kFolderKey = "files/folder";
 
 struct Dialogs
 {
@@ -79,19 +83,34 @@ bool DialogInteraction::askEndFlight(QWidget* parent, FlightEnd why)
 
 QString DialogInteraction::openPath(QWidget* parent, const QString& filter)
 {
-    return QFileDialog::getOpenFileName(parent, Dialogs::tr("Open"), {}, filter);
+    const QString path =
+        QFileDialog::getOpenFileName(parent, Dialogs::tr("Open"), lastFolder(), filter);
+    rememberFolder(path);
+    return path;
+}
+
+QString DialogInteraction::lastFolder() const
+{
+    return m_settings == nullptr ? QString() : m_settings->value(kFolderKey).toString();
+}
+
+void DialogInteraction::rememberFolder(const QString& path)
+{
+    if (m_settings != nullptr && !path.isEmpty())
+        m_settings->setValue(kFolderKey, QFileInfo(path).absolutePath());
 }
 
 QString DialogInteraction::savePath(QWidget* parent, const QString& suggested,
                                     const QString& filter)
 {
-    QFileDialog dialog(parent, Dialogs::tr("Save"), {}, filter);
+    QFileDialog dialog(parent, Dialogs::tr("Save"), lastFolder(), filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     // Added by the dialog, so that its question about an existing file is about the right one.
     dialog.setDefaultSuffix(filter.section(u"(*."_s, 1, 1).section(u')', 0, 0));
     dialog.selectFile(suggested);
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
         return {};
+    rememberFolder(dialog.selectedFiles().front());
     return dialog.selectedFiles().front();
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+class QSettings;
 class QWidget;
 
 namespace berg {
@@ -154,6 +155,9 @@ public:
 class DialogInteraction : public Interaction
 {
 public:
+    /** `settings` keep the folder that files were last chosen in; null: nothing does. */
+    explicit DialogInteraction(QSettings* settings = nullptr) : m_settings(settings) {}
+
     [[nodiscard]] Unsaved askUnsaved(QWidget* parent, const UnsavedWork& work) override;
     [[nodiscard]] bool askEndFlight(QWidget* parent, FlightEnd why) override;
     [[nodiscard]] QString openPath(QWidget* parent, const QString& filter) override;
@@ -177,6 +181,12 @@ public:
                                              const std::vector<RecoveryOffer>& offers) override;
     void showError(QWidget* parent, const QString& text) override;
     void showInformation(QWidget* parent, const QString& title, const QString& html) override;
+
+private:
+    [[nodiscard]] QString lastFolder() const;
+    void rememberFolder(const QString& path);
+
+    QSettings* m_settings;
 };
 
 } // namespace berg

@@ -178,7 +178,7 @@ int runWindow(const WindowOptions& options)
         installLanguage(language);
 
     Workspace workspace;
-    DialogInteraction interaction;
+    DialogInteraction interaction(&settings);
     workspace.document().reset(defaultScenario());
     if (!picture)
         keepSafe(workspace, QDir(own.dataFolder()));

@@ -5,9 +5,12 @@
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 
+#include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
@@ -459,6 +462,33 @@ private slots:
         workspace.openFile(path);
         const WindowHolder holder(workspace, w.interaction, w.settings);
         QCOMPARE(w.settings.value(u"files/recent"_s).toStringList().value(0), path);
+    }
+
+    /** Also after another start. */
+    void dialogsBeginInTheLastFolder()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QVERIFY(QDir(w.folder.path()).mkdir(u"sub"_s));
+        const QString path = w.file(u"sub/one.berg"_s);
+        saveScenario(randomScenario(7), path.toStdString());
+        QString begun;
+        const auto answer = [&](const QString& file) {
+            QTimer::singleShot(200, &w.window(), [&begun, file] {
+                auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+                begun = dialog->directory().absolutePath();
+                test::child<QLineEdit>(*dialog, u"fileNameEdit"_s).setText(file);
+                if (file.isEmpty())
+                    dialog->reject();
+                else
+                    static_cast<QDialog*>(dialog)->accept();
+            });
+        };
+        const QString filter = u"Scenarios (*.berg)"_s;
+        answer(path);
+        QCOMPARE(DialogInteraction(&w.settings).openPath(&w.window(), filter), path);
+        answer({});
+        QCOMPARE(DialogInteraction(&w.settings).savePath(&w.window(), u"two"_s, filter), QString());
+        QCOMPARE(begun, QFileInfo(path).absolutePath());
     }
 };
 
