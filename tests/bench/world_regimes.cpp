@@ -19,6 +19,8 @@ struct Regime
     int uavs = 1;
     double velocitySd_mps = 0;
     ObserverSpec observer = {.model = ObserverModel::Kalman};
+    FieldRegime drift = FieldRegime::Published;
+    double duration_s = 1000;
 };
 
 const std::array kRegimes{
@@ -33,7 +35,9 @@ const std::array kRegimes{
     Regime{"20: velocity_sd 0.3", 20, 1, 0.3},
     Regime{"20: 0.1, 20 m", 20, 1, 0.1, {.model = ObserverModel::Kalman, .positionSd_m = 20}},
     Regime{"2 UAVs, 0.1", 12, 2, 0.1},
-    Regime{"3 UAVs, 0.1", 12, 3, 0.1}};
+    Regime{"3 UAVs, 0.1", 12, 3, 0.1},
+    Regime{.name = "fitted drift, 1 h", .drift = FieldRegime::FittedDrift, .duration_s = 3600},
+    Regime{.name = "fitted drift, 8 h", .drift = FieldRegime::FittedDrift, .duration_s = 8 * 3600}};
 
 /** Those compared with visitation at tau = 1; the last one is what is looked at. */
 struct Contestant
@@ -47,10 +51,12 @@ constexpr std::array kContestants{Contestant{PolicyKind::Visitation, 0.5},
 
 Scenario scenarioOf(const Regime& regime, std::int64_t seed)
 {
-    Scenario scenario = randomScenario(seed, {.icebergs = regime.icebergs});
+    Scenario scenario = randomScenario(seed, {.icebergs = regime.icebergs, .regime = regime.drift});
+    scenario.duration_s = regime.duration_s;
     scenario.observer = regime.observer;
-    for (Iceberg& iceberg : scenario.icebergs)
-        iceberg.velocitySd_mps = regime.velocitySd_mps;
+    if (regime.drift == FieldRegime::Published)
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.velocitySd_mps = regime.velocitySd_mps;
     return withUavs(std::move(scenario), regime.uavs);
 }
 
