@@ -1,5 +1,6 @@
 #include "tests/support/approx.h"
 #include "tests/support/plan_panel_fixture.h"
+#include "widgets/panels/fields/panel_labels.h"
 
 #include <QContextMenuEvent>
 #include <QLabel>
