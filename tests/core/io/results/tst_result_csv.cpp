@@ -305,8 +305,9 @@ private slots:
         for (std::size_t i = 0; i < visits.size(); ++i) {
             const Record& record = records[static_cast<qsizetype>(i) + 1];
             const Iceberg& iceberg = scenario.icebergs[static_cast<std::size_t>(visits[i].iceberg)];
-            QCOMPARE(record.size(), 12);
+            QCOMPARE(record.size(), 13);
             QCOMPARE(record[11], QByteArray("uav-1"));
+            QCOMPARE(record[12].toDouble(), 1.0); // 300 m to each side, 5 m of deviation
             QCOMPARE(record[0].toInt(), static_cast<int>(i) + 1);
             QCOMPARE(record[1], bytes(iceberg.id));
             QCOMPARE(record[2], bytes(iceberg.name));

@@ -195,7 +195,7 @@ private slots:
     {
         Fixture f;
         f.add(PolicyKind::Nearest, 60);
-        Scenario other = test::shortScenario();
+        Scenario other = test::shortScenario(4);
         other.name = "Elsewhere";
         f.list.add(test::flownRecord(other, policy(PolicyKind::Nearest), 60));
         QCOMPARE(f.runs.item(1, RunName)->text(), u"Nearest first, to 01:00 \u2013 Elsewhere"_s);
