@@ -83,8 +83,7 @@ bool DialogInteraction::askEndFlight(QWidget* parent, FlightEnd why)
 
 QString DialogInteraction::openPath(QWidget* parent, const QString& filter)
 {
-    const QString path =
-        QFileDialog::getOpenFileName(parent, Dialogs::tr("Open"), lastFolder(), filter);
+    QString path = QFileDialog::getOpenFileName(parent, Dialogs::tr("Open"), lastFolder(), filter);
     rememberFolder(path);
     return path;
 }

@@ -175,7 +175,7 @@ std::vector<SearchPlace> LostSearch::likeliestPlaces(double half_m, std::size_t 
     std::vector<double> left = m_chances;
     std::vector<SearchPlace> places;
     const auto cell = [](int row, int column) {
-        return static_cast<std::size_t>(row * kCellsAcross + column);
+        return static_cast<std::size_t>(row) * kCellsAcross + static_cast<std::size_t>(column);
     };
     const auto range = [within](int at) {
         return std::pair(std::max(0, at - within), std::min(kCellsAcross - 1, at + within));

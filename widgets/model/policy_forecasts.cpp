@@ -59,7 +59,8 @@ void foresee(const Scenario& scenario, PolicyKind policy, const std::stop_token&
         tell({.state = ForecastState::Known, .share = 1, .metrics = *metrics});
 }
 
-void flyDrawn(const Scenario& scenario, PolicyKind policy, PolicyForecast forecast,
+/** Those of `flights` that `forecast` does not have. */
+void flyDrawn(const Scenario& scenario, PolicyForecast forecast, PolicyKind policy, int flights,
               const std::stop_token& stop, const Tell& tell)
 {
     while (!forecast.drawsNoMore) {
@@ -68,7 +69,7 @@ void flyDrawn(const Scenario& scenario, PolicyKind policy, PolicyForecast foreca
         if (!zeta_m2s)
             return;
         forecast.drawn_m2s.push_back(*zeta_m2s);
-        forecast.drawsNoMore = number + 1 == kDrawnFlights;
+        forecast.drawsNoMore = number + 1 >= flights;
         tell(forecast);
     }
 }
@@ -85,14 +86,16 @@ bool awaitsDrawn(const PolicyForecast& forecast)
 
 } // namespace
 
-PolicyForecasts::PolicyForecasts(QObject* parent, int limit_ms)
+PolicyForecasts::PolicyForecasts(QObject* parent, int limit_ms, int drawnFlights)
     : QObject(parent)
+    , m_drawnFlights(drawnFlights)
     , m_order(soonFirst())
     , m_task(u"forecasts"_s,
              {.work =
                   [](const Request& request, const std::stop_token& stop, const auto& tell) {
                       if (request.soFar.state == ForecastState::Known)
-                          flyDrawn(request.scenario, request.policy, request.soFar, stop, tell);
+                          flyDrawn(request.scenario, request.soFar, request.policy,
+                                   request.drawnFlights, stop, tell);
                       else
                           foresee(request.scenario, request.policy, stop, tell);
                   },
@@ -180,7 +183,10 @@ void PolicyForecasts::startPresent(PolicyKind policy)
 {
     m_present = policy;
     m_limit.start();
-    m_task.start({.scenario = *m_scenario, .policy = policy, .soFar = m_forecasts[policy]});
+    m_task.start({.scenario = *m_scenario,
+                  .policy = policy,
+                  .soFar = m_forecasts[policy],
+                  .drawnFlights = m_drawnFlights});
 }
 
 void PolicyForecasts::stopPresent()
@@ -205,7 +211,7 @@ void PolicyForecasts::giveUp()
 /** The flights in drawn worlds take as long as the one that has just ended. */
 bool PolicyForecasts::hasTimeToDraw() const
 {
-    return (m_limit.interval() - m_limit.remainingTime()) * kDrawnFlights <= m_limit.interval();
+    return (m_limit.interval() - m_limit.remainingTime()) * m_drawnFlights <= m_limit.interval();
 }
 
 void PolicyForecasts::take(PolicyForecast forecast)

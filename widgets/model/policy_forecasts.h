@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sim/mission.h"
+#include "core/sim/policy_forecast.h"
 #include "widgets/model/latest_task.h"
 
 #include <QObject>
@@ -50,7 +50,8 @@ public:
      * take hours to fly. */
     static constexpr int kLimit_ms = 60'000;
 
-    explicit PolicyForecasts(QObject* parent = nullptr, int limit_ms = kLimit_ms);
+    explicit PolicyForecasts(QObject* parent = nullptr, int limit_ms = kLimit_ms,
+                             int drawnFlights = kDrawnFlights);
 
     void setScenario(const Scenario& scenario);
 
@@ -70,6 +71,7 @@ private:
         Scenario scenario;
         PolicyKind policy = PolicyKind::Visitation;
         PolicyForecast soFar;
+        int drawnFlights = 0;
     };
 
     void take(PolicyForecast forecast);
@@ -80,6 +82,7 @@ private:
     [[nodiscard]] bool hasTimeToDraw() const;
     void giveUp();
 
+    int m_drawnFlights;
     std::optional<Scenario> m_scenario;
     PolicyForecastList m_forecasts;
     std::vector<PolicyKind> m_order;     ///< in which they are flown

@@ -154,11 +154,13 @@ void comparePlans(const RunFile& recorded, const RunFile& replayed, std::vector<
         return;
     }
     const std::string path = entry("plans", i);
-    const auto number = [&](const char* field, IssueArgument before, IssueArgument now) {
-        issues.push_back(differs(path + field, IssueId::ReplayedNumber, {a->time_s, before, now}));
+    const double time_s = a->time_s;
+    const auto number = [&](const char* field, const IssueArgument& before,
+                            const IssueArgument& now) {
+        issues.push_back(differs(path + field, IssueId::ReplayedNumber, {time_s, before, now}));
     };
     const auto other = [&](const char* field) {
-        issues.push_back(differs(path + field, IssueId::ReplayedOther, {a->time_s}));
+        issues.push_back(differs(path + field, IssueId::ReplayedOther, {time_s}));
     };
     if (a->time_s != b->time_s)
         number(".time_s", a->time_s, b->time_s);
