@@ -380,6 +380,13 @@
         <source>Flying the run again gave another result than the one it recorded. It may come from another version of Bergwatch.</source>
         <translation>Da turen ble fløyet på nytt, ble resultatet et annet enn det som er lagret. Den kan komme fra en annen versjon av Bergwatch.</translation>
     </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation>
+            <numerusform>… og %n til</numerusform>
+            <numerusform>… og %n til</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>EventText</name>
@@ -5388,6 +5395,10 @@ mot %2</translation>
         <source>Click shows it.</source>
         <translation>Klikk viser det.</translation>
     </message>
+    <message>
+        <source>Acknowledged: %1</source>
+        <translation>Bekreftet: %1</translation>
+    </message>
 </context>
 <context>
     <name>berg::ChartPanel</name>
@@ -7649,14 +7660,6 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>Forutsagt ζ %1</translation>
     </message>
     <message>
-        <source>Predicted ζ %1, the lowest</source>
-        <translation>Forutsagt ζ %1, den laveste</translation>
-    </message>
-    <message>
-        <source>Predicted ζ %1, lowest %2</source>
-        <translation>Forutsagt ζ %1, laveste %2</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 til %2</translation>
     </message>
@@ -7671,6 +7674,22 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>Recommended</source>
         <translation>Anbefalt</translation>
+    </message>
+    <message>
+        <source>Mean before take-off: ζ %1</source>
+        <translation>Gjennomsnitt før start: ζ %1</translation>
+    </message>
+    <message>
+        <source>Mean ζ %1</source>
+        <translation>Gjennomsnittlig ζ %1</translation>
+    </message>
+    <message>
+        <source>%1, the lowest</source>
+        <translation>%1, den laveste</translation>
+    </message>
+    <message>
+        <source>%1, lowest %2</source>
+        <translation>%1, laveste %2</translation>
     </message>
 </context>
 <context>

@@ -53,7 +53,12 @@ QString errorReport(const Error& error)
 {
     QString report =
         u"%1: %2"_s.arg(QString::fromStdString(error.subject()), errorText(error.code()));
-    return report + u"\n  "_s + issueLines(error).join(u"\n  "_s);
+    constexpr qsizetype kMostLines = 12; // a box of more would not fit a screen
+    QStringList lines = issueLines(error);
+    if (const qsizetype more = lines.size() - kMostLines; more > 0)
+        lines = lines.first(kMostLines)
+                << ErrorText::tr("… and %n more", nullptr, static_cast<int>(more));
+    return report + u"\n  "_s + lines.join(u"\n  "_s);
 }
 
 } // namespace berg

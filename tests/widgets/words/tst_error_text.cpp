@@ -43,6 +43,20 @@ private slots:
         QCOMPARE(lines[3], u"  this is not a place on the Earth"_s);
     }
 
+    /** A box with all of them would be taller than the screen. */
+    void manyFaultsAreCounted()
+    {
+        const Issue issue{.severity = Severity::Error, .reason = {IssueId::NotOnEarth}};
+        const auto linesOf = [&](std::size_t count) {
+            return errorReport(
+                       Error(ErrorCode::InvalidInput, "ice.berg", std::vector(count, issue)))
+                .split(u'\n');
+        };
+        QCOMPARE(linesOf(12).size(), 13);
+        QCOMPARE(linesOf(100).size(), 14);
+        QCOMPARE(linesOf(100).back(), u"  … and 88 more"_s);
+    }
+
     void reportOfAMessageKeepsIt()
     {
         const Error error(ErrorCode::SyntaxError, "ice.berg", "line 3, column 7: expected a comma");

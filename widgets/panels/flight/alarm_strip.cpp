@@ -70,6 +70,14 @@ QPushButton* addButton(QBoxLayout& row, const QString& name, const QString& text
     return button;
 }
 
+QStringList textsOf(const std::vector<FlightNotice>& notices)
+{
+    QStringList texts;
+    for (const FlightNotice& notice : notices)
+        texts << notice.text;
+    return texts;
+}
+
 /** What an acknowledgement is kept by. */
 std::set<std::string> subjectsOf(const FlightNotice& notice)
 {
@@ -188,11 +196,14 @@ void AlarmStrip::showState(bool inFlight, std::optional<double> lookBack_s, cons
 void AlarmStrip::fillState()
 {
     const bool looksBack = m_lookBack_s.has_value();
+    const bool isKnown = !m_notices.empty(); // acknowledged, but not over
     const IconName sign = !m_fault.isEmpty() ? IconName::Fault
                           : looksBack        ? IconName::Reset
+                          : isKnown          ? IconName::Hint
                                              : IconName::Proven;
     m_icon->setPixmap(icon(sign, m_theme).pixmap(QSize(kIcon_px, kIcon_px), devicePixelRatioF()));
-    QString text = tr("No alarms");
+    QString text =
+        isKnown ? tr("Acknowledged: %1").arg(textsOf(m_notices).join(u" · "_s)) : tr("No alarms");
     if (!m_fault.isEmpty()) // as much as there is room for
         text = m_text->fontMetrics().elidedText(tr("Cannot be planned: %1").arg(m_fault),
                                                 Qt::ElideRight, m_text->width());
@@ -241,6 +252,7 @@ void AlarmStrip::showNotices(const std::vector<FlightNotice>& notices)
         std::erase_if(ids, [&](const std::string& id) { return !still.contains(id); });
     }
     fillNotices();
+    fillState();
     showOrHide();
 }
 
@@ -250,6 +262,7 @@ void AlarmStrip::acknowledge(std::size_t line)
     m_acknowledged[notice.kind].merge(subjectsOf(notice));
     m_pause.start(QApplication::styleHints()->mouseDoubleClickInterval());
     fillNotices();
+    fillState();
     showOrHide();
 }
 

@@ -178,18 +178,24 @@ void PlanPanel::setColumnWidths()
     chooseColumns();
 }
 
-/** Sigma at arrival is there when the names have room beside it, as its values are in tool tips
- * too; the chance of being in view, when an iceberg may be missed. */
+/** Sigma at arrival is there when the names have room beside it; the chance of being in view, when
+ * an iceberg may be missed, in the place of sigma now where there is no other. Their values are in
+ * tool tips too. */
 void PlanPanel::chooseColumns()
 {
-    // A hidden column has no width.
-    m_table->setColumnHidden(PlanModel::ArrivalSigma, false);
-    m_table->setColumnHidden(PlanModel::Chance, !m_model->mayMiss());
-    int taken_px = 0;
-    for (int column = 0; column < PlanModel::ColumnCount; ++column)
-        if (column != PlanModel::Name)
-            taken_px += m_table->columnWidth(column);
-    m_table->setColumnHidden(PlanModel::ArrivalSigma, width() - taken_px < kNameRoom_px);
+    const auto room_px = [this] {
+        int left_px = width();
+        for (int column = 0; column < PlanModel::ColumnCount; ++column)
+            if (column != PlanModel::Name)
+                left_px -= m_table->columnWidth(column); // a hidden column has no width
+        return left_px;
+    };
+    const bool mayMiss = m_model->mayMiss();
+    for (const PlanModel::Column column : {PlanModel::Sigma, PlanModel::ArrivalSigma})
+        m_table->setColumnHidden(column, false);
+    m_table->setColumnHidden(PlanModel::Chance, !mayMiss);
+    m_table->setColumnHidden(PlanModel::ArrivalSigma, room_px() < kNameRoom_px);
+    m_table->setColumnHidden(PlanModel::Sigma, mayMiss && room_px() < kNameRoom_px);
 }
 
 void PlanPanel::updateSummary()

@@ -280,14 +280,16 @@ QString PolicyCombo::summary() const
                                ? zetaText(*zeta_m2s, locale())
                                : u"%1 (%2)"_s.arg(zetaText(*zeta_m2s, locale()), spread);
     if (m_inFlight)
-        return tr("Predicted before take-off: ζ %1").arg(figure);
+        return (m_isDrawn ? tr("Mean before take-off: ζ %1")
+                          : tr("Predicted before take-off: ζ %1"))
+            .arg(figure);
+    const QString told = (m_isDrawn ? tr("Mean ζ %1") : tr("Predicted ζ %1")).arg(figure);
     const std::optional<PolicyKind> best = lowest();
     if (!best)
-        return tr("Predicted ζ %1").arg(figure);
+        return told;
     if (best == policy)
-        return tr("Predicted ζ %1, the lowest").arg(figure);
-    return tr("Predicted ζ %1, lowest %2")
-        .arg(figure, changeText(*zetaOf(*best) / *zeta_m2s - 1, locale()));
+        return tr("%1, the lowest").arg(told);
+    return tr("%1, lowest %2").arg(told, changeText(*zetaOf(*best) / *zeta_m2s - 1, locale()));
 }
 
 void PolicyCombo::updateOffers()

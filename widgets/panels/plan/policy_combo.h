@@ -57,7 +57,7 @@ public:
     void setInFlight(bool inFlight);
 
     /** Of the policy shown, e.g. "Predicted ζ 71 230 m² s, lowest −14.1 %"; once all were flown in
-     * drawn worlds "Predicted ζ 72 410 (65 120 to 80 330) m² s, recommended −12.8 %". */
+     * drawn worlds "Mean ζ 72 410 m² s (65 120 to 80 330), lowest −12.8 %". */
     [[nodiscard]] QString summary() const;
     /** What the forecasts are. */
     [[nodiscard]] static QString explanation();

@@ -248,9 +248,14 @@ private slots:
         QVERIFY(!f.table.isColumnHidden(PlanModel::Chance));
         QCOMPARE(f.cell(0, PlanModel::Chance), u"41 %"_s);
         QCOMPARE(f.cell(1, PlanModel::Chance), noFigure()); // it depends on the aim
+        f.panel.resize(test::kDock_px, 240);                // names stay readable
+        QVERIFY(!f.table.isColumnHidden(PlanModel::Chance));
+        QVERIFY(f.table.isColumnHidden(PlanModel::Sigma));
+        QVERIFY(f.table.columnWidth(PlanModel::Name) >= 60);
         rows[0].chance = 1;
         f.panel.showPlan(planOf(rows));
         QVERIFY(f.table.isColumnHidden(PlanModel::Chance));
+        QVERIFY(!f.table.isColumnHidden(PlanModel::Sigma));
     }
 
     /** A standard deviation to each side on either axis. */

@@ -112,10 +112,10 @@ private slots:
                  u"Recommended"_s);
         QVERIFY(f.remark(PolicyKind::Latency).endsWith(u"−38.1 %"_s));
         QVERIFY(!f.isLowest(PolicyKind::Coverage));
-        QCOMPARE(f.line.text(), u"Predicted ζ 80\u202f000 m² s (71\u202f450 to 88\u202f550), "
+        QCOMPARE(f.line.text(), u"Mean ζ 80\u202f000 m² s (71\u202f450 to 88\u202f550), "
                                 u"lowest −38.1 %"_s);
         f.panel.setInFlight(true);
-        QCOMPARE(f.line.text(), u"Predicted before take-off: ζ 80\u202f000 m² s "
+        QCOMPARE(f.line.text(), u"Mean before take-off: ζ 80\u202f000 m² s "
                                 u"(71\u202f450 to 88\u202f550)"_s);
     }
 
