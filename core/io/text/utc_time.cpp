@@ -42,11 +42,13 @@ std::optional<UtcTime> parseUtc(std::string_view text)
     using namespace std::chrono;
     if (!isUtcTime(text))
         return std::nullopt;
-    // YYYY-MM-DDThh:mm:ss, then Z or .fff...Z
+    // YYYY-MM-DDThh:mm, then Z, :ssZ or :ss.fff...Z
     const year_month_day date{year(numberAt(text, 0, 4)),
                               month(static_cast<unsigned>(numberAt(text, 5, 2))),
                               day(static_cast<unsigned>(numberAt(text, 8, 2)))};
-    const int millisecond = text[19] == '.' ? thousandths(text.substr(20)) : 0;
+    constexpr std::size_t kPoint = 19;
+    const bool hasFraction = text.size() > kPoint && text[kPoint] == '.';
+    const int millisecond = hasFraction ? thousandths(text.substr(kPoint + 1)) : 0;
     return sys_days(date) + hours(numberAt(text, 11, 2)) + minutes(numberAt(text, 14, 2)) +
            seconds(numberAt(text, 17, 2)) + milliseconds(millisecond);
 }

@@ -18,6 +18,8 @@ private slots:
         using Bytes = QByteArray;
         QTest::newRow("start") << Bytes("2026-05-01T12:00:00Z") << 0.0
                                << Bytes("2026-05-01T12:00:00Z");
+        QTest::newRow("without seconds")
+            << Bytes("2026-05-01T12:34Z") << 0.0 << Bytes("2026-05-01T12:34:00Z");
         QTest::newRow("fraction kept")
             << Bytes("2026-05-01T12:00:00.25Z") << 0.0 << Bytes("2026-05-01T12:00:00.250Z");
         QTest::newRow("nanoseconds cut")
