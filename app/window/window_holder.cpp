@@ -36,7 +36,8 @@ void WindowHolder::remake(const std::function<void()>& change)
     make();
     m_window->restoreGeometry(geometry);
     m_window->restoreState(state);
-    m_window->show();
+    if (old->isVisible()) // else it has been closed since the change was asked for
+        m_window->show();
     m_window->takeOver(*old);
 }
 

@@ -381,6 +381,17 @@ private slots:
         QVERIFY(QFile::exists(w.interaction.path));
     }
 
+    /** The change comes a moment after it was chosen. */
+    void closedBeforeTheLanguageChanges()
+    {
+        StudyWindow w;
+        const MainWindow* before = &w.window();
+        w.trigger(u"view/language-nb"_s);
+        QVERIFY(w.window().close());
+        QVERIFY(w.until([&] { return &w.window() != before; }));
+        QVERIFY(!w.window().isVisible());
+    }
+
     /** Neither the window nor the program waits for a study. */
     void closesWhileAStudyIsFlown()
     {
