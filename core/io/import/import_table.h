@@ -81,7 +81,7 @@ struct Sighting
     bool grounded = false;
 };
 
-/** Why a row, or an iceberg, is not taken. */
+/** A row, or an iceberg, that is not taken, and why. */
 struct RejectedRow
 {
     std::size_t line = 0;

@@ -184,7 +184,6 @@ private slots:
         QVERIFY(total_m2s(0.1) < total_m2s(0));
     }
 
-    /** Holds are part of the plans, and plans are never worse than what they start from. */
     /** Places where a lost one may be are told apart: each is worth its chance, once. */
     void placesOfALostOne()
     {
@@ -235,6 +234,7 @@ private slots:
         QVERIFY(2 * found > lost);
     }
 
+    /** Holds are part of the plans, and plans are never worse than what they start from. */
     void searchUsesHolds()
     {
         int holds = 0;
