@@ -158,8 +158,7 @@ PlanRequest planRequest(const Simulation& simulation)
         request.uavs.push_back(uavRequest(simulation, uav, request.ids));
         starts_m.push_back(fleet.autopilot(uav).pose().position_m);
     }
-    if (uavs.size() > 1)
-        request.betweenUavs_m = legLengths_m(fleet.autopilot(0).guard().uav(), starts_m);
+    request.betweenUavs_m = legLengths_m(fleet.autopilot(0).guard().uav(), starts_m);
     return request;
 }
 

@@ -129,7 +129,7 @@ check "curve with clusters: the plan is on it" json '[i["order"] for i in d["int
 # --- curve -----------------------------------------------------------------------------------
 endurance=$source_dir/resources/scenarios/fram-strait-endurance.berg
 check "plan with endurance" exits 0 "$cli" plan "$endurance" --json
-check "plan with endurance: what one sortie can visit" json '1 <= d["this_sortie"] <= len(d["order"])'
+check "plan with endurance: what one sortie can visit" json '1 <= d["uavs"][0]["this_sortie"] <= len(d["order"])'
 check "plan with endurance in words" exits 0 "$cli" plan "$endurance"
 check "plan with endurance in words: then home" grep -q "^sortie .*then home" stdout.txt
 ends_at_home='rows = [line.split("\t") for line in open("sortie.waypoints")][1:]; raise SystemExit(rows[0][8:10] != rows[-1][8:10])'
@@ -141,7 +141,7 @@ check "export --no-return-home: ends over an iceberg" exits 1 python3 -c "$ends_
 check "plan at tau 0.6" exits 0 "$cli" plan "$default" --tau 0.6 --json
 cp stdout.txt plan06.json
 check "curve" exits 0 "$cli" curve "$default" --json --output curve.csv
-check "curve: members" json 'list(d) == ["intervals","complete","seconds"] and list(d["intervals"][0]) == ["tau_from","tau_to","distance_m","reward_m2","proven","order","icebergs"]'
+check "curve: members" json 'list(d) == ["intervals","complete","seconds"] and list(d["intervals"][0]) == ["tau_from","tau_to","distance_m","reward_m2","proven","order","icebergs","uavs"]'
 check "curve: no gap from 0 to 5" json '[d["intervals"][0]["tau_from"]] + [i["tau_to"] for i in d["intervals"]] == [i["tau_from"] for i in d["intervals"]] + [5]'
 check "curve: proven" json 'd["complete"] and all(i["proven"] for i in d["intervals"])'
 check "curve: the plan is on it" json '[i["order"] for i in d["intervals"] if i["tau_from"] <= 0.6 < i["tau_to"]] == [json.load(open("plan06.json"))["order"]]'
@@ -159,7 +159,7 @@ check "curve of a missing file" exits 3 "$cli" curve missing.berg
 
 # --- simulate --------------------------------------------------------------------------------
 check "simulate" exits 0 "$cli" simulate "$default" --json
-check "simulate: members" json 'list(d) == ["zeta_m2s","visits","replans","flown_m","lower_bound_m2s","seconds"]'
+check "simulate: members" json 'list(d) == ["zeta_m2s","visits","replans","flown_m","lower_bound_m2s","seconds","uavs","closest_m"]'
 check "simulate: length" json 'abs(d["flown_m"] - 22000) < 1e-6'
 grep -v '"seconds"' stdout.txt >first.json
 check "simulate again" exits 0 "$cli" simulate "$default" --json --output out
@@ -264,7 +264,7 @@ check "fleet: sweep" exits 0 "$cli" sweep "$fleet" --tau 0,1 --policies visitati
 check "fleet: sweep on three threads" exits 0 "$cli" sweep "$fleet" --tau 0,1 --policies visitation,tour --runs 2 --threads 3 --output fleet3.csv
 check "fleet: sweep: threads do not matter" cmp -s fleet1.csv fleet3.csv
 check "one UAV has no list of them" exits 0 "$cli" simulate "$default" --duration 60 --json
-check "one UAV has no list of them: none" json '"uavs" not in d and "closest_m" not in d'
+check "one UAV is a fleet of one" json '[u["visits"] for u in d["uavs"]] == [d["visits"]] and d["closest_m"] is None'
 
 # --- sweep -----------------------------------------------------------------------------------
 check "sweep" exits 0 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --threads 1 --json --output sweep.csv

@@ -66,8 +66,7 @@ std::string curveJson(const CurveReport& report, double elapsed_s)
             uavs.push_back(uav.inLine());
         }
         addOrder(entry, report, all);
-        if (uavs.size() > 1)
-            entry.addText("uavs", '[' + joined(uavs, ',') + ']');
+        entry.addText("uavs", '[' + joined(uavs, ',') + ']');
         intervals.push_back(entry.inLine());
     }
     JsonObject document;

@@ -111,7 +111,7 @@ PlanReport planReport(const Scenario& scenario, const PlanAnswer& answer)
         report.uavs.push_back(std::move(uav));
     }
     if (report.uavs.size() == 1) // such as the cycle of a tour
-        report.distance_m = answer.distance_m;
+        report.uavs.front().distance_m = report.distance_m = answer.distance_m;
     for (const std::vector<int>& members : answer.clusters)
         std::ranges::transform(members, std::back_inserter(report.clusters.emplace_back()), idOf);
     return report;
@@ -138,14 +138,12 @@ std::string planJson(const PlanReport& report)
               {"mu", orNull(report.mu())},
               {"seconds", outcome.elapsed_s},
               {"backend", nameOf(kSourceNames, outcome.source)}};
-    if (!ids.empty())
+    if (!ids.empty()) // those of a problem have none
         json["icebergs"] = ids;
     if (!report.clusters.empty())
         json["clusters"] = report.clusters;
-    if (report.uavs.size() > 1)
+    if (!ids.empty())
         json["uavs"] = uavs;
-    else if (report.uavs.front().thisSortie)
-        json["this_sortie"] = *report.uavs.front().thisSortie;
     if (report.secondOpinion)
         json["verify"] = secondOpinionJson(*report.secondOpinion);
     return resultText(json);

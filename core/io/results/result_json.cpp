@@ -159,14 +159,11 @@ std::string simulateJson(const Mission& mission, std::optional<double> lowerBoun
               {"replans", metrics.replans},
               {"flown_m", metrics.flown_m},
               {"lower_bound_m2s", orNull(lowerBound_m2s)},
-              {"seconds", elapsed_s}};
-    if (mission.simulation().uavCount() > 1) {
-        json["uavs"] = Json::array();
-        for (const UavFigures& uav : uavFigures(mission))
-            json["uavs"].push_back(
-                {{"id", uav.id}, {"visits", uav.visits}, {"flown_m", uav.flown_m}});
-        json["closest_m"] = orNull(mission.simulation().fleet().closest_m());
-    }
+              {"seconds", elapsed_s},
+              {"uavs", Json::array()},
+              {"closest_m", orNull(mission.simulation().fleet().closest_m())}};
+    for (const UavFigures& uav : uavFigures(mission))
+        json["uavs"].push_back({{"id", uav.id}, {"visits", uav.visits}, {"flown_m", uav.flown_m}});
     for (const auto& [name, count] : worldEvents(mission))
         json["events"][name] = count;
     return resultText(json);

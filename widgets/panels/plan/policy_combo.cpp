@@ -283,7 +283,7 @@ QString PolicyCombo::summary() const
         return (m_isDrawn ? tr("Mean before take-off: ζ %1")
                           : tr("Predicted before take-off: ζ %1"))
             .arg(figure);
-    const QString told = (m_isDrawn ? tr("Mean ζ %1") : tr("Predicted ζ %1")).arg(figure);
+    QString told = (m_isDrawn ? tr("Mean ζ %1") : tr("Predicted ζ %1")).arg(figure);
     const std::optional<PolicyKind> best = lowest();
     if (!best)
         return told;
