@@ -3919,6 +3919,10 @@
         <source>the name is too long</source>
         <translation>navnet er for langt</translation>
     </message>
+    <message>
+        <source>the program bergwatch-cbc is not there: %1</source>
+        <translation>programmet bergwatch-cbc finnes ikke: %1</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>

@@ -27,6 +27,7 @@ const std::vector<Module> kModules{
     {"base", {}},
     {"plan", {"base"}},
     {"vehicle", {"base"}},
+    {"cbc", {"base", "plan"}},
     {"tracking", {"base"}},
     {"coverage", {"base", "plan", "vehicle", "tracking"}},
     {"scenario", {"base", "plan", "vehicle", "tracking"}},
@@ -131,9 +132,8 @@ std::string thirdPartyFault(const std::string& file, const std::string& target)
     if (target.starts_with('Q') || target.starts_with("qt") || target.starts_with("ui_"))
         return "Qt belongs to widgets/ and app/";
     if (startsWithAny(target, {"Cbc", "Cgl", "Coin", "Clp", "Osi", "coin/"}) &&
-        !startsWithAny(file, {"core/plan/solve/cbc_solver.cpp", "core/plan/fleet/cbc_cover.cpp",
-                              "core/plan/solve/cbc_coin.h"}))
-        return "COIN belongs to core/plan/cbc_solver, cbc_cover and cbc_coin";
+        !file.starts_with("core/cbc/"))
+        return "COIN belongs to core/cbc, which is linked by bergwatch-cbc alone";
     if (target.starts_with("nlohmann") && moduleOf(file) != "io")
         return "JSON belongs to core/io";
     if (target == "expat.h" && file != "core/io/text/xml_reader.cpp")
@@ -344,9 +344,11 @@ private slots:
         row("core/base/error.cpp", "<QString>", false);
         row("core/io/export/formats.cpp", "<QtCore/QFile>", false);
         row("core/io/export/formats.cpp", "<qtcoreexports.h>", false);
-        row("core/plan/solve/cbc_solver.cpp", "<CbcModel.hpp>", true);
-        row("core/plan/solve/cbc_solver.cpp", "<OsiClpSolverInterface.hpp>", true);
-        row("core/plan/solve/cbc_solver.h", "<CbcModel.hpp>", false);
+        row("core/cbc/cbc_search.cpp", "<CbcModel.hpp>", true);
+        row("core/cbc/cbc_coin.h", "<OsiClpSolverInterface.hpp>", true);
+        row("core/cbc/cbc_search.cpp", "\"core/plan/solve/solver.h\"", true);
+        row("core/plan/solve/cbc_solver.cpp", "\"core/cbc/cbc_search.h\"", false);
+        row("core/plan/solve/cbc_solver.cpp", "<CbcModel.hpp>", false);
         row("core/plan/solve/solver.cpp", "<coin/CbcModel.hpp>", false);
         row("core/io/files/problem_json.cpp", "<CoinPackedMatrix.hpp>", false);
         row("core/io/text/json_reader.cpp", "<nlohmann/json.hpp>", true);

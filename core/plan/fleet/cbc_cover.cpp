@@ -1,13 +1,7 @@
 #include "core/plan/fleet/cbc_cover.h"
 
-#include "core/plan/solve/cbc_coin.h"
+#include "core/plan/solve/cbc_helper.h"
 
-#include <CbcEventHandler.hpp>
-#include <CbcModel.hpp>
-#include <CoinError.hpp>
-#include <CoinPackedMatrix.hpp>
-
-#include <bit>
 #include <utility>
 #include <vector>
 
@@ -15,105 +9,38 @@ namespace berg {
 
 namespace {
 
-/** What the slack is scaled to, so that Clp's absolute tolerances fit. */
-constexpr double kScaledSlack = 1000;
-
-/** Ends the search tree. */
-class TreeStopper final : public CbcEventHandler
-{
-public:
-    using CbcEventHandler::event;
-    explicit TreeStopper(CoinStop asked) : m_stop(std::move(asked)) {}
-    [[nodiscard]] CbcEventHandler* clone() const override { return new TreeStopper(*this); }
-    CbcAction event(CbcEvent) override { return m_stop() ? stop : noAction; }
-
-private:
-    CoinStop m_stop;
-};
-
 /** Rows: UAVs, then icebergs. */
-void load(const FleetOrders& orders, double slack, OsiClpSolverInterface& solver)
+CbcPartition partitionOf(const FleetOrders& orders, double slack)
 {
-    std::vector<int> rows;
-    std::vector<int> columns;
-    std::vector<double> costs;
+    CbcPartition partition{.rows = orders.uavs() + orders.icebergs(), .slack = slack};
     for (const FleetOrders::Order& order : orders.all()) {
-        const int column = static_cast<int>(costs.size());
-        costs.push_back(kScaledSlack * order.excess / slack);
-        rows.push_back(order.uav);
-        columns.push_back(column);
+        std::vector<int>& rows = partition.columns.emplace_back(1, order.uav);
         for (int i = 1; i <= orders.icebergs(); ++i)
-            if (order.visited.contains(i)) {
+            if (order.visited.contains(i))
                 rows.push_back(orders.uavs() + i - 1);
-                columns.push_back(column);
-            }
+        partition.costs.push_back(order.excess);
     }
-    const std::vector<double> ones(rows.size(), 1.0);
-    CoinPackedMatrix matrix(true, rows.data(), columns.data(), ones.data(),
-                            static_cast<CoinBigIndex>(rows.size()));
-    const int rowCount = orders.uavs() + orders.icebergs();
-    matrix.setDimensions(rowCount, static_cast<int>(costs.size()));
-    const std::vector<double> lower(costs.size(), 0.0);
-    const std::vector<double> upper(costs.size(), 1.0);
-    const std::vector<double> one(static_cast<std::size_t>(rowCount), 1.0);
-    solver.loadProblem(matrix, lower.data(), upper.data(), costs.data(), one.data(), one.data());
-    for (std::size_t column = 0; column < costs.size(); ++column)
-        solver.setInteger(static_cast<int>(column));
+    return partition;
 }
 
-/** The plan of a solution, when it is one of less than the slack. */
-std::optional<FleetPlan> planOf(const FleetOrders& orders, double slack, const double* solution)
+/** The plan of a choice, when it is one of less than the slack. */
+std::optional<FleetPlan> planOf(const FleetOrders& orders, double slack,
+                                const std::vector<int>& chosen)
 {
     FleetPlan plan(static_cast<std::size_t>(orders.uavs()));
     std::vector<int> flown(plan.size(), 0);
     double excess = 0;
     int visits = 0;
-    for (std::size_t k = 0; k < orders.all().size(); ++k)
-        if (const FleetOrders::Order& order = orders.all()[k]; solution[k] > 0.5) {
-            const auto uav = static_cast<std::size_t>(order.uav);
-            plan[uav] = orders.icebergsOf(order);
-            visits += static_cast<int>(plan[uav].size());
-            ++flown[uav];
-            excess += order.excess;
-        }
+    for (const int k : chosen) {
+        const FleetOrders::Order& order = orders.all()[static_cast<std::size_t>(k)];
+        const auto uav = static_cast<std::size_t>(order.uav);
+        plan[uav] = orders.icebergsOf(order);
+        visits += static_cast<int>(plan[uav].size());
+        ++flown[uav];
+        excess += order.excess;
+    }
     const bool whole = flown == std::vector<int>(flown.size(), 1) && visits == orders.icebergs();
     return whole && excess < slack ? std::optional(std::move(plan)) : std::nullopt;
-}
-
-FleetCover search(const FleetOrders& orders, double slack, const CoinStop& stop)
-{
-    FleetCover cover{.work = static_cast<std::int64_t>(orders.all().size())};
-    SilentHandler silent;
-    StoppableClp solver(stop);
-    solver.passInMessageHandler(&silent);
-    solver.setHintParam(OsiDoReducePrint, true, OsiHintTry);
-    SimplexStopper stopper(stop);
-    solver.getModelPtr()->passInEventHandler(&stopper);
-    load(orders, slack, solver);
-    solver.resolve(); // the dual simplex: the crash of initialSolve does not ask the stopper
-    if (stop())
-        return cover;
-    if (solver.isProvenPrimalInfeasible() ||
-        (solver.isProvenOptimal() && solver.getObjValue() >= kScaledSlack)) {
-        cover.complete = true;
-        return cover;
-    }
-    CbcModel model(solver);
-    model.passInMessageHandler(&silent);
-    model.setLogLevel(0);
-    TreeStopper tree(stop);
-    model.passInEventHandler(&tree);
-    model.setIntegerTolerance(1e-6);
-    model.setAllowableGap(0);
-    model.setAllowableFractionGap(0);
-    model.setCutoff(kScaledSlack);
-    model.branchAndBound();
-    if (model.bestSolution() != nullptr)
-        cover.plan = planOf(orders, slack, model.bestSolution());
-    const bool searched = model.isProvenOptimal() || model.isProvenInfeasible();
-    // A solution that is none of a plan would prove nothing.
-    cover.complete = !stop() && searched && (cover.plan || model.bestSolution() == nullptr);
-    return cover;
 }
 
 } // namespace
@@ -124,16 +51,26 @@ FleetCover bestCoverByCbc(const FleetOrders& orders, double slack, std::int64_t 
     const auto columns = static_cast<std::int64_t>(orders.all().size());
     if (orders.all().size() > kMostCoverColumns || columns > workLimit || slack <= 0)
         return {};
-    bool stopped = false;
-    const CoinStop stop = [&] {
-        stopped = stopped || (cut && cut());
-        return stopped;
-    };
+    FleetCover cover{.work = columns};
+    const CbcCut isCut = [&cut] { return cut && cut(); };
     try {
-        return search(orders, slack, stop);
-    } catch (const CoinError&) {
-        return {.work = columns};
+        const CbcPartition partition = partitionOf(orders, slack);
+        CbcHelper helper;
+        if (!helper.ask(cbcFrame(partition), isCut))
+            return cover;
+        const std::optional<CbcFrame> answer = helper.answer(isCut);
+        if (!answer)
+            return cover;
+        if (answer->kind == CbcFrameKind::Failure)
+            throw Error(ErrorCode::SolverFailed, "cbc", cbcFailureOf(*answer));
+        const CbcChoice choice = cbcChoiceOf(*answer, partition);
+        cover.plan = planOf(orders, slack, choice.columns);
+        // A choice that is no plan would prove nothing.
+        cover.complete = choice.complete && (cover.plan || choice.columns.empty());
+    } catch (const CbcWireFault& fault) {
+        throw Error(ErrorCode::SolverFailed, "cbc", std::string("bergwatch-cbc: ") + fault.what());
     }
+    return cover;
 }
 
 } // namespace berg

@@ -5,6 +5,7 @@
 #include "core/plan/solve/exact_solver.h"
 #include "core/plan/solve/local_search.h"
 #ifdef BERG_WITH_CBC
+#include "core/plan/solve/cbc_helper.h"
 #include "core/plan/solve/cbc_solver.h"
 #endif
 
@@ -116,6 +117,7 @@ std::unique_ptr<TvpSolver> makeSolver(Backend backend, [[maybe_unused]] Formulat
         return std::make_unique<LocalSearch>();
     case Backend::Cbc:
 #ifdef BERG_WITH_CBC
+        static_cast<void>(cbcHelperPath()); // told now where it is missing
         return std::make_unique<CbcSolver>(formulation);
 #else
         throw Error(ErrorCode::Unsupported, "planner.backend", {IssueId::NoCbc});

@@ -1,4 +1,4 @@
-#include "core/plan/solve/cbc_run.h"
+#include "core/cbc/cbc_run.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,343 @@
+#include "core/plan/solve/cbc_wire.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+namespace berg {
+
+namespace {
+
+class PayloadWriter
+{
+public:
+    template <typename Number>
+    PayloadWriter& add(Number value)
+    {
+        static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);
+        const std::size_t end = m_bytes.size();
+        m_bytes.resize(end + sizeof(Number));
+        std::memcpy(m_bytes.data() + end, &value, sizeof(Number));
+        return *this;
+    }
+    template <typename Number>
+    PayloadWriter& add(const std::optional<Number>& value)
+    {
+        return add(value.has_value()).add(value.value_or(Number{}));
+    }
+    template <typename Item>
+    PayloadWriter& add(const std::vector<Item>& items)
+    {
+        add(static_cast<std::uint64_t>(items.size()));
+        for (const Item& item : items)
+            add(item);
+        return *this;
+    }
+    PayloadWriter& add(const std::string& text)
+    {
+        add(static_cast<std::uint64_t>(text.size()));
+        m_bytes += text;
+        return *this;
+    }
+    [[nodiscard]] CbcFrame frame(CbcFrameKind kind) { return {kind, std::move(m_bytes)}; }
+
+private:
+    std::string m_bytes;
+};
+
+class PayloadReader
+{
+public:
+    PayloadReader(const CbcFrame& frame, CbcFrameKind kind) : m_rest(frame.payload)
+    {
+        if (frame.kind != kind)
+            throw CbcWireFault("a message of another kind was due");
+    }
+    template <typename Number>
+    void take(Number& value)
+    {
+        if constexpr (std::is_same_v<Number, bool>) { // any byte but 0 and 1 is no bool
+            std::uint8_t byte = 0;
+            take(byte);
+            value = byte != 0;
+        } else {
+            need(sizeof(Number));
+            std::memcpy(&value, m_rest.data(), sizeof(Number));
+            m_rest.remove_prefix(sizeof(Number));
+        }
+    }
+    template <typename Number>
+    void take(std::optional<Number>& value)
+    {
+        bool isThere = false;
+        Number number{};
+        take(isThere);
+        take(number);
+        value = isThere ? std::optional(number) : std::nullopt;
+    }
+    template <typename Item>
+    void take(std::vector<Item>& items)
+    {
+        std::uint64_t count = 0;
+        take(count);
+        constexpr std::size_t kLeast = std::is_arithmetic_v<Item> ? sizeof(Item) : sizeof(count);
+        if (count > m_rest.size() / kLeast)
+            throw CbcWireFault("a message is cut short");
+        items.resize(count);
+        for (Item& item : items)
+            take(item);
+    }
+    void take(std::string& text)
+    {
+        std::uint64_t count = 0;
+        take(count);
+        need(count);
+        text = m_rest.substr(0, count);
+        m_rest.remove_prefix(count);
+    }
+    template <typename Choice>
+    void takeUpTo(Choice last, Choice& value)
+    {
+        std::int32_t number = 0;
+        take(number);
+        if (number < 0 || number > static_cast<std::int32_t>(last))
+            throw CbcWireFault("a message holds a value that there is not");
+        value = static_cast<Choice>(number);
+    }
+    void end() const
+    {
+        if (!m_rest.empty())
+            throw CbcWireFault("a message is too long");
+    }
+
+private:
+    void need(std::uint64_t bytes) const
+    {
+        if (bytes > m_rest.size())
+            throw CbcWireFault("a message is cut short");
+    }
+
+    std::string_view m_rest;
+};
+
+template <typename Choice>
+std::int32_t numberOf(Choice value)
+{
+    return static_cast<std::int32_t>(value);
+}
+
+VisitOrder onlyOrder(const FleetPlan& plan)
+{
+    return plan.empty() ? VisitOrder{} : plan.front();
+}
+
+/** The plan of one UAV; none of an empty order. */
+FleetPlan planOf(const VisitOrder& order, const TvpProblem& problem)
+{
+    if (order.empty())
+        return {};
+    if (!isVisitOrder(problem, order))
+        throw CbcWireFault("an order is none of the problem's");
+    return {order};
+}
+
+} // namespace
+
+CbcFrame cbcHello()
+{
+    return PayloadWriter().add(kCbcWireVersion).frame(CbcFrameKind::Hello);
+}
+
+void requireCbcHello(const CbcFrame& frame)
+{
+    PayloadReader reader(frame, CbcFrameKind::Hello);
+    std::int32_t version = 0;
+    reader.take(version);
+    if (version != kCbcWireVersion)
+        throw CbcWireFault("it is of another version of Bergwatch");
+    reader.end();
+}
+
+CbcFrame cbcFailure(const std::string& words)
+{
+    return PayloadWriter().add(words).frame(CbcFrameKind::Failure);
+}
+
+std::string cbcFailureOf(const CbcFrame& frame)
+{
+    PayloadReader reader(frame, CbcFrameKind::Failure);
+    std::string words;
+    reader.take(words);
+    reader.end();
+    return words;
+}
+
+CbcFrame cbcFrame(const CbcProblem& problem)
+{
+    const TvpProblem& tvp = problem.problem;
+    const SolveOptions& options = problem.options;
+    PayloadWriter writer;
+    writer.add(numberOf(problem.formulation)).add(tvp.sigma_m2).add(tvp.mu);
+    writer.add(numberOf(tvp.route)).add(numberOf(tvp.criterion));
+    writer.add(
+        std::vector<double>(tvp.distance_m.reshaped().begin(), tvp.distance_m.reshaped().end()));
+    writer.add(options.timeLimit_s).add(options.workLimit).add(options.memoryLimit_bytes);
+    writer.add(options.gap).add(onlyOrder(options.hint));
+    return writer.frame(CbcFrameKind::Problem);
+}
+
+CbcProblem cbcProblemOf(const CbcFrame& frame)
+{
+    PayloadReader reader(frame, CbcFrameKind::Problem);
+    CbcProblem problem;
+    TvpProblem& tvp = problem.problem;
+    SolveOptions& options = problem.options;
+    reader.takeUpTo(Formulation::Reduced, problem.formulation);
+    reader.take(tvp.sigma_m2);
+    reader.take(tvp.mu);
+    reader.takeUpTo(Route::Closed, tvp.route);
+    reader.takeUpTo(Criterion::Latency, tvp.criterion);
+    std::vector<double> distance_m;
+    reader.take(distance_m);
+    const std::size_t nodes = tvp.sigma_m2.size();
+    if (distance_m.size() != nodes * nodes)
+        throw CbcWireFault("a distance for each two nodes is due");
+    const auto side = static_cast<Eigen::Index>(nodes);
+    tvp.distance_m = Eigen::Map<const Eigen::MatrixXd>(distance_m.data(), side, side);
+    reader.take(options.timeLimit_s);
+    reader.take(options.workLimit);
+    reader.take(options.memoryLimit_bytes);
+    reader.take(options.gap);
+    VisitOrder hint;
+    reader.take(hint);
+    reader.end();
+    if (tvp.icebergCount() < 1 || !validate(tvp).empty())
+        throw CbcWireFault("the problem is none");
+    options.hint = planOf(hint, tvp);
+    return problem;
+}
+
+CbcFrame cbcFrame(const CbcPartition& partition)
+{
+    PayloadWriter writer;
+    writer.add(static_cast<std::int32_t>(partition.rows)).add(partition.columns);
+    writer.add(partition.costs).add(partition.slack);
+    return writer.frame(CbcFrameKind::Partition);
+}
+
+CbcPartition cbcPartitionOf(const CbcFrame& frame)
+{
+    PayloadReader reader(frame, CbcFrameKind::Partition);
+    CbcPartition partition;
+    reader.take(partition.rows);
+    reader.take(partition.columns);
+    reader.take(partition.costs);
+    reader.take(partition.slack);
+    reader.end();
+    const auto isRow = [&partition](int row) { return row >= 0 && row < partition.rows; };
+    const auto areRows = [&isRow](const std::vector<int>& rows) {
+        return std::ranges::all_of(rows, isRow);
+    };
+    const auto isCost = [](double cost) { return std::isfinite(cost); };
+    if (partition.costs.size() != partition.columns.size() || !(partition.slack > 0) ||
+        !std::ranges::all_of(partition.columns, areRows) ||
+        !std::ranges::all_of(partition.costs, isCost))
+        throw CbcWireFault("the partition is none");
+    return partition;
+}
+
+CbcFrame cbcFrame(const SolveProgress& progress)
+{
+    PayloadWriter writer;
+    writer.add(onlyOrder(progress.plan)).add(progress.objective).add(progress.bound);
+    return writer.frame(CbcFrameKind::Progress);
+}
+
+SolveProgress cbcProgressOf(const CbcFrame& frame, const TvpProblem& problem)
+{
+    PayloadReader reader(frame, CbcFrameKind::Progress);
+    SolveProgress progress;
+    VisitOrder order;
+    reader.take(order);
+    reader.take(progress.objective);
+    reader.take(progress.bound);
+    reader.end();
+    progress.plan = planOf(order, problem);
+    return progress;
+}
+
+CbcFrame cbcFrame(const SolveOutcome& outcome)
+{
+    PayloadWriter writer;
+    writer.add(numberOf(outcome.status)).add(numberOf(outcome.reason));
+    writer.add(onlyOrder(outcome.plan)).add(outcome.bound).add(outcome.work);
+    writer.add(outcome.hintUsed).add(outcome.detail);
+    return writer.frame(CbcFrameKind::Outcome);
+}
+
+SolveOutcome cbcOutcomeOf(const CbcFrame& frame, const TvpProblem& problem)
+{
+    PayloadReader reader(frame, CbcFrameKind::Outcome);
+    SolveOutcome outcome;
+    VisitOrder order;
+    reader.takeUpTo(SolveStatus::None, outcome.status);
+    reader.takeUpTo(StopReason::Unable, outcome.reason);
+    reader.take(order);
+    reader.take(outcome.bound);
+    reader.take(outcome.work);
+    reader.take(outcome.hintUsed);
+    reader.take(outcome.detail);
+    reader.end();
+    outcome.plan = planOf(order, problem);
+    if (outcome.plan.empty() != (outcome.status == SolveStatus::None))
+        throw CbcWireFault("a status does not fit its order");
+    return outcome;
+}
+
+CbcFrame cbcFrame(const CbcChoice& choice)
+{
+    return PayloadWriter().add(choice.complete).add(choice.columns).frame(CbcFrameKind::Chosen);
+}
+
+CbcChoice cbcChoiceOf(const CbcFrame& frame, const CbcPartition& partition)
+{
+    PayloadReader reader(frame, CbcFrameKind::Chosen);
+    CbcChoice choice;
+    reader.take(choice.complete);
+    reader.take(choice.columns);
+    reader.end();
+    const auto isColumn = [&partition](int column) {
+        return column >= 0 && static_cast<std::size_t>(column) < partition.columns.size();
+    };
+    if (!std::ranges::all_of(choice.columns, isColumn))
+        throw CbcWireFault("a choice is none of the partition's");
+    return choice;
+}
+
+std::string cbcBytes(const CbcFrame& frame)
+{
+    const CbcFrameHead head{.kind = frame.kind, .length = frame.payload.size()};
+    std::string bytes(sizeof head, '\0');
+    std::memcpy(bytes.data(), &head, sizeof head);
+    return bytes + frame.payload;
+}
+
+std::optional<CbcFrame> CbcFrameBuffer::taken()
+{
+    CbcFrameHead head;
+    if (m_bytes.size() < sizeof head)
+        return std::nullopt;
+    std::memcpy(&head, m_bytes.data(), sizeof head);
+    if (head.kind < CbcFrameKind::Hello || head.kind > CbcFrameKind::Failure ||
+        head.length > kMostCbcPayload_bytes)
+        throw CbcWireFault("what it says is no message");
+    const std::size_t length = sizeof head + head.length;
+    if (m_bytes.size() < length)
+        return std::nullopt;
+    CbcFrame frame{.kind = head.kind, .payload = m_bytes.substr(sizeof head, head.length)};
+    m_bytes.erase(0, length);
+    return frame;
+}
+
+} // namespace berg
