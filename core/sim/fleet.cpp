@@ -176,6 +176,8 @@ void Fleet::noteHomeward(int uav)
  * nobody for now. */
 void Fleet::leaveSearch(int uav)
 {
+    if (searchesByPlan())
+        m_observer.takeFromPlan(uav, m_report);
     if (!m_observer.searches().of(uav))
         return;
     Search search = m_observer.searches().take(uav);
@@ -215,6 +217,7 @@ void Fleet::beginOrEndSearch(int uav)
         m_observer.leaveToPlan(uav);
         return;
     }
+    m_observer.takeFromPlan(uav, m_report);
     if (!m_observer.searches().of(uav))
         searchAgain(uav);
     const std::optional<Search>& search = m_observer.searches().of(uav);

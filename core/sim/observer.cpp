@@ -275,8 +275,10 @@ void Observer::lose(int iceberg, int uav, std::span<const FieldOfView> views, St
     if (m_world.observer().model == ObserverModel::Kalman) // else sigma is that of Eq. (22)
         track.sigma_m2 = std::max(track.sigma_m2, path.variance_m2());
     Search search{.iceberg = iceberg, .path = std::move(path)};
+    if (m_isLeftToPlan)
+        m_searches.giveUp(std::move(search));
     // One at a time: by the end of the search for another this one is far behind.
-    if (!m_searches.of(uav) && camera.maySearch && search.path.hasCorner())
+    else if (!m_searches.of(uav) && camera.maySearch && search.path.hasCorner())
         m_searches.begin(uav, std::move(search));
     else
         giveUp(std::move(search), uav, report);
@@ -284,18 +286,31 @@ void Observer::lose(int iceberg, int uav, std::span<const FieldOfView> views, St
 
 void Observer::giveUp(Search search, int uav, StepReport& report)
 {
-    m_tracks[toIndex(search.iceberg)].status = TrackStatus::GivenUp;
-    report.add({.kind = EventKind::GivenUp, .iceberg = search.iceberg, .uav = uav},
-               PlanReason::GivenUp);
+    noteGivenUp(search.iceberg, uav, report);
     m_searches.giveUp(std::move(search));
+}
+
+void Observer::noteGivenUp(int iceberg, int uav, StepReport& report)
+{
+    m_tracks[toIndex(iceberg)].status = TrackStatus::GivenUp;
+    report.add({.kind = EventKind::GivenUp, .iceberg = iceberg, .uav = uav}, PlanReason::GivenUp);
 }
 
 void Observer::leaveToPlan(int uav)
 {
+    m_isLeftToPlan = true;
     if (m_searches.of(uav))
         m_searches.giveUp(m_searches.take(uav));
     for (const Search& search : m_searches.givenUp())
         m_tracks[toIndex(search.iceberg)].status = TrackStatus::Lost;
+}
+
+void Observer::takeFromPlan(int uav, StepReport& report)
+{
+    if (!std::exchange(m_isLeftToPlan, false))
+        return;
+    for (const Search& search : m_searches.givenUp())
+        noteGivenUp(search.iceberg, uav, report);
 }
 
 void Observer::beginSearch(int uav, Search search)

@@ -61,6 +61,8 @@ public:
     /** What it searches for, and what has been given up, is lost, and looked for where the plan
      * leads. */
     void leaveToPlan(int uav);
+    /** No plan searches any more: what was left to it is given up. */
+    void takeFromPlan(int uav, StepReport& report);
     /** For now: every new plan compares again. */
     void giveUp(Search search, int uav, StepReport& report);
 
@@ -74,12 +76,14 @@ private:
               StepReport& report);
     void watchEstimates(StepReport& report);
     void lose(int iceberg, int uav, std::span<const FieldOfView> views, StepReport& report);
+    void noteGivenUp(int iceberg, int uav, StepReport& report);
     void found(int iceberg, int seenBy, StepReport& report);
     void watchArea(StepReport& report);
 
     World m_world;
     Cameras m_cameras;
     Searches m_searches;
+    bool m_isLeftToPlan = false; ///< what is lost is looked for where plans lead
     std::vector<Point> m_area_m; ///< empty: unbounded
     std::int64_t m_lookSteps;    ///< between two looks of the camera, with measurements
     std::vector<Track> m_tracks;

@@ -56,6 +56,23 @@ Scenario doubtfulField(std::int64_t seed)
     return s;
 }
 
+/** Icebergs with doubtful velocities, one UAV whose plans search. */
+Scenario searchedByPlan(std::int64_t seed)
+{
+    Scenario s = randomScenario(seed, {.icebergs = 8});
+    s.duration_s = 1500;
+    s.observer.model = ObserverModel::Kalman;
+    s.planner.policy = PolicyKind::Coverage;
+    for (Iceberg& iceberg : s.icebergs)
+        iceberg.velocitySd_mps = 1;
+    return s;
+}
+
+int countOf(const Simulation& world, TrackStatus status)
+{
+    return static_cast<int>(std::ranges::count(world.observer().tracks(), status, &Track::status));
+}
+
 int countOf(const Mission& mission, EventKind kind)
 {
     return static_cast<int>(std::ranges::count(mission.events(), kind, &MissionEvent::kind));
@@ -179,6 +196,64 @@ private slots:
             QVERIFY(std::ranges::count(all, EventKind::Lost) > 0);
             QVERIFY(std::ranges::count(all, EventKind::HomeBound) > 0);
         }
+    }
+
+    /** What a plan looks for has not been given up, however many are lost at once. */
+    void whatThePlanSearchesIsNotGivenUp()
+    {
+        Scenario s = searchedByPlan(1);
+        for (std::size_t i = 0; i < 2; ++i) { // both should be at one place, and are not
+            Iceberg& iceberg = s.icebergs[i];
+            iceberg.position_m = s.uavs[0].position_m + Point(2000, 0);
+            iceberg.velocity_mps = Point::Zero();
+            iceberg.track = {.time_s = {0, 1500},
+                             .position_m = {iceberg.position_m + Point(0, 1500),
+                                            iceberg.position_m + Point(0, 1500)}};
+        }
+        Mission mission(s, {.workLimit = 20'000});
+        mission.advance(400);
+        std::vector<double> lost_s;
+        for (const MissionEvent& event : mission.events())
+            if (event.kind == EventKind::Lost)
+                lost_s.push_back(event.time_s);
+        QVERIFY(lost_s.size() >= 2);
+        QCOMPARE(lost_s[0], lost_s[1]);
+        QCOMPARE(countOf(mission, EventKind::GivenUp), 0);
+    }
+
+    /** Another policy searches with a pattern, and nobody on the way home: what is left is given
+     * up, and the log says so. */
+    void whatNoPlanSearchesIsGivenUp_data()
+    {
+        QTest::addColumn<bool>("goesHome");
+        QTest::newRow("another policy") << false;
+        QTest::newRow("on the way home") << true;
+    }
+    void whatNoPlanSearchesIsGivenUp()
+    {
+        QFETCH(bool, goesHome);
+        int left = 0;
+        for (int seed = 1; seed <= 6; ++seed) {
+            Mission mission(searchedByPlan(seed), {.workLimit = 20'000});
+            const Simulation& world = mission.simulation();
+            for (double t_s = 1; t_s < 1400 && countOf(world, TrackStatus::Lost) < 2; ++t_s)
+                mission.advance(t_s);
+            const int lost = countOf(world, TrackStatus::Lost);
+            const int before = countOf(mission, EventKind::GivenUp);
+            Intervention change;
+            if (goesHome)
+                change.commanded = UavCommand{.uav = mission.scenario().uavs[0].id,
+                                              .order = FlightOrder::ReturnNow};
+            else
+                change.policy = PolicyKind::Latency;
+            mission.intervene(change);
+            mission.advance(mission.simulation().time_s() + 1);
+            const int searched = world.uav(0).search && world.uav(0).isPlanned() ? 1 : 0;
+            QCOMPARE(countOf(world, TrackStatus::Lost), searched);
+            QVERIFY(countOf(mission, EventKind::GivenUp) - before >= lost - 1);
+            left += lost;
+        }
+        QVERIFY2(left >= 4, qPrintable(QString::number(left)));
     }
 
     /** The simple observer too: a beacon 0.3 m/s off its dead reckoning held the UAV for ever. */
