@@ -33,25 +33,29 @@ CoveragePlan straightPlan(const VisitOrder& order, int rounds)
     return plan;
 }
 
-KeptPlan keptPlan(const CoveragePlan& plan, std::span<const int> ids)
+KeptPlan keptPlan(const CoveragePlan& plan, const CoverageModel& model, std::span<const int> ids)
 {
     KeptPlan kept;
-    for (const CoverageLeg& leg : plan)
-        kept.push_back(
-            {.id = leg.isHold() ? -1 : ids[static_cast<std::size_t>(leg.iceberg)], .leg = leg});
+    for (const CoverageLeg& leg : plan) {
+        kept.push_back({.leg = leg});
+        if (leg.isHold())
+            continue;
+        kept.back().id = ids[static_cast<std::size_t>(model.icebergAt(leg.iceberg))];
+        kept.back().offset_m = model.offset_m(leg.iceberg);
+    }
     return kept;
 }
 
-CoveragePlan restOf(const KeptPlan& plan, std::span<const int> ids)
+CoveragePlan restOf(const KeptPlan& plan, const CoverageModel& model, std::span<const int> ids)
 {
     CoveragePlan rest;
-    for (const auto& [id, leg] : plan) {
+    for (const auto& [id, offset_m, leg] : plan) {
         const auto it = std::find(ids.begin(), ids.end(), id);
         if (!leg.isHold() && it == ids.end())
             continue;
         rest.push_back(leg);
         if (!leg.isHold())
-            rest.back().iceberg = static_cast<int>(it - ids.begin());
+            rest.back().iceberg = model.placeNear(static_cast<int>(it - ids.begin()), offset_m);
     }
     return rest;
 }

@@ -33,21 +33,25 @@ inline constexpr int kRounds = 20;
 /** Straight at the icebergs in this order (nodes 1 ..), so many times. */
 [[nodiscard]] CoveragePlan straightPlan(const VisitOrder& order, int rounds);
 
-/** A leg with the id of its iceberg, which stays the same in flight. */
+/** A leg with what it goes to, in words that stay the same in flight. */
 struct KeptLeg
 {
-    int id = -1;     ///< of a hold: none
-    CoverageLeg leg; ///< its iceberg is that of the plan it was kept from
+    int id = -1;                    ///< of the iceberg; of a hold: none
+    Point offset_m = Point::Zero(); ///< from its estimate, where it is lost
+    CoverageLeg leg;                ///< its iceberg is that of the plan it was kept from
 };
 
 using KeptPlan = std::vector<KeptLeg>;
 
-[[nodiscard]] KeptPlan keptPlan(const CoveragePlan& plan, std::span<const int> ids);
+/** `ids`: of the model's icebergs. */
+[[nodiscard]] KeptPlan keptPlan(const CoveragePlan& plan, const CoverageModel& model,
+                                std::span<const int> ids);
 
 /**
- * A plan of before, for the icebergs there are now; legs to those that have come into view since
- * are dropped when flown.
+ * A plan of before, for the icebergs there are now; of one that is lost to the place that is now
+ * nearest. Legs to those that have come into view since are dropped when flown.
  */
-[[nodiscard]] CoveragePlan restOf(const KeptPlan& plan, std::span<const int> ids);
+[[nodiscard]] CoveragePlan restOf(const KeptPlan& plan, const CoverageModel& model,
+                                  std::span<const int> ids);
 
 } // namespace berg

@@ -217,8 +217,8 @@ private:
         CoverageState::Account& account = m_state.accounts[static_cast<std::size_t>(owner)];
         const unsigned bit = m_model.berg(iceberg).bit;
         if (bit != 0) {
-            if ((account.looked & bit) == 0)
-                m_state.cost_m2s += m_model.lookAt_m2s(iceberg, account, enter_s);
+            if ((account.viewed & bit) == 0)
+                m_state.cost_m2s += m_model.viewPlace_m2s(iceberg, account, enter_s);
             return;
         }
         m_state.cost_m2s += m_model.passOthers_m2s(iceberg, account, enter_s);
@@ -275,6 +275,7 @@ CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon
         m_fastest_mps = std::max(m_fastest_mps, berg.velocity_mps.norm());
     }
     m_icebergs = m_bergs.size();
+    m_offsets_m.resize(m_icebergs, Point::Zero());
     for (std::size_t i = 0; i < std::min(m_icebergs, picture.places.size()); ++i) {
         if (!(m_bergs[i].chance < 1))
             continue;
@@ -282,6 +283,8 @@ CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon
         for (std::size_t k = 0; k < picture.places[i].size(); ++k) {
             const SearchPlace& place = picture.places[i][k];
             Berg& berg = k == 0 ? m_bergs[i] : m_bergs.emplace_back(about);
+            m_offsets_m.resize(m_bergs.size());
+            m_offsets_m[k == 0 ? i : m_bergs.size() - 1] = place.offset_m;
             berg.place_m = about.place_m + place.offset_m;
             berg.chance = place.chance;
             berg.bit = 1U << k;
@@ -317,7 +320,7 @@ void CoverageModel::setOthers(std::vector<CoverageView> views)
     }
 }
 
-double CoverageModel::lookAt_m2s(int place, CoverageState::Account& account, double time_s) const
+double CoverageModel::viewPlace_m2s(int place, CoverageState::Account& account, double time_s) const
 {
     const Berg& berg = this->berg(place);
     double cost_m2s = 0;
@@ -327,8 +330,18 @@ double CoverageModel::lookAt_m2s(int place, CoverageState::Account& account, dou
     }
     berg.account.lookForLost(account.known, std::min(1.0, berg.chance / account.left));
     account.left = std::max(1e-3, account.left - berg.chance);
-    account.looked |= berg.bit;
+    account.viewed |= berg.bit;
     return cost_m2s;
+}
+
+int CoverageModel::placeNear(int iceberg, const Point& offset_m) const
+{
+    int nearest = iceberg;
+    for (const int place : m_all)
+        if (icebergAt(place) == iceberg &&
+            (this->offset_m(place) - offset_m).norm() < (this->offset_m(nearest) - offset_m).norm())
+            nearest = place;
+    return nearest;
 }
 
 double CoverageModel::chanceAt(const CoverageState& state, int place) const
@@ -438,7 +451,7 @@ double CoverageModel::sigma_m2(const CoverageState& state, int iceberg) const
 
 bool CoverageModel::inView(const CoverageState& state, int iceberg) const
 {
-    if ((accountOf(state, iceberg).looked & berg(iceberg).bit) != 0)
+    if ((accountOf(state, iceberg).viewed & berg(iceberg).bit) != 0)
         return true; // nothing is gained there
     const Point place_m =
         axesOf(m_window, state.uav).coordinates(this->place_m(iceberg, state.time_s));

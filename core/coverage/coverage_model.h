@@ -58,7 +58,7 @@ struct CoverageState
         std::size_t next = 0; ///< the first view of other UAVs that is not accounted for
         /** Of one that is lost: until when it was looked for last. */
         double lookedFor_s = -std::numeric_limits<double>::infinity();
-        unsigned looked = 0; ///< places that have been looked at, by bit
+        unsigned viewed = 0; ///< places that have been in view, by bit
         double left = 1;     ///< chance that it is elsewhere
     };
 
@@ -103,9 +103,16 @@ public:
 
     /** Of what legs can go to: icebergs, and then further places of those that are lost. A leg's
      * `iceberg` is an index into these. */
-    [[nodiscard]] int icebergCount() const { return static_cast<int>(m_bergs.size()); }
+    [[nodiscard]] int placeCount() const { return static_cast<int>(m_bergs.size()); }
     /** Of a place of legs; of an iceberg itself. */
     [[nodiscard]] int icebergAt(int place) const { return berg(place).owner; }
+    /** From the iceberg's estimate. */
+    [[nodiscard]] const Point& offset_m(int place) const
+    {
+        return m_offsets_m[static_cast<std::size_t>(place)];
+    }
+    /** The nearest of an iceberg's places to where it would be with this offset. */
+    [[nodiscard]] int placeNear(int iceberg, const Point& offset_m) const;
     /** That it is found there if it has not been before; 1 of what is not lost, or has no places.
      */
     [[nodiscard]] double chanceAt(const CoverageState& state, int place) const;
@@ -190,8 +197,8 @@ private:
     /** In view from then until then: what that costs, the time before it included. */
     double view_m2s(int iceberg, CoverageState::Account& account, double enter_s,
                     double leave_s) const;
-    /** A place of a lost iceberg is looked at; what that costs, the time before it included. */
-    double lookAt_m2s(int place, CoverageState::Account& account, double time_s) const;
+    /** A place of a lost iceberg is in view; what that costs, the time before it included. */
+    double viewPlace_m2s(int place, CoverageState::Account& account, double time_s) const;
     /** Takes the others' views that have begun by then into the account; what that costs. */
     double passOthers_m2s(int iceberg, CoverageState::Account& account, double time_s) const
     {
@@ -240,6 +247,7 @@ private:
     double m_fastest_mps = 0;  ///< of the icebergs, through the air
     std::vector<Berg> m_bergs; ///< icebergs, then further places of those that are lost
     std::size_t m_icebergs = 0;
+    std::vector<Point> m_offsets_m;          ///< of places, see `offset_m`
     std::vector<int> m_all;                  ///< their indices
     std::vector<OtherView> m_others;         ///< of one iceberg after the other, ascending
     std::vector<std::size_t> m_firstOfOther; ///< of each iceberg

@@ -54,9 +54,9 @@ CoverageMoves::CoverageMoves(const CoverageModel& model, const Random& random,
                              const std::vector<bool>& allowed)
     : m_edge_m(model.largestOffset_m()), m_paysForLooks(model.paysForLooks()), m_random(random)
 {
-    for (int i = 0; i < model.icebergCount(); ++i) {
+    for (int i = 0; i < model.placeCount(); ++i) {
         std::vector<int> others;
-        for (int j = 0; j < model.icebergCount(); ++j)
+        for (int j = 0; j < model.placeCount(); ++j)
             if (j != i && (allowed.empty() || allowed[static_cast<std::size_t>(j)]))
                 others.push_back(j);
         std::stable_sort(others.begin(), others.end(), [&](int a, int b) {

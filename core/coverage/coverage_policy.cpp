@@ -288,7 +288,8 @@ private:
     [[nodiscard]] CoverageLimits limitsOf(const PlanRequest& request, std::size_t uav) const;
     [[nodiscard]] FleetCoverageSearch searchFor(const PlanRequest& request,
                                                 std::span<const CoverageModel> models) const;
-    [[nodiscard]] std::optional<Plans> warmStart(const PlanRequest& request) const;
+    [[nodiscard]] std::optional<Plans> warmStart(const PlanRequest& request,
+                                                 std::span<const CoverageModel> models) const;
     [[nodiscard]] FleetCoverage first(FleetCoverageSearch& search, const PlanRequest& request,
                                       const SolveOptions& options, const SolveWatch& watch) const;
     [[nodiscard]] FleetCoverage next(FleetCoverageSearch& search, const std::optional<Plans>& warm,
@@ -341,20 +342,22 @@ FleetCoverageSearch CoveragePolicy::searchFor(const PlanRequest& request,
 }
 
 /** What is left of the plans that are flown. */
-std::optional<Plans> CoveragePolicy::warmStart(const PlanRequest& request) const
+std::optional<Plans> CoveragePolicy::warmStart(const PlanRequest& request,
+                                               std::span<const CoverageModel> models) const
 {
     if (m_last.empty() || std::ranges::all_of(request.uavs, [](const UavRequest& uav) {
             return uav.lastRest.empty();
         }))
         return std::nullopt;
     Plans rests;
-    for (const UavRequest& uav : request.uavs) {
+    for (std::size_t u = 0; u < models.size(); ++u) {
+        const UavRequest& uav = request.uavs[u];
         const auto last = m_last.find(uav.uav);
         if (last == m_last.end()) {
             rests.emplace_back();
             continue;
         }
-        rests.push_back(restOf(last->second.plan, request.ids));
+        rests.push_back(restOf(last->second.plan, models[u], request.ids));
         shorten(rests.back(), *uav.picture, uav.picture->time_s - last->second.planned_s);
     }
     return rests;
@@ -385,11 +388,7 @@ void CoveragePolicy::keep(const PlanRequest& request, std::span<const CoverageMo
         if (found.plans[u].empty())
             continue;
         const AimedLeg& leg = answer.uavs[u].legs.front();
-        CoveragePlan plan = found.plans[u]; // by the next plan places of lost ones are others
-        for (CoverageLeg& own : plan)
-            if (!own.isHold())
-                own.iceberg = models[u].icebergAt(own.iceberg);
-        m_last[request.uavs[u].uav] = {.plan = keptPlan(plan, request.ids),
+        m_last[request.uavs[u].uav] = {.plan = keptPlan(found.plans[u], models[u], request.ids),
                                        .planned_s = request.uavs[u].picture->time_s,
                                        .sighting_s = leg.end_s ? std::nullopt
                                                                : std::optional(leg.sighting_s)};
@@ -445,7 +444,7 @@ PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& 
         FleetCoverageSearch search = searchFor(request, models);
         if (options.onProgress && m_last.empty()) // later plans take a few milliseconds
             search.setListener(ProgressTeller(models, request, options));
-        const std::optional<Plans> warm = warmStart(request);
+        const std::optional<Plans> warm = warmStart(request, models);
         const FleetCoverage found = m_last.empty() ? first(search, request, options, watch)
                                                    : next(search, warm, options, watch);
         const std::optional<StopReason> cut = watch.cut();

@@ -143,7 +143,7 @@ bool CoverageSearch::addToTail(const CoverageState& before, const CoverageLeg& l
     } else {
         m_tail.states[k] = before;
     }
-    m_work += kWorkOfLeg + m_model.icebergCount();
+    m_work += kWorkOfLeg + m_model.placeCount();
     CoverageState& state = m_tail.states[k];
     if (!m_model.fly(state, leg))
         return false;
@@ -197,13 +197,13 @@ bool CoverageSearch::mayFly(const CoverageLeg& leg, bool isFirst) const
            (!isFirst || m_limits.first.empty() || m_limits.first[i]);
 }
 
-/** The largest sigma to be taken for its way; none when every iceberg is in view. */
+/** The largest sigma for the distance flown to it; none when every iceberg is in view. */
 std::optional<CoverageLeg> CoverageSearch::greedyLeg(const CoverageState& state, bool isFirst) const
 {
     constexpr double kShortestPath_m = 50;
     std::optional<CoverageLeg> best;
     double bestScore = -1;
-    for (int i = 0; i < m_model.icebergCount(); ++i) {
+    for (int i = 0; i < m_model.placeCount(); ++i) {
         if (m_model.inView(state, i) || !mayFly({.iceberg = i}, isFirst))
             continue;
         const double path_m =

@@ -115,7 +115,7 @@ void FleetCoverageSearch::turnOf(std::size_t member, const CoverageCooling& cool
     const std::int64_t before = own.search.work();
     const std::int64_t others = work() - before;
     const auto flight = static_cast<std::int64_t>(own.plan.size() + 1) *
-                        (CoverageSearch::kWorkOfLeg + own.model.icebergCount());
+                        (CoverageSearch::kWorkOfLeg + own.model.placeCount());
     CoverageResult better{.plan = {}, .total_m2s = best.total_m2s};
     const CoverageResult now = own.search.annealed(
         own.plan,

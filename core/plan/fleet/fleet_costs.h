@@ -52,7 +52,7 @@ private:
     const double* m_between; ///< its legs
     const double* m_sigma;   ///< its sigmas
     Eigen::VectorXd m_start; ///< N, legs from the start; [0] is 0
-    Eigen::VectorXd m_end;   ///< N, ways back; 0 on open routes
+    Eigen::VectorXd m_end;   ///< N, return legs; 0 on open routes
 };
 
 /**

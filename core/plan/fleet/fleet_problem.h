@@ -53,7 +53,7 @@ struct FleetProblem
 /** The problem as the UAV would have it alone, with all icebergs. */
 [[nodiscard]] TvpProblem problemOfUav(const FleetProblem& problem, int uav);
 
-/** Sum of the distances flown, m; ways back of the UAVs that fly included on closed routes. */
+/** Sum of the distances flown, m; return legs of the UAVs that fly included on closed routes. */
 [[nodiscard]] double fleetDistance(const FleetProblem& problem, const FleetPlan& plan);
 
 /**

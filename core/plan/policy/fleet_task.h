@@ -35,7 +35,7 @@ ordersInIds(const PlanRequest& request, const FleetTask& task, const FleetPlan& 
 [[nodiscard]] FleetPlan lastRests(const PlanRequest& request, const FleetTask& task);
 
 /** An answer of these orders, one for each UAV of the request, with its distance as flown: those
- * of the request, ways back on closed routes included. */
+ * of the request, return legs of closed routes included. */
 [[nodiscard]] PlanAnswer answerOf(const PlanRequest& request,
                                   const std::vector<std::vector<int>>& orders,
                                   Route route = Route::Open);

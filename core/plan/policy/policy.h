@@ -76,7 +76,7 @@ struct PlanAnswer
     std::string failure;        ///< why, when the policy threw; English
     std::optional<double> predictedZeta_m2s; ///< what the legs were judged by
     std::optional<double> gap;               ///< relative, of `outcome`
-    /** Of the plan, in the unit of `UavRequest::distance_m`; ways back on closed routes included.
+    /** Of the plan, in the unit of `UavRequest::distance_m`; return legs of closed routes included.
      */
     double distance_m = 0;
 };

@@ -80,7 +80,7 @@ struct MilpModel
  * Position-indexed MILP (Picard and Queyranne 1978): z(i,j,k) = 1 when the arc i -> j leaves
  * position k and so reaches j with t = k + 1; a network flow through the layers 1..N with one visit
  * to each iceberg. About n^3 binary columns for n icebergs, and a much tighter relaxation than the
- * printed model. A closed route pays its way back on the arc into the last position.
+ * printed model. A closed route pays its return leg on the arc into the last position.
  */
 [[nodiscard]] MilpModel positionModel(const TvpProblem& problem);
 

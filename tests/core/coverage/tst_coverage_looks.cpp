@@ -1,3 +1,4 @@
+#include "core/coverage/coverage_effort.h"
 #include "core/coverage/coverage_policy.h"
 #include "core/coverage/coverage_search.h"
 #include "core/coverage/described_plan.h"
@@ -193,7 +194,7 @@ private slots:
         picture.places = {
             {{.offset_m = {0, 600}, .chance = 0.5}, {.offset_m = {0, -600}, .chance = 0.25}}, {}};
         const CoverageModel model(picture, {.length_s = 300});
-        QCOMPARE(model.icebergCount(), 3); // two icebergs and one more place
+        QCOMPARE(model.placeCount(), 3); // two icebergs and one more place
         QCOMPARE(model.icebergAt(2), 0);
         CoverageState state = model.start();
         QCOMPARE(model.chanceAt(state, 0), 0.5);
@@ -208,6 +209,31 @@ private slots:
         QVERIFY(model.sigma_m2(state, 0) < first_m2); // although it has grown on the way
         QVERIFY(model.fly(second, {.iceberg = 2}));
         QVERIFY(model.sigma_m2(second, 0) > first_m2);
+    }
+
+    /** What is left of a plan goes on to the same places, whatever they are numbered by then. */
+    void placesAreKept()
+    {
+        FlightPicture picture = *planRequest(Simulation(oneAhead())).uavs[0].picture;
+        picture.tracks[0].status = TrackStatus::Lost;
+        const SearchPlace north{.offset_m = {0, 600}, .chance = 0.5};
+        const SearchPlace south{.offset_m = {0, -600}, .chance = 0.25};
+        picture.places = {{north, south}, {}};
+        const CoverageModel before(picture, {.length_s = 300});
+        const std::vector<int> ids{7, 9};
+        const KeptPlan kept =
+            keptPlan({{.iceberg = 2}, {.iceberg = 1}, {.iceberg = 0}}, before, ids);
+        const auto placesNow = [&](std::vector<SearchPlace> places) {
+            picture.places = {std::move(places), {}};
+            std::vector<int> now;
+            for (const CoverageLeg& leg :
+                 restOf(kept, CoverageModel(picture, {.length_s = 300}), ids))
+                now.push_back(leg.iceberg);
+            return now;
+        };
+        QCOMPARE(placesNow({north, south}), (std::vector{2, 1, 0}));
+        QCOMPARE(placesNow({south, north}), (std::vector{0, 1, 2}));
+        QCOMPARE(placesNow({}), (std::vector{0, 1, 0}));
     }
 
     /** Lost ones are searched for on legs of the plan; no pattern of the autopilot interrupts it.
