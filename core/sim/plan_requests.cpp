@@ -3,6 +3,7 @@
 #include "core/sim/clusters.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace berg {
 
@@ -19,6 +20,15 @@ Eigen::MatrixXd distances_m(const Simulation& simulation, int uav, std::span<con
            legLengths_m(me.guard().uav(), nodes_m);
 }
 
+/** Chance that a place flown to is seen: by looks on the way from the edge of the view to its
+ * middle. */
+double chanceSeen(const Autopilot& me, const ObserverSpec& observer)
+{
+    const double half_s = me.sensor().fov_m.minCoeff() / 2 / me.motion().airspeed_mps;
+    const double looks = half_s / observer.interval_s;
+    return looks < 1 ? looks * observer.detection : 1 - std::pow(1 - observer.detection, looks);
+}
+
 /** Where a lost iceberg may be that the plan is to search for. */
 std::vector<SearchPlace> placesOf(const Simulation& simulation, int uav, int iceberg)
 {
@@ -29,8 +39,12 @@ std::vector<SearchPlace> placesOf(const Simulation& simulation, int uav, int ice
     const Search* search = fleet.observer().searches().ofIceberg(iceberg);
     if (search == nullptr || !fleet.searchesByPlan() || !fleet.maySearch(uav, iceberg))
         return {};
-    return search->path.likeliestPlaces(kHalf * fleet.autopilot(uav).sensor().fov_m.minCoeff(),
-                                        kMost);
+    const Autopilot& me = fleet.autopilot(uav);
+    std::vector<SearchPlace> places =
+        search->path.likeliestPlaces(kHalf * me.sensor().fov_m.minCoeff(), kMost);
+    for (SearchPlace& place : places)
+        place.chance *= chanceSeen(me, simulation.world().observer());
+    return places;
 }
 
 UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<int>& ids)

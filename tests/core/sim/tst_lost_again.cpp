@@ -1,9 +1,11 @@
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
+#include "core/sim/plan_requests.h"
 
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 using namespace berg;
@@ -65,6 +67,21 @@ Scenario searchedByPlan(std::int64_t seed)
     s.planner.policy = PolicyKind::Coverage;
     for (Iceberg& iceberg : s.icebergs)
         iceberg.velocitySd_mps = 1;
+    return s;
+}
+
+/** Two icebergs should be at one place, and are not. */
+Scenario gone()
+{
+    Scenario s = searchedByPlan(1);
+    for (std::size_t i = 0; i < 2; ++i) {
+        Iceberg& iceberg = s.icebergs[i];
+        iceberg.position_m = s.uavs[0].position_m + Point(2000, 0);
+        iceberg.velocity_mps = Point::Zero();
+        iceberg.track = {.time_s = {0, 1500},
+                         .position_m = {iceberg.position_m + Point(0, 1500),
+                                        iceberg.position_m + Point(0, 1500)}};
+    }
     return s;
 }
 
@@ -201,16 +218,7 @@ private slots:
     /** What a plan looks for has not been given up, however many are lost at once. */
     void whatThePlanSearchesIsNotGivenUp()
     {
-        Scenario s = searchedByPlan(1);
-        for (std::size_t i = 0; i < 2; ++i) { // both should be at one place, and are not
-            Iceberg& iceberg = s.icebergs[i];
-            iceberg.position_m = s.uavs[0].position_m + Point(2000, 0);
-            iceberg.velocity_mps = Point::Zero();
-            iceberg.track = {.time_s = {0, 1500},
-                             .position_m = {iceberg.position_m + Point(0, 1500),
-                                            iceberg.position_m + Point(0, 1500)}};
-        }
-        Mission mission(s, {.workLimit = 20'000});
+        Mission mission(gone(), {.workLimit = 20'000});
         mission.advance(400);
         std::vector<double> lost_s;
         for (const MissionEvent& event : mission.events())
@@ -219,6 +227,32 @@ private slots:
         QVERIFY(lost_s.size() >= 2);
         QCOMPARE(lost_s[0], lost_s[1]);
         QCOMPARE(countOf(mission, EventKind::GivenUp), 0);
+    }
+
+    /** A place is worth flying to as far as looks on the way over it would show the iceberg. */
+    void placesCountOnWhatLooksShow()
+    {
+        Scenario s = gone();
+        s.observer.interval_s = 20;
+        Mission mission(s, {.workLimit = 20'000});
+        const Simulation& world = mission.simulation();
+        for (double t_s = 1; t_s <= 400 && countOf(world, TrackStatus::Lost) == 0; ++t_s)
+            mission.advance(t_s);
+        const auto lost =
+            std::ranges::find(world.observer().tracks(), TrackStatus::Lost, &Track::status) -
+            world.observer().tracks().begin();
+        QVERIFY(lost < 8);
+        const auto iceberg = static_cast<std::size_t>(lost);
+        const std::vector<SearchPlace> places = planRequest(world).uavs[0].picture->places[iceberg];
+        QVERIFY(!places.empty());
+        const double isThere = world.observer()
+                                   .searches()
+                                   .ofIceberg(static_cast<int>(lost))
+                                   ->path.likeliestPlaces(270, 1)
+                                   .front()
+                                   .chance;
+        // Half the view of 600 m at 22 m/s: 0.68 looks.
+        QVERIFY(std::abs(places.front().chance - isThere * 300 / 22 / 20) < 1e-12);
     }
 
     /** Another policy searches with a pattern, and nobody on the way home: what is left is given
