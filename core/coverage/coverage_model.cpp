@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace berg {
@@ -216,12 +217,11 @@ private:
         const int owner = m_model.icebergAt(iceberg);
         CoverageState::Account& account = m_state.accounts[static_cast<std::size_t>(owner)];
         const unsigned bit = m_model.berg(iceberg).bit;
+        m_state.cost_m2s += m_model.passOthers_m2s(owner, account, enter_s);
         if (bit != 0) {
-            if ((account.viewed & bit) == 0)
-                m_state.cost_m2s += m_model.viewPlace_m2s(iceberg, account, enter_s);
+            m_state.cost_m2s += m_model.viewPlace_m2s(iceberg, account, enter_s);
             return;
         }
-        m_state.cost_m2s += m_model.passOthers_m2s(iceberg, account, enter_s);
         const bool isNew = m_model.berg(iceberg).chance < 1
                                ? enter_s > account.lookedFor_s + kNewChance_s
                                : enter_s - account.paid_s > kShortest_s;
@@ -299,20 +299,22 @@ CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon
 void CoverageModel::setOthers(std::vector<CoverageView> views)
 {
     m_isAlone = views.empty();
-    std::sort(views.begin(), views.end(), [](const CoverageView& a, const CoverageView& b) {
-        return std::pair(a.iceberg, a.enter_s) < std::pair(b.iceberg, b.enter_s);
+    std::sort(views.begin(), views.end(), [this](const CoverageView& a, const CoverageView& b) {
+        return std::tuple(icebergAt(a.iceberg), a.enter_s, a.iceberg) <
+               std::tuple(icebergAt(b.iceberg), b.enter_s, b.iceberg);
     });
     m_others.clear();
     m_firstOfOther.clear();
     auto view = views.begin();
-    for (const int i : m_all) {
+    for (int i = 0; i < static_cast<int>(m_icebergs); ++i) {
         m_firstOfOther.push_back(m_others.size());
-        for (; view != views.end() && view->iceberg == i; ++view)
-            if (m_others.size() > m_firstOfOther.back() &&
+        for (; view != views.end() && icebergAt(view->iceberg) == i; ++view)
+            if (m_others.size() > m_firstOfOther.back() && m_others.back().place == view->iceberg &&
                 view->enter_s <= m_others.back().leave_s + kShortest_s)
                 m_others.back().leave_s = std::max(m_others.back().leave_s, view->leave_s);
             else if (view->enter_s < m_horizon.length_s && view->leave_s > kShortest_s)
-                m_others.push_back({.enter_s = view->enter_s, .leave_s = view->leave_s});
+                m_others.push_back(
+                    {.enter_s = view->enter_s, .leave_s = view->leave_s, .place = view->iceberg});
         m_others.push_back({});
         // After a look that tells all the rest is the same whatever was before.
         for (std::size_t k = m_others.size() - 1; !m_paysForLooks && k-- > m_firstOfOther.back();)
@@ -323,6 +325,8 @@ void CoverageModel::setOthers(std::vector<CoverageView> views)
 double CoverageModel::viewPlace_m2s(int place, CoverageState::Account& account, double time_s) const
 {
     const Berg& berg = this->berg(place);
+    if ((account.viewed & berg.bit) != 0)
+        return 0;
     double cost_m2s = 0;
     if (time_s > account.paid_s) {
         cost_m2s = berg.account.grow(account.known, time_s - account.paid_s);

@@ -106,6 +106,8 @@ public:
     [[nodiscard]] int placeCount() const { return static_cast<int>(m_bergs.size()); }
     /** Of a place of legs; of an iceberg itself. */
     [[nodiscard]] int icebergAt(int place) const { return berg(place).owner; }
+    /** Whether it is one of those where a lost iceberg is searched for. */
+    [[nodiscard]] bool isSearched(int place) const { return berg(place).bit != 0; }
     /** From the iceberg's estimate. */
     [[nodiscard]] const Point& offset_m(int place) const
     {
@@ -179,6 +181,7 @@ private:
         double enter_s = std::numeric_limits<double>::infinity();
         double leave_s = std::numeric_limits<double>::infinity();
         double rest_m2s = 0; ///< from then on with nothing but the views after it
+        int place = 0;       ///< that is in view
     };
 
     [[nodiscard]] const Berg& berg(int iceberg) const
@@ -197,7 +200,8 @@ private:
     /** In view from then until then: what that costs, the time before it included. */
     double view_m2s(int iceberg, CoverageState::Account& account, double enter_s,
                     double leave_s) const;
-    /** A place of a lost iceberg is in view; what that costs, the time before it included. */
+    /** A place of a lost iceberg is in view; what that costs, the time before it included. The
+     * second time it tells nothing. */
     double viewPlace_m2s(int place, CoverageState::Account& account, double time_s) const;
     /** Takes the others' views that have begun by then into the account; what that costs. */
     double passOthers_m2s(int iceberg, CoverageState::Account& account, double time_s) const
@@ -205,7 +209,9 @@ private:
         double cost_m2s = 0;
         while (m_others[account.next].enter_s <= time_s) {
             const OtherView& view = m_others[account.next++];
-            cost_m2s += view_m2s(iceberg, account, view.enter_s, view.leave_s);
+            cost_m2s += berg(view.place).bit == 0
+                            ? view_m2s(iceberg, account, view.enter_s, view.leave_s)
+                            : viewPlace_m2s(view.place, account, view.enter_s);
         }
         return cost_m2s;
     }

@@ -43,6 +43,18 @@ bool isInViewOf(const FlightPicture& picture, std::size_t iceberg)
         .contains(picture.tracks[iceberg].estimate_m(picture.time_s));
 }
 
+/** All UAVs know the places of lost icebergs, whoever may search there. */
+void sharePlaces(std::vector<FlightPicture>& pictures)
+{
+    std::vector<std::vector<SearchPlace>>& all = pictures.front().places;
+    for (const FlightPicture& picture : pictures)
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (all[i].empty())
+                all[i] = picture.places[i];
+    for (FlightPicture& picture : pictures)
+        picture.places = all;
+}
+
 /** Tracks say what is in view of any UAV; here each picture says what is in view of its own. */
 std::vector<FlightPicture> ownPictures(const PlanRequest& request)
 {
@@ -62,6 +74,7 @@ std::vector<FlightPicture> ownPictures(const PlanRequest& request)
         if (!isClear)
             own[viewerOf(request, i)].tracks[i].inView = true;
     }
+    sharePlaces(own);
     return own;
 }
 
@@ -285,7 +298,8 @@ public:
     PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override;
 
 private:
-    [[nodiscard]] CoverageLimits limitsOf(const PlanRequest& request, std::size_t uav) const;
+    [[nodiscard]] CoverageLimits limitsOf(const PlanRequest& request, std::size_t uav,
+                                          const CoverageModel& model) const;
     [[nodiscard]] FleetCoverageSearch searchFor(const PlanRequest& request,
                                                 std::span<const CoverageModel> models) const;
     [[nodiscard]] std::optional<Plans> warmStart(const PlanRequest& request,
@@ -319,14 +333,22 @@ private:
     bool m_isAlone = true;
 };
 
-/** What is in view of one of several UAVs now may be visited again later, by any of them. */
-CoverageLimits CoveragePolicy::limitsOf(const PlanRequest& request, std::size_t uav) const
+/** What is in view of one of several UAVs now may be visited again later, by any of them; places of
+ * a lost one by those that may search there. */
+CoverageLimits CoveragePolicy::limitsOf(const PlanRequest& request, std::size_t uav,
+                                        const CoverageModel& model) const
 {
     if (m_isAlone)
         return {};
-    CoverageLimits limits{.any = availableToAny(request), .first = request.uavs[uav].available};
-    for (std::size_t k = 0; k < limits.any.size(); ++k)
-        limits.any[k] = !limits.any[k] || limits.first[k];
+    const UavRequest& own = request.uavs[uav];
+    const std::vector<bool> any = availableToAny(request);
+    CoverageLimits limits;
+    for (int place = 0; place < model.placeCount(); ++place) {
+        const auto k = static_cast<std::size_t>(model.icebergAt(place));
+        const bool searches = k < own.picture->places.size() && !own.picture->places[k].empty();
+        limits.first.push_back(own.available[k] || searches);
+        limits.any.push_back(limits.first.back() || (!any[k] && !model.isSearched(place)));
+    }
     return limits;
 }
 
@@ -335,7 +357,7 @@ FleetCoverageSearch CoveragePolicy::searchFor(const PlanRequest& request,
 {
     std::vector<CoverageFlyer> flyers;
     for (std::size_t u = 0; u < models.size(); ++u)
-        flyers.push_back({.model = models[u], .limits = limitsOf(request, u)});
+        flyers.push_back({.model = models[u], .limits = limitsOf(request, u, models[u])});
     const FlightPicture& picture = *request.uavs.front().picture;
     return {std::move(flyers), picture.seed,
             stableHash("coverage") + static_cast<std::uint64_t>(picture.step)};

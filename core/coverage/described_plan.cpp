@@ -96,6 +96,33 @@ std::vector<double> sightingsOf(const DescribedPlan& described, std::size_t iceb
     return times_s;
 }
 
+/** A UAV whose plan sees nothing but what it searches for is sent by it all the same: it has the
+ * nearest of what it may have and no other UAV's plan begins with. */
+void giveToEach(std::vector<int>& owner, std::span<const CoverageModel> models,
+                const PlanRequest& request, std::span<const CoveragePlan> plans)
+{
+    std::vector<bool> isFirst(owner.size(), false);
+    for (std::size_t u = 0; u < plans.size(); ++u)
+        if (const int iceberg = firstIceberg(plans[u]); iceberg >= 0)
+            isFirst[static_cast<std::size_t>(models[u].icebergAt(iceberg))] = true;
+    for (std::size_t u = 0; u < plans.size(); ++u) {
+        const UavRequest& own = request.uavs[u];
+        int nearest = -1;
+        bool hasOne = plans[u].empty();
+        for (std::size_t k = 0; k < owner.size(); ++k) {
+            hasOne = hasOne || (owner[k] == static_cast<int>(u) && own.available[k]);
+            if (own.available[k] && !isFirst[k] &&
+                (nearest < 0 || own.distance_m(0, static_cast<Eigen::Index>(k) + 1) <
+                                    own.distance_m(0, nearest + 1)))
+                nearest = static_cast<int>(k);
+        }
+        if (hasOne || nearest < 0)
+            continue;
+        owner[static_cast<std::size_t>(nearest)] = static_cast<int>(u);
+        isFirst[static_cast<std::size_t>(nearest)] = true;
+    }
+}
+
 /** In whose order each iceberg is; -1: in nobody's. */
 std::vector<int> owners(std::span<const CoverageModel> models, const PlanRequest& request,
                         std::span<const CoveragePlan> plans,
@@ -117,6 +144,7 @@ std::vector<int> owners(std::span<const CoverageModel> models, const PlanRequest
     for (std::size_t u = 0; u < plans.size(); ++u)
         if (const int iceberg = firstIceberg(plans[u]); iceberg >= 0)
             owner[static_cast<std::size_t>(models[u].icebergAt(iceberg))] = static_cast<int>(u);
+    giveToEach(owner, models, request, plans);
     return owner;
 }
 

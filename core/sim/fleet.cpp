@@ -176,7 +176,7 @@ void Fleet::noteHomeward(int uav)
  * nobody for now. */
 void Fleet::leaveSearch(int uav)
 {
-    if (searchesByPlan())
+    if (!isSearchedByPlan())
         m_observer.takeFromPlan(uav, m_report);
     if (!m_observer.searches().of(uav))
         return;
@@ -209,11 +209,19 @@ bool Fleet::hasSomethingToSearch(int uav) const
            });
 }
 
+/** Now: one of them flies such a plan. */
+bool Fleet::isSearchedByPlan() const
+{
+    return searchesByPlan() && std::ranges::any_of(m_autopilots, [](const Autopilot& uav) {
+               return uav.isPlanned() && uav.errand() != nullptr && uav.errand()->aim;
+           });
+}
+
 /** With a new target: searched for first, or no longer. */
 void Fleet::beginOrEndSearch(int uav)
 {
     Autopilot& me = m_autopilots[toIndex(uav)];
-    if (searchesByPlan() && me.errand() != nullptr && me.errand()->aim) {
+    if (isSearchedByPlan()) {
         m_observer.leaveToPlan(uav);
         return;
     }

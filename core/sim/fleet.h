@@ -37,14 +37,12 @@ public:
 
     /** Whether it may be sent to search for it at all. */
     [[nodiscard]] bool maySearch(int uav, int iceberg) const;
-    /** Whether a plan with aim points has the places of lost icebergs among those it orders; else
-     * searches are begun and ended between plan and UAV. With one UAV, where looks tell less than
-     * all. */
+    /** Whether plans with aim points have the places of lost icebergs among those they order; else
+     * searches are begun and ended between plan and UAV. Where looks tell less than all. */
     [[nodiscard]] bool searchesByPlan() const
     {
         const ObserverSpec& spec = m_observer.world().observer();
-        return count() == 1 && spec.model == ObserverModel::Kalman &&
-               spec.search != SearchPattern::None;
+        return spec.model == ObserverModel::Kalman && spec.search != SearchPattern::None;
     }
 
     /** One step: `poses` as for `Simulation::advanceStep`. */
@@ -64,6 +62,7 @@ public:
 private:
     [[nodiscard]] bool affordable(int uav, int iceberg) const;
     [[nodiscard]] bool hasSomethingToSearch(int uav) const;
+    [[nodiscard]] bool isSearchedByPlan() const;
     void beginOrEndSearch(int uav);
     void searchAgain(int uav);
     void leaveSearch(int uav);

@@ -40,8 +40,10 @@ std::vector<SearchPlace> placesOf(const Simulation& simulation, int uav, int ice
     if (search == nullptr || !fleet.searchesByPlan() || !fleet.maySearch(uav, iceberg))
         return {};
     const Autopilot& me = fleet.autopilot(uav);
-    std::vector<SearchPlace> places =
-        search->path.likeliestPlaces(kHalf * me.sensor().fov_m.minCoeff(), kMost);
+    double view_m = me.sensor().fov_m.minCoeff();
+    for (const Autopilot& other : fleet.autopilots()) // all are to know them by the same numbers
+        view_m = std::min(view_m, other.sensor().fov_m.minCoeff());
+    std::vector<SearchPlace> places = search->path.likeliestPlaces(kHalf * view_m, kMost);
     for (SearchPlace& place : places)
         place.chance *= chanceSeen(me, simulation.world().observer());
     return places;
