@@ -7,13 +7,14 @@ double initialSigma_m2(const Iceberg& iceberg)
     return initialTrack(iceberg, ObserverModel::Kalman).sigma_m2;
 }
 
-Track initialTrack(const Iceberg& iceberg, ObserverModel model)
+Track initialTrack(const Iceberg& iceberg, ObserverModel model, const Point& current_mps)
 {
     Track track{.anchor_m = iceberg.position_m,
-                .velocity_mps = iceberg.velocity_mps,
+                .velocity_mps = iceberg.velocity_mps + current_mps,
                 .sigma_m2 = iceberg.sigma0_m2,
                 .q_m2ps = iceberg.q_m2ps,
                 .velocity_m2ps2 = iceberg.velocitySd_mps * iceberg.velocitySd_mps,
+                .mean_mps = current_mps,
                 .velocitySpread_mps = iceberg.velocitySpread_mps,
                 .velocityTime_s = iceberg.velocityTime_s};
     track.setVariances(grown(track.variances(), track.process(), iceberg.observed_s));

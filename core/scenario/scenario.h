@@ -168,9 +168,11 @@ struct Scenario : ScenarioLabels, ScenarioWorld
  */
 [[nodiscard]] double initialSigma_m2(const Iceberg& iceberg);
 /**
- * The iceberg at t = 0, without the current. With measurements its velocity is as uncertain as
- * given, and since the last observation so is its position along with it.
+ * The iceberg at t = 0, carried by the current, to which its velocity fades. With measurements its
+ * velocity is as uncertain as given, and since the last observation so is its position along with
+ * it.
  */
-[[nodiscard]] Track initialTrack(const Iceberg& iceberg, ObserverModel model);
+[[nodiscard]] Track initialTrack(const Iceberg& iceberg, ObserverModel model,
+                                 const Point& current_mps = Point::Zero());
 
 } // namespace berg

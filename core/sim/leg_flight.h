@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/enclosing_circle.h"
+#include "core/tracking/observer.h"
 #include "core/vehicle/dubins.h"
 
 #include <span>
@@ -40,6 +41,17 @@ public:
         m_time_s += flight_s;
         m_position_m = sure ? Point(now_m + drift_mps * flight_s) : now_m;
         return m_position_m;
+    }
+
+    /** Flies to the track's estimate; `start_s`: its time at the start. */
+    Point flyTo(const Track& track, double start_s)
+    {
+        if (track.velocityTime_s == 0)
+            return flyTo(track.estimate_m(start_s), track.velocity_mps);
+        return flyTo([&](double after_s) {
+                   return Circle{.centre_m = track.estimate_m(start_s + after_s)};
+               })
+            .centre_m;
     }
 
     /** Flies to the middle of what moves, slower than the UAV makes way; returns it as it is then.

@@ -64,7 +64,7 @@ void flyTo(std::span<const int> icebergs, const ForecastStart& start, LegFlight&
                 "order names an iceberg that is not there");
     const Track& first = start.world.tracks[static_cast<std::size_t>(icebergs.front())];
     if (icebergs.size() == 1)
-        flight.flyTo(first.estimate_m(start.time_s), first.velocity_mps);
+        flight.flyTo(first, start.time_s);
     else
         flight.flyTo([&](double after_s) { return circleRound(icebergs, start, after_s); });
 }

@@ -36,15 +36,19 @@ Circle circleRound(std::span<const int> members, const PlaceOf& placeOf)
     return enclosingCircle(places_m);
 }
 
+/** As it is known at the start. */
+Track trackOf(const Scenario& scenario, int iceberg)
+{
+    return initialTrack(scenario.icebergs.at(static_cast<std::size_t>(iceberg)),
+                        scenario.observer.model, scenario.current_mps);
+}
+
 /** The flight goes on to the cluster. */
 Visit visitOf(std::span<const int> members, const Scenario& scenario, LegFlight& flight)
 {
     const Circle met = flight.flyTo([&](double time_s) {
-        return circleRound(members, [&](int member) {
-            const Iceberg& iceberg = scenario.icebergs.at(static_cast<std::size_t>(member));
-            return Point(iceberg.position_m +
-                         (iceberg.velocity_mps + scenario.current_mps) * time_s);
-        });
+        return circleRound(
+            members, [&](int member) { return trackOf(scenario, member).estimate_m(time_s); });
     });
     return {.iceberg = members.front(),
             .time_s = flight.time_s(),
@@ -82,9 +86,7 @@ std::vector<Visit> plannedVisits(const Scenario& scenario, const std::vector<int
                 visits.push_back(visitOf(members, scenario, flight));
             continue;
         }
-        const Iceberg& iceberg = scenario.icebergs.at(static_cast<std::size_t>(index));
-        const Point drift_mps = iceberg.velocity_mps + scenario.current_mps;
-        const Point met_m = flight.flyTo(iceberg.position_m, drift_mps);
+        const Point met_m = flight.flyTo(trackOf(scenario, index), 0);
         visits.push_back({.iceberg = index, .time_s = flight.time_s(), .position_m = met_m});
     }
     // The other policies do not read the route.

@@ -45,10 +45,8 @@ void World::add(const Iceberg& iceberg, DriftNoise noise, double start_s, std::i
     m_drift.emplace_back(trueDrift(iceberg, m_observer, m_seed, m_noise, m_current_mps, start_s),
                          std::move(noise), m_noise);
     m_appearsStep.push_back(appearsStep);
-    Track start = initialTrack(iceberg, m_observer.model);
+    Track start = initialTrack(iceberg, m_observer.model, m_current_mps);
     start.anchor_s = start_s;
-    start.velocity_mps += m_current_mps;
-    start.mean_mps = m_current_mps;
     const auto assigned = std::ranges::find(m_uavs, iceberg.uav);
     m_bodies.push_back({.stream = stableHash(iceberg.id + "/look"),
                         .radius_m = iceberg.radius_m,

@@ -24,7 +24,7 @@ Iceberg presentIceberg(const Iceberg& iceberg, const Simulation& simulation, int
         return now;
     const Track& track = simulation.track(index);
     now.position_m = simulation.observer().estimate_m(index);
-    now.velocity_mps = track.velocity_mps;
+    now.velocity_mps = track.velocity_mps - track.mean_mps; // the current stays the scene's
     now.sigma0_m2 = track.sigma_m2;
     now.velocitySd_mps = std::sqrt(track.velocity_m2ps2);
     now.observed_s = 0;
@@ -55,10 +55,6 @@ void moveOn(Scenario& scene, const Mission& mission, int row)
     for (const Iceberg& iceberg : mission.icebergs())
         scene.icebergs.push_back(
             presentIceberg(iceberg, simulation, static_cast<int>(scene.icebergs.size())));
-    for (Iceberg& iceberg : scene.icebergs)
-        if (iceberg.appears_s > 0) // the others have it in their velocity
-            iceberg.velocity_mps += scene.current_mps;
-    scene.current_mps = Point::Zero();
     moveOn(scene.uavs.front(), simulation.uav(row), simulation.world().dt_s());
 }
 

@@ -24,8 +24,11 @@ struct Miss
 Miss missOf(const Scenario& scenario, const Visit& last, const Visit& visit)
 {
     const Iceberg& iceberg = scenario.icebergs[static_cast<std::size_t>(visit.iceberg)];
+    const double time_s = iceberg.velocityTime_s;
+    const double carried_s =
+        time_s > 0 ? time_s * (1 - std::exp(-visit.time_s / time_s)) : visit.time_s;
     const Point there_m =
-        iceberg.position_m + (iceberg.velocity_mps + scenario.current_mps) * visit.time_s;
+        iceberg.position_m + scenario.current_mps * visit.time_s + iceberg.velocity_mps * carried_s;
     const double leg_s = visit.time_s - last.time_s;
     const Point air_m = visit.position_m - last.position_m - scenario.wind_mps * leg_s;
     return {.iceberg_m = (visit.position_m - there_m).norm(),
@@ -52,10 +55,12 @@ private slots:
         QTest::addColumn<double>("windEast_mps");
         QTest::addColumn<double>("windNorth_mps");
         QTest::addColumn<double>("currentEast_mps");
-        QTest::newRow("calm") << 0.0 << 0.0 << 0.0;
-        QTest::newRow("current") << 0.0 << 0.0 << 1.5;
-        QTest::newRow("head wind") << -15.0 << 0.0 << 0.1;
-        QTest::newRow("cross wind") << 3.0 << 17.0 << -0.4;
+        QTest::addColumn<double>("velocityTime_s");
+        QTest::newRow("calm") << 0.0 << 0.0 << 0.0 << 0.0;
+        QTest::newRow("current") << 0.0 << 0.0 << 1.5 << 0.0;
+        QTest::newRow("head wind") << -15.0 << 0.0 << 0.1 << 0.0;
+        QTest::newRow("cross wind") << 3.0 << 17.0 << -0.4 << 0.0;
+        QTest::newRow("velocities that fade") << 3.0 << 7.0 << -0.4 << 100.0;
     }
 
     void plannedMeetings()
@@ -63,9 +68,13 @@ private slots:
         QFETCH(double, windEast_mps);
         QFETCH(double, windNorth_mps);
         QFETCH(double, currentEast_mps);
+        QFETCH(double, velocityTime_s);
         Scenario scenario = fourIcebergs();
         scenario.wind_mps = Point(windEast_mps, windNorth_mps);
         scenario.current_mps = Point(currentEast_mps, 0);
+        scenario.observer.model = ObserverModel::Kalman;
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.velocityTime_s = velocityTime_s;
         const std::vector<Visit> visits = plannedVisits(scenario, fourIcebergPlan());
         QCOMPARE(visits.size(), std::size_t{4});
         Visit last{.position_m = scenario.uavs[0].position_m};
