@@ -157,7 +157,8 @@ std::string englishText(const IssueReason& reason)
 {
     const std::string_view pattern = englishWords(reason.id);
     const auto argument = [&](char number) {
-        return argumentText(reason.arguments.at(static_cast<std::size_t>(number - '1')));
+        const auto i = static_cast<std::size_t>(number - '1');
+        return i < reason.arguments.size() ? argumentText(reason.arguments[i]) : std::string();
     };
     std::string text;
     for (std::size_t i = 0; i < pattern.size(); ++i)

@@ -143,7 +143,8 @@ struct IssueReason
  */
 [[nodiscard]] std::string_view englishWords(IssueId id);
 
-/** The reason in English, without field and file: for the command line and for files. */
+/** The reason in English, without field and file: for the command line and for files. An argument
+ * that is missing is empty text. */
 [[nodiscard]] std::string englishText(const IssueReason& reason);
 
 /** One finding about a scenario or a file. */

@@ -3,6 +3,8 @@
 #include "core/plan/solve/names.h"
 #include "core/scenario/scenario.h"
 
+#include <array>
+
 namespace berg {
 
 /** What is known of how icebergs drift, and how they are seen. */

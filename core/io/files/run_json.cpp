@@ -322,7 +322,7 @@ std::vector<RecordedPlan> readPlans(ObjectReader& run, const RunContext& context
         plan.time_s = readTime(object, context.flownUntil_s, i == 0 ? 0 : plans.back().time_s);
         plan.uav = asInt(object.whole(
             "uav", 0, {.low = 0, .high = static_cast<std::int64_t>(context.uavs) - 1}));
-        plan.target = asInt(object.whole("target", -1, context.indices()));
+        plan.target = icebergOrNone(object, "target", context);
         std::vector<bool> seen(context.icebergs, false);
         if (const Json* order = object.find("order"))
             plan.order = readIcebergs(*order, object.path("order"), run.faults(), context, seen);

@@ -125,7 +125,10 @@ int icebergOf(double number, const std::string& path, Faults& faults, const RunC
     if (number >= 0 && number < static_cast<double>(context.icebergs) &&
         number == std::floor(number))
         return static_cast<int>(number);
-    faults.add(path, {IssueId::NotWhole, {0, countOf(context.icebergs - 1), number}});
+    if (context.icebergs == 0)
+        faults.add(path, {IssueId::NoIcebergInRun});
+    else
+        faults.add(path, {IssueId::NotWhole, {0, countOf(context.icebergs - 1), number}});
     return 0;
 }
 
@@ -195,6 +198,16 @@ Search readSearch(const Json& value, const std::string& path, Faults& faults,
 
 } // namespace
 
+int icebergOrNone(ObjectReader& object, const char* member, const RunContext& context)
+{
+    const Json* const value = object.find(member);
+    if (context.icebergs == 0 && value != nullptr && *value != -1) {
+        object.faults().add(object.path(member), {IssueId::NoIcebergInRun});
+        return -1;
+    }
+    return asInt(object.whole(member, -1, context.indices()));
+}
+
 std::string legText(const AimedLeg& leg)
 {
     std::vector<double> numbers{static_cast<double>(leg.iceberg),
@@ -236,6 +249,10 @@ std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults
         return icebergs;
     }
     const WholeLimits indices{.low = 0, .high = context.indices().high};
+    if (context.icebergs == 0 && !value.empty()) {
+        faults.add(path, {IssueId::NoIcebergInRun});
+        return icebergs;
+    }
     for (std::size_t k = 0; k < value.size(); ++k) {
         const std::string entry = entryPath(path, k);
         const std::optional<std::int64_t> iceberg = wholeOf(value[k], entry, faults, indices);
@@ -322,8 +339,8 @@ UavState readUav(ObjectReader& object, const RunContext& context)
     uav.crossTrack_m = object.number("cross_track_m", 0);
     uav.flown_m = object.number("flown_m", 0, kAmount);
     uav.mode = object.choice("mode", FlightMode::Idle, kModeNames);
-    uav.target = asInt(object.whole("target", -1, context.indices()));
-    uav.lastReached = asInt(object.whole("last_reached", -1, context.indices()));
+    uav.target = icebergOrNone(object, "target", context);
+    uav.lastReached = icebergOrNone(object, "last_reached", context);
     uav.isAlone = object.boolean("alone", false);
     uav.guidance = readGuidance(object);
     uav.runOut_m = object.number("run_out_m", 0);

@@ -34,6 +34,10 @@ struct RunContext
     }
 };
 
+/** A member that is the index of an iceberg; -1, which it is when it is missing: none. */
+[[nodiscard]] int icebergOrNone(ObjectReader& object, const char* member,
+                                const RunContext& context);
+
 /** A leg as an array: [iceberg, turn, line start east, north, abeam east, north, sighting time]. */
 [[nodiscard]] std::string legText(const AimedLeg& leg);
 

@@ -20,6 +20,14 @@ private slots:
         QVERIFY(error.issues() == expected);
     }
 
+    /** Nothing was said of it; that is no reason to throw. */
+    void reasonWithoutWordsIsEmpty()
+    {
+        QCOMPARE(Issue{}.message(), std::string());
+        QCOMPARE(englishText({IssueId::OutOfRange, {1, 2}}),
+                 std::string("must be from 1 to 2, not "));
+    }
+
     void messageWithoutSubject()
     {
         const Error error(ErrorCode::Unsupported, "", "not in this build");
