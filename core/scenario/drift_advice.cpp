@@ -87,11 +87,11 @@ double sdAfterRound_m(const Scenario& scenario, const Iceberg& iceberg, const Ua
 
 } // namespace
 
-double chanceInView(const SensorSpec& sensor, double sd_m)
+double chanceInView(const SensorSpec& sensor, double sd_m, double spread_m)
 {
     if (!(sd_m > 0))
         return 1;
-    const Point half = sensor.fov_m / (2 * sd_m);
+    const Point half = (sensor.fov_m.array() - 2 * spread_m).max(0).matrix() / (2 * sd_m);
     if (sensor.shape == FovShape::Disk)
         return -std::expm1(-half.x() * half.x() / 2);
     return std::erf(half.x() / std::numbers::sqrt2) * std::erf(half.y() / std::numbers::sqrt2);

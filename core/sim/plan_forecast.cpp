@@ -56,17 +56,18 @@ Circle circleRound(std::span<const int> icebergs, const ForecastStart& start, do
     return enclosingCircle(places_m);
 }
 
-/** Flies on to where they are seen. */
-void flyTo(std::span<const int> icebergs, const ForecastStart& start, LegFlight& flight)
+/** Flies on to where they are seen; returns how far the farthest of them is from there. */
+double flyTo(std::span<const int> icebergs, const ForecastStart& start, LegFlight& flight)
 {
     for (const int iceberg : icebergs)
         require(iceberg >= 0 && static_cast<std::size_t>(iceberg) < start.world.tracks.size(),
                 "order names an iceberg that is not there");
     const Track& first = start.world.tracks[static_cast<std::size_t>(icebergs.front())];
-    if (icebergs.size() == 1)
-        flight.flyTo(first, start.time_s);
-    else
-        flight.flyTo([&](double after_s) { return circleRound(icebergs, start, after_s); });
+    if (icebergs.size() > 1)
+        return flight.flyTo([&](double after_s) { return circleRound(icebergs, start, after_s); })
+            .radius_m;
+    flight.flyTo(first, start.time_s);
+    return 0;
 }
 
 bool startsWith(std::span<const int> order, std::span<const int> beginning)
@@ -92,14 +93,15 @@ FlownRoute flyRoute(const ForecastStart& start, std::size_t uav, std::span<const
         const std::span<const int> together = seenTogether(order, clusters);
         order = order.subspan(together.size());
         const Point from_m = flown.flight.position_m();
-        flyTo(together, start, flown.flight);
+        const double spread_m = flyTo(together, start, flown.flight);
         const double leg_m = (flown.flight.position_m() - from_m).norm();
         flown.route.distance_m += leg_m;
         for (const int iceberg : together)
             flown.route.visits.push_back({.iceberg = iceberg,
                                           .place_m = flown.flight.position_m(),
                                           .leg_m = iceberg == together.front() ? leg_m : 0,
-                                          .arrival_s = flown.flight.time_s()});
+                                          .arrival_s = flown.flight.time_s(),
+                                          .spread_m = spread_m});
     }
     return flown;
 }

@@ -29,6 +29,7 @@ struct ForecastVisit
     double leg_m = 0;              ///< over ground, from the one before or the UAV
     double arrival_s = 0;          ///< from the start
     double arrivalSigma_m2 = 0;    ///< just before it is seen
+    double spread_m = 0;           ///< of a cluster: how far the farthest member is from the place
 };
 
 /** What one UAV does. */

@@ -149,15 +149,13 @@ QStringList missLines(const ExportContent& content, const QLocale& locale)
 {
     constexpr double kToldBelow = 0.9;
     QStringList names;
-    if (content.what == ExportWhat::Track)
-        return names;
     for (const ExportUav& uav : content.uavs)
         for (const Visit& visit : uav.visits) {
             if (visit.iceberg < 0)
                 continue;
             double chance = 1;
             for (const int iceberg : icebergsOf(visit))
-                chance = std::min(chance, chanceInView(content, uav, visit, iceberg));
+                chance = std::min(chance, chanceInView(content, uav, visit, iceberg).value_or(1));
             if (chance < kToldBelow && names.size() < kMostNames)
                 names << printable(titleOf(content, visit)) + u' ' + chanceText(chance, locale);
         }

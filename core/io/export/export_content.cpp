@@ -163,6 +163,7 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
     if (content.what == ExportWhat::Path) {
         const bool home = !uav.visits.empty() && uav.visits.back().iceberg < 0;
         FlyablePath path = flyOrder(scene, order, home);
+        uav.isAimed = !order.legs.empty();
         if (!home)
             endOverTheLastIceberg(path);
         uav.track = std::move(path.track);
@@ -295,13 +296,15 @@ std::vector<NoFlyArea> closedAreas(const ExportContent& content)
     return areas;
 }
 
-double chanceInView(const ExportContent& content, const ExportUav& uav, const Visit& visit,
-                    int iceberg)
+std::optional<double> chanceInView(const ExportContent& content, const ExportUav& uav,
+                                   const Visit& visit, int iceberg)
 {
+    if (content.what == ExportWhat::Track || uav.isAimed)
+        return std::nullopt;
     const ExportIceberg& now = content.icebergs.at(static_cast<std::size_t>(iceberg));
-    const Point within_m = (uav.uav.fov_m.array() - 2 * visit.spread_m).max(0).matrix();
-    return chanceInView(SensorSpec{.fov_m = within_m, .shape = content.scenario->fovShape},
-                        std::sqrt(now.sigmaAfter_m2(visit.time_s - content.now_s)));
+    const SensorSpec sensor{.fov_m = uav.uav.fov_m, .shape = content.scenario->fovShape};
+    return chanceInView(sensor, std::sqrt(now.sigmaAfter_m2(visit.time_s - content.now_s)),
+                        visit.spread_m);
 }
 
 std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit)

@@ -67,6 +67,7 @@ struct ExportUav
     Point home_m = Point::Zero();
     double reach_m = 0;                 ///< acceptance radius wanted over a single iceberg
     bool reachChosen = false;           ///< by the options: the same over clusters
+    bool isAimed = false;               ///< flown with aims: past the estimates, not over them
     double circle_m = 0;                ///< radius of the tightest circle over ground
     std::size_t laterSorties = 0;       ///< icebergs of the order that are left for them
     std::vector<Visit> visits = {};     ///< to come or made, in order; home is iceberg -1
@@ -152,10 +153,11 @@ struct ExportContent
 
 /**
  * Chance that an iceberg of a planned visit is in view when the UAV is over its estimate
- * (`chanceInView`; of a cluster, as far out as its farthest member).
+ * (`chanceInView`; of a cluster, as far out as its farthest member). None where the UAV does not
+ * fly over it, or has done so.
  */
-[[nodiscard]] double chanceInView(const ExportContent& content, const ExportUav& uav,
-                                  const Visit& visit, int iceberg);
+[[nodiscard]] std::optional<double> chanceInView(const ExportContent& content, const ExportUav& uav,
+                                                 const Visit& visit, int iceberg);
 
 /** Ids of the icebergs in view at a visit. */
 [[nodiscard]] std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit);

@@ -149,8 +149,8 @@ private:
             if (!visit.members.empty())
                 properties["cluster"] = idsOf(m_content, visit);
             properties["uav"] = uav.uav.id;
-            if (m_content.what != ExportWhat::Track)
-                properties["chance_in_view"] = chanceInView(m_content, uav, visit, visit.iceberg);
+            if (const auto chance = chanceInView(m_content, uav, visit, visit.iceberg))
+                properties["chance_in_view"] = *chance;
             addTime(properties, visit.time_s);
             add(point(visit.position_m), std::move(properties));
         }

@@ -25,7 +25,8 @@ void addVisit(std::string& text, const ExportContent& content, const ExportUav& 
             appendNumber(text, value);
         }
         text += ',' + csvField(uav.uav.id) + ',';
-        appendNumber(text, chanceInView(content, uav, visit, index));
+        if (const std::optional<double> chance = chanceInView(content, uav, visit, index))
+            appendNumber(text, *chance);
         text += '\n';
         leg_m = 0; // the others of a cluster are there already
     }

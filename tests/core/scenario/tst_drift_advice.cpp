@@ -42,6 +42,10 @@ private slots:
         }
         COMPARE_NEAR(chanceInView(sensor, sd_m), static_cast<double>(seen) / kDraws, 0.0075);
         QCOMPARE(chanceInView(sensor, 0), 1.0);
+        // 50 m aside, whichever way: a view as much smaller on each side.
+        QCOMPARE(chanceInView(sensor, sd_m, 50),
+                 chanceInView({.fov_m = {300, 600}, .shape = sensor.shape}, sd_m));
+        QCOMPARE(chanceInView(sensor, sd_m, 1000), 0.0);
     }
 
     void seenLongAgo()

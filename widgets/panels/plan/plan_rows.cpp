@@ -44,7 +44,7 @@ std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecas
         row.leg_m = visit.leg_m;
         row.arrival_s = visit.arrival_s;
         row.arrivalSigma_m2 = visit.arrivalSigma_m2;
-        row.chance = chanceInView(sensor, std::sqrt(visit.arrivalSigma_m2));
+        row.chance = chanceInView(sensor, std::sqrt(visit.arrivalSigma_m2), visit.spread_m);
     }
     return rows;
 }

@@ -113,6 +113,23 @@ private slots:
         QVERIFY(uav.track.front().state.position_m == scenario.uavs[0].position_m);
     }
 
+    /** A path with aims passes icebergs at a distance: the chance over them says nothing of it. */
+    void chanceIsToldWhereTheUavFliesOver()
+    {
+        const Scenario scenario =
+            changed([](Scenario& s) { s.planner.policy = PolicyKind::Coverage; });
+        const PlanAnswer plan = planFromStart(scenario);
+        for (const ExportWhat what : {ExportWhat::Order, ExportWhat::Path}) {
+            const ExportContent content = planContent(scenario, plan, {.what = what});
+            const ExportUav uav = only(content);
+            const auto chance =
+                chanceInView(content, uav, uav.visits.front(), uav.visits.front().iceberg);
+            QCOMPARE(chance.has_value(), what == ExportWhat::Order);
+            const std::string csv = planCsv(content);
+            QCOMPARE(csv.ends_with(",\n"), what == ExportWhat::Path);
+        }
+    }
+
     /** In view, 300 m before the middle, the next leg begins. */
     void pathReachesEachIceberg()
     {
