@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace berg {
@@ -41,6 +42,7 @@ Mission::Mission(const Scenario& scenario, const MissionOptions& options,
     , m_simulation(scenario, noise)
     , m_planner(scenario.planner, std::move(solver), makeFlownPolicy)
     , m_recorder(options.sampleInterval_s, options.keyframeInterval_s, scenario.dt_s)
+    , m_visits(scenario.uavs.size())
 {
     if (m_options.record)
         m_recorder.record(m_simulation);
@@ -78,10 +80,8 @@ void Mission::setIncumbentListener(std::function<void(const PlanEvent&)> listene
 /** The event is one of this instant. */
 void Mission::note(MissionEvent event)
 {
-    // Who of several has reached what is told nowhere else.
     const bool isInEveryRun = event.kind == EventKind::Planned ||
-                              event.kind == EventKind::Sighted ||
-                              (event.kind == EventKind::Reached && m_simulation.uavCount() == 1);
+                              event.kind == EventKind::Sighted || event.kind == EventKind::Reached;
     if (!m_options.record && isInEveryRun)
         return;
     event.time_s = m_simulation.time_s();
@@ -97,7 +97,7 @@ void Mission::noteStep()
     noteEvents();
     for (int uav = 0; uav < m_simulation.uavCount(); ++uav)
         if (m_simulation.planReason(uav) == PlanReason::TargetReached) {
-            ++m_visits;
+            ++m_visits.at(static_cast<std::size_t>(uav));
             const Errand& errand = *m_simulation.fleet().autopilot(uav).errand();
             note({.kind = EventKind::Reached,
                   .iceberg = errand.target,
@@ -221,7 +221,7 @@ void Mission::requireUav(const std::string& uav, const char* field) const
 Metrics Mission::metrics() const
 {
     return {.zeta_m2s = m_simulation.zeta_m2s(),
-            .visits = m_visits,
+            .visits = std::accumulate(m_visits.begin(), m_visits.end(), 0),
             .replans = static_cast<int>(std::ranges::count_if(m_plans, isReplan)),
             .flown_m = m_simulation.state().flown_m()};
 }

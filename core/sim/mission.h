@@ -97,6 +97,8 @@ public:
     [[nodiscard]] std::size_t plansBefore(std::size_t i) const { return m_plansBefore.at(i); }
     /** Icebergs of the scenario and those added in flight, by index. */
     [[nodiscard]] const std::vector<Iceberg>& icebergs() const { return m_icebergs; }
+    /** Targets that the UAV has reached. */
+    [[nodiscard]] int visits(int uav) const { return m_visits.at(static_cast<std::size_t>(uav)); }
 
 private:
     /** Of one re-planning, one for each UAV that is planned. */
@@ -143,7 +145,7 @@ private:
     std::vector<std::size_t> m_plansBefore; ///< by intervention
     std::function<void(const PlanEvent&)> m_incumbentListener;
     std::vector<bool> m_alarmed; ///< by iceberg: on its way into the asset's inner ring
-    int m_visits = 0;
+    std::vector<int> m_visits;   ///< by UAV
 };
 
 /** The plan a scenario starts with, ids = iceberg indices: what `Mission` flies at t = 0. */

@@ -258,6 +258,8 @@ rows = list(csv.DictReader(open("fleet/trajectory.csv")))
 two = [r["uav"] for r in rows[:4]] == ["uav-1", "uav-2"] * 2 and len(rows) == 2 * 1501
 reached = [e["uav"] for e in csv.DictReader(open("fleet/events.csv")) if e["event"] == "reached"]
 raise SystemExit(0 if two and set(reached) == {"uav-1", "uav-2"} else 1)'
+check "one UAV: simulate without tables" exits 0 "$cli" simulate "$source_dir/resources/scenarios/disko-bay-4.berg"
+check "one UAV: its visits are told" grep -q "^uav-1  *$(sed -n 's/^visits  *\([0-9]*\) .*/\1/p' stdout.txt) visits, " stdout.txt
 check "fleet: simulate in words" exits 0 "$cli" simulate "$fleet"
 check "fleet: simulate in words: a line each" grep -q "^uav-2  *[0-9]* visits, " stdout.txt
 check "fleet: sweep" exits 0 "$cli" sweep "$fleet" --tau 0,1 --policies visitation,tour --runs 2 --threads 1 --output fleet1.csv

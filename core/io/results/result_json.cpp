@@ -124,11 +124,8 @@ std::vector<UavFigures> uavFigures(const Mission& mission)
 {
     std::vector<UavFigures> figures;
     for (int i = 0; i < mission.simulation().uavCount(); ++i) {
-        const auto visits = std::ranges::count_if(mission.events(), [i](const MissionEvent& event) {
-            return event.kind == EventKind::Reached && event.uav == i;
-        });
         figures.push_back({.id = mission.scenario().uavs[static_cast<std::size_t>(i)].id,
-                           .visits = static_cast<int>(visits),
+                           .visits = mission.visits(i),
                            .flown_m = mission.simulation().uav(i).flown_m});
     }
     return figures;
