@@ -3524,10 +3524,6 @@
         <translation>med disse kan kjøringen ha høyst %1 isfjell, ikke %2</translation>
     </message>
     <message>
-        <source>must be at least %1 for a run of this length and so many icebergs, not %2</source>
-        <translation>må være minst %1 for en så lang kjøring med så mange isfjell, ikke %2</translation>
-    </message>
-    <message>
         <source>is the UAV&apos;s and must be 0</source>
         <translation>er UAV-ens og må være 0</translation>
     </message>
@@ -3550,14 +3546,6 @@
     <message>
         <source>is too small: a cost that is not 0 is less than %1</source>
         <translation>er for liten: en kostnad som ikke er 0, er under %1</translation>
-    </message>
-    <message>
-        <source>with the policies would be %1 settings; at most %2 fit into one study</source>
-        <translation>ville med strategiene gi %1 innstillinger; én studie har plass til høyst %2</translation>
-    </message>
-    <message>
-        <source>would be %1 missions; at most %2 fit into one study</source>
-        <translation>ville bli %1 oppdrag; én studie har plass til høyst %2</translation>
     </message>
     <message>
         <source>must not be empty when random is 0</source>
@@ -3922,6 +3910,18 @@
     <message>
         <source>the program bergwatch-cbc is not there: %1</source>
         <translation>programmet bergwatch-cbc finnes ikke: %1</translation>
+    </message>
+    <message>
+        <source>must be at least %1 for a run of this length and so many icebergs, not %2; %3 in the environment doubles the limits of reading</source>
+        <translation>må være minst %1 for en så lang kjøring med så mange isfjell, ikke %2; %3 i miljøvariablene dobler grensene for lesing</translation>
+    </message>
+    <message>
+        <source>with the policies would be %1 settings; at most %2 fit into one study: take several</source>
+        <translation>ville med strategiene gi %1 innstillinger; én studie har plass til høyst %2: bruk flere</translation>
+    </message>
+    <message>
+        <source>would be %1 missions; at most %2 fit into one study: take several</source>
+        <translation>ville bli %1 oppdrag; én studie har plass til høyst %2: bruk flere</translation>
     </message>
 </context>
 <context>

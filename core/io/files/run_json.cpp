@@ -238,17 +238,18 @@ void checkSurroundings(const RunFile& file, Faults& faults)
 /** What a replay keeps must fit into memory: intervals below the usual ones are for short runs. */
 void checkRecording(const RunFile& file, Faults& faults)
 {
-    constexpr double kMostKeyframeTracks = 5e5;
-    constexpr double kMostSampleTracks = 5e7;
+    constexpr std::size_t kMostKeyframeTracks = 500'000;
+    constexpr std::size_t kMostSampleTracks = 50'000'000;
     const MissionOptions usual;
     const auto bodies = static_cast<double>(file.scenario.icebergs.size() +
                                             file.scenario.uavs.size() + file.interventions.size());
-    const auto check = [&](const char* field, double interval_s, double usual_s, double most) {
+    const auto check = [&](const char* field, double interval_s, double usual_s, std::size_t most) {
         const double step_s = std::max(interval_s, file.scenario.dt_s);
-        const double least_s = std::min(usual_s, file.flownUntil_s * bodies / most);
+        const double least_s =
+            std::min(usual_s, file.flownUntil_s * bodies / static_cast<double>(readLimit(most)));
         if (step_s < least_s)
             faults.add(std::string("options.") + field,
-                       {IssueId::RecordTooFine, {std::ceil(least_s), interval_s}});
+                       {IssueId::RecordTooFine, {std::ceil(least_s), interval_s, doubledLimits()}});
     };
     check("keyframe_interval_s", file.options.keyframeInterval_s, usual.keyframeInterval_s,
           kMostKeyframeTracks);

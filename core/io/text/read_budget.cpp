@@ -42,10 +42,14 @@ std::size_t readLimit(std::size_t usual)
     return usual * factor();
 }
 
+std::string doubledLimits()
+{
+    return kReadLimitsVariable + ('=' + std::to_string(2 * factor()));
+}
+
 void failTooLarge(const std::string& subject, IssueId what, std::size_t limit)
 {
-    const std::string setting = kReadLimitsVariable + ('=' + std::to_string(2 * factor()));
-    throw Error(ErrorCode::FileTooLarge, subject, {what, {countOf(limit), setting}});
+    throw Error(ErrorCode::FileTooLarge, subject, {what, {countOf(limit), doubledLimits()}});
 }
 
 ReadBudget::ReadBudget(std::string subject, std::size_t size, std::stop_token stop)

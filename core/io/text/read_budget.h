@@ -14,6 +14,9 @@ inline constexpr const char* kReadLimitsVariable = "BERGWATCH_READ_LIMITS";
 /** A limit of reading as the user has it. */
 [[nodiscard]] std::size_t readLimit(std::size_t usual);
 
+/** What to put into the environment for twice the limits. */
+[[nodiscard]] std::string doubledLimits();
+
 /** Throws `Error{FileTooLarge}`: what of it is beyond which limit, and how to raise that. */
 [[noreturn]] void failTooLarge(const std::string& subject, IssueId what, std::size_t limit);
 

@@ -129,7 +129,7 @@ private slots:
         row("runs", R"("runs": 2)", R"("runs": 0)", "runs: must be");
         row("random", R"("random": 1)", R"("random": -1)", "random: must be a whole number");
         row("huge", R"("random": 1)", R"("random": 900000)",
-            "would be 5400006 missions; at most 1000000 fit into one study");
+            "would be 5400006 missions; at most 1000000 fit into one study: take several");
         row("runs beyond all", R"("runs": 2)", R"("runs": 1e9)", "runs: must be");
         row("first seed", R"("first_seed": 5)", R"("first_seed": 0.5)",
             "first_seed: must be a whole number");
