@@ -210,8 +210,11 @@ ParsedJson::~ParsedJson()
 
 namespace {
 
-std::string_view withoutMark(std::string_view text)
+/** JSON of our own is UTF-8; what editors of some systems write tells itself by its first bytes. */
+std::string_view withoutMark(std::string_view text, const ReadBudget& budget)
 {
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        throw Error(ErrorCode::WrongFormat, budget.subject(), {IssueId::Utf16});
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     return text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
 }
@@ -220,16 +223,17 @@ std::string_view withoutMark(std::string_view text)
 
 ParsedJson parseJson(std::string_view text, ReadBudget& budget)
 {
-    TreeBuilder builder(withoutMark(text), budget);
-    require(Json::sax_parse(withoutMark(text), &builder), "parseJson: stopped without a reason");
+    TreeBuilder builder(withoutMark(text, budget), budget);
+    require(Json::sax_parse(withoutMark(text, budget), &builder),
+            "parseJson: stopped without a reason");
     return builder.take();
 }
 
 std::optional<std::string> rootText(std::string_view text, const std::string& member,
                                     ReadBudget& budget)
 {
-    TreeBuilder builder(withoutMark(text), budget, member);
-    Json::sax_parse(withoutMark(text), &builder);
+    TreeBuilder builder(withoutMark(text, budget), budget, member);
+    Json::sax_parse(withoutMark(text, budget), &builder);
     const ParsedJson found = builder.take();
     if (!builder.hasWanted() || !found.root.is_string())
         return std::nullopt;
