@@ -62,8 +62,9 @@ void checkApart(const CommandFiles& files)
             continue;
         for (const std::string& input : files.inputs)
             if (identityOf(input) == identity)
-                throw UsageError{named(output) + " is an input of this command (" + input +
-                                 "): name another file"};
+                throw UsageError{named(output) + " is an input of this command" +
+                                 (input == output.path ? "" : " (" + input + ")") +
+                                 ": name another file"};
         for (const auto& [other, earlier] : known)
             if (other == *identity)
                 throw UsageError{named(output) + " is the file of " + earlier->option +
