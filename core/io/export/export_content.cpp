@@ -316,6 +316,24 @@ std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit)
     return ids;
 }
 
+std::vector<std::pair<std::string_view, double>> driftData(const ExportContent& content,
+                                                           const ExportIceberg& iceberg)
+{
+    std::vector<std::pair<std::string_view, double>> data;
+    const bool isFiltered = content.mission != nullptr &&
+                            content.scenario->observer.model == ObserverModel::Kalman &&
+                            iceberg.state != IcebergState::Expected;
+    const double sd_mps =
+        isFiltered ? std::sqrt(iceberg.track.velocity_m2ps2) : iceberg.iceberg.velocitySd_mps;
+    if (sd_mps > 0)
+        data.emplace_back("velocity_sd_mps", sd_mps);
+    if (iceberg.iceberg.velocityTime_s > 0) {
+        data.emplace_back("velocity_spread_mps", iceberg.iceberg.velocitySpread_mps);
+        data.emplace_back("velocity_time_s", iceberg.iceberg.velocityTime_s);
+    }
+    return data;
+}
+
 std::string titleOf(const ExportContent& content, const Visit& visit)
 {
     if (visit.iceberg < 0)

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace berg {
@@ -161,6 +162,10 @@ struct ExportContent
 
 /** Ids of the icebergs in view at a visit. */
 [[nodiscard]] std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit);
+
+/** How its drift changes, where it does, by the names that scenario files have for it. */
+[[nodiscard]] std::vector<std::pair<std::string_view, double>>
+driftData(const ExportContent& content, const ExportIceberg& iceberg);
 
 /** Name of what is visited for people: name or id of the iceberg, ids of a cluster, "Home". */
 [[nodiscard]] std::string titleOf(const ExportContent& content, const Visit& visit);

@@ -127,6 +127,8 @@ private:
         properties["velocity_mps"] =
             pair(eastNorth_mps(m_content, now.iceberg.velocity_mps, now.position_m));
         properties["drift_mps"] = pair(eastNorth_mps(m_content, now.drift_mps, now.position_m));
+        for (const auto& [name, value] : driftData(m_content, now))
+            properties[std::string(name)] = value;
         properties["radius_m"] = now.iceberg.radius_m;
         properties["appears_s"] = now.iceberg.appears_s;
         properties["state"] = nameOf(kIcebergStateNames, now.state);

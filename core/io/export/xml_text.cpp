@@ -43,6 +43,8 @@ std::vector<XmlData> dataOf(const ExportContent& content, const ExportIceberg& i
                               {"radius_m", decimalText(iceberg.iceberg.radius_m)},
                               {"drift_east_mps", decimalText(drift_mps.x())},
                               {"drift_north_mps", decimalText(drift_mps.y())}};
+    for (const auto& [name, value] : driftData(content, iceberg))
+        data.push_back({name, decimalText(value)});
     if (const double in_s = iceberg.iceberg.appears_s - content.now_s; in_s > 0)
         data.push_back({"appears_in_s", decimalText(in_s)});
     return data;

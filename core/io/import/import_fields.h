@@ -5,6 +5,7 @@
 #include "core/io/import/import_table.h"
 #include "core/io/import/import_time.h"
 #include "core/io/text/read_budget.h"
+#include "core/scenario/checks.h"
 
 #include <map>
 #include <variant>
@@ -88,6 +89,22 @@ struct DriftTexts
 /** A row with its drift; rejected when that is out of range. Without either text as it is. */
 [[nodiscard]] std::variant<Sighting, RejectedRow> withDrift(std::variant<Sighting, RejectedRow> row,
                                                             const DriftTexts& drift);
+
+/** What `numberOf` finds by the names that exports of our own give it; none of it out of range. */
+template <class NumberOf>
+[[nodiscard]] std::optional<SightedChange> changeOf(const NumberOf& numberOf)
+{
+    const auto read = [&](const char* name, const Limits& limits) {
+        const std::optional<double> value = numberOf(name);
+        return value && !outOfLimits(*value, limits) ? *value : 0.0;
+    };
+    const SightedChange change{.velocitySd_mps = read("velocity_sd_mps", limits::kSpeed_mps),
+                               .velocitySpread_mps =
+                                   read("velocity_spread_mps", limits::kSpeed_mps),
+                               .velocityTime_s = read("velocity_time_s", limits::kTime_s)};
+    const bool isThere = change.velocitySd_mps > 0 || change.velocityTime_s > 0;
+    return isThere ? std::optional(change) : std::nullopt;
+}
 
 /** Date and time of day from one text, or from two; with `timeApart` neither may be missing. */
 [[nodiscard]] std::string timeText(const FieldTexts& texts, bool timeApart);

@@ -177,9 +177,15 @@ private:
         }
         std::variant<Sighting, RejectedRow> row =
             withDrift(sightingOf(texts, {}, m_feature), driftOf(properties));
-        if (auto* const sighting = std::get_if<Sighting>(&row))
+        if (auto* const sighting = std::get_if<Sighting>(&row)) {
             sighting->appearsIn_s = appearsIn_s(properties);
         addRow(m_table, std::move(row), m_source.budget);
+            sighting->change = changeOf([&](const char* name) {
+                const Json* const value = memberOf(properties, name);
+                return value != nullptr && value->is_number() ? std::optional(value->get<double>())
+                                                              : std::nullopt;
+            });
+        }
     }
 
     /** Corners of a line are places without a name of their own. */

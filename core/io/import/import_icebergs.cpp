@@ -116,7 +116,9 @@ private:
         } else if (given_mps) {
             note(ImportNote::VelocityGiven);
             setDrift(*given_mps, kGivenParts);
-            if (!last.drift_mps) // a speed and a direction, which nobody says are exact
+            if (last.change)
+                take(*last.change);
+            else if (!last.drift_mps) // a speed and a direction, which nobody says are exact
                 setChange(drift().velocitySpread_mps, drift());
         } else if (m_estimate.velocity_mps) {
             m_clamped = m_estimate.velocityClamped;
@@ -179,6 +181,13 @@ private:
             std::min(kLargestVelocity_mps, std::round(sd_mps * kEstimatedParts) / kEstimatedParts);
         m_iceberg.velocitySpread_mps = process.velocitySpread_mps;
         m_iceberg.velocityTime_s = process.velocitySpread_mps > 0 ? process.velocityTime_s : 0;
+    }
+
+    void take(const SightedChange& change)
+    {
+        m_iceberg.velocitySd_mps = change.velocitySd_mps;
+        m_iceberg.velocitySpread_mps = change.velocitySpread_mps;
+        m_iceberg.velocityTime_s = change.velocityTime_s;
     }
 
     /** Later than what the scenario has of it. */

@@ -63,6 +63,14 @@ inline constexpr std::array<Named<SightingField>, 15> kSightingFieldNames{{
     {SightingField::Remarks, "remarks"},
 }};
 
+/** How the drift of an iceberg changes, as exports of our own have it. */
+struct SightedChange
+{
+    double velocitySd_mps = 0;
+    double velocitySpread_mps = 0;
+    double velocityTime_s = 0;
+};
+
 /** One row of a file: an iceberg was at this place. What the file does not tell is empty. */
 struct Sighting
 {
@@ -75,6 +83,7 @@ struct Sighting
     std::optional<double> direction_deg; ///< drifts towards, clockwise from north
     std::optional<Point> drift_mps;      ///< true east and north, as exports of our own have it
     std::optional<double> appearsIn_s;   ///< from its time on; likewise
+    std::optional<SightedChange> change; ///< likewise
     std::optional<double> sigma_m2;
     std::optional<double> q_m2ps;
     std::optional<double> radius_m;

@@ -43,6 +43,7 @@ std::optional<LatLon> placeOf(const FieldTexts& texts)
 void setData(Sighting& sighting, const OwnData& data)
 {
     sighting.appearsIn_s = numberOf(data, "appears_in_s");
+    sighting.change = changeOf([&](const char* name) { return numberOf(data, name); });
 }
 
 void addOwnUav(FileScene& scene, const OwnMark& home)

@@ -67,6 +67,10 @@ QString lossOf(const ExportIceberg& now, const Iceberg& found, const Point& curr
         return u"sigma or radius"_s;
     if (now.iceberg.q_m2ps != found.q_m2ps)
         return u"q"_s;
+    if (now.iceberg.velocitySd_mps != found.velocitySd_mps ||
+        now.iceberg.velocitySpread_mps != found.velocitySpread_mps ||
+        now.iceberg.velocityTime_s != found.velocityTime_s)
+        return u"how the drift changes"_s;
     if (now.iceberg.appears_s != found.appears_s)
         return u"appearance"_s;
     return {};
@@ -80,6 +84,9 @@ Scenario full()
     scenario.icebergs[2].appears_s = 150;
     scenario.icebergs[2].radius_m = 120.5;
     scenario.icebergs[1].q_m2ps = 0.125;
+    scenario.icebergs[1].velocitySd_mps = 0.0625;
+    scenario.icebergs[1].velocitySpread_mps = 0.15;
+    scenario.icebergs[1].velocityTime_s = 36'000;
     scenario.uavs[0].home_m = Point(-700, -300);
     return scenario;
 }
