@@ -3923,6 +3923,10 @@
         <source>would be %1 missions; at most %2 fit into one study: take several</source>
         <translation>ville bli %1 oppdrag; én studie har plass til høyst %2: bruk flere</translation>
     </message>
+    <message>
+        <source>names an iceberg, but the run holds none</source>
+        <translation>viser til et isfjell, men kjøringen har ingen</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>

@@ -1,6 +1,6 @@
 #include "app/cli/console.h"
 
-#include "core/io/text/number_text.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <array>

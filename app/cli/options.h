@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/number_text.h"
 #include "core/plan/solve/names.h"
 #include "core/scenario/checks.h"
 
@@ -57,7 +58,7 @@ inline CLI::Validator numberFrom(double low, double high)
                 const auto fault = outOfLimits(value, {.low = low, .high = high});
                 return fault ? englishText(*fault) : std::string();
             },
-            "(" + shortText(low) + " to " + shortText(high) + ")"};
+            "(" + numberText(low) + " to " + numberText(high) + ")"};
 }
 
 } // namespace berg::cli

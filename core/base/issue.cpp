@@ -1,8 +1,9 @@
 #include "core/base/issue.h"
 
+#include "core/base/number_text.h"
+
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string_view>
 
 namespace berg {
@@ -16,7 +17,7 @@ constexpr std::array<std::string_view, 10> kKinds{
 std::string argumentText(const IssueArgument& argument)
 {
     if (const auto* const number = std::get_if<double>(&argument))
-        return shortText(*number);
+        return numberText(*number);
     if (const auto* const count = std::get_if<std::int64_t>(&argument))
         return std::to_string(*count);
     if (const auto* const kind = std::get_if<ValueKind>(&argument))
@@ -140,13 +141,6 @@ constexpr bool isInOrder()
 static_assert(isInOrder(), "a row for each id, in their order");
 
 } // namespace
-
-std::string shortText(double value)
-{
-    std::array<char, 32> buffer{};
-    char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    return {buffer.data(), end};
-}
 
 std::string_view englishWords(IssueId id)
 {

@@ -162,7 +162,4 @@ struct Issue
 /** True when at least one finding is an error. */
 [[nodiscard]] bool hasErrors(const std::vector<Issue>& issues);
 
-/** Shortest text that reads back as `value`, in the C locale; for messages. */
-[[nodiscard]] std::string shortText(double value);
-
 } // namespace berg

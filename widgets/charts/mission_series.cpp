@@ -1,5 +1,6 @@
 #include "widgets/charts/mission_series.h"
 
+#include "core/base/number_text.h"
 #include "core/io/results/result_csv.h"
 
 #include <algorithm>
@@ -57,14 +58,14 @@ std::string MissionSeries::csv(const TimeChartContent& content) const
     text += '\n';
     std::vector<std::size_t> next(content.lines.size(), 0);
     for (const double time_s : m_times_s) {
-        text += numberText(time_s);
+        appendNumber(text, time_s);
         for (std::size_t i = 0; i < content.lines.size(); ++i) {
             text += ',';
             if (const auto own = pointAt(content.lines[i].points, time_s))
-                text += numberText(own->y());
+                appendNumber(text, own->y());
             const std::vector<QPointF>& points = m_lines[i].points();
             if (next[i] < points.size() && points[next[i]].x() == time_s)
-                text += numberText(points[next[i]++].y());
+                appendNumber(text, points[next[i]++].y());
         }
         text += '\n';
     }

@@ -76,8 +76,7 @@ private:
     {
         if (!m_packets.empty())
             m_packets += ",\n";
-        // Names may hold bytes that are not UTF-8 when they come from elsewhere than a file.
-        m_packets += escapedJson(packet.dump(-1, ' ', false, Json::error_handler_t::replace));
+        m_packets += jsonText(packet);
     }
 
     void append(Json& list, const Point& position_m, double altitude_m) const

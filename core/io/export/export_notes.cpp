@@ -1,8 +1,8 @@
 #include "core/io/export/export_notes.h"
 
+#include "core/base/number_text.h"
 #include "core/io/export/export_files.h"
 #include "core/io/export/mission_items.h"
-#include "core/io/text/number_text.h"
 #include "core/scenario/fence.h"
 
 #include <algorithm>

@@ -72,7 +72,7 @@ private:
         if (!m_features.empty())
             m_features += ",\n";
         // Names may hold bytes that are not UTF-8 when they come from elsewhere than a file.
-        m_features += escapedJson(feature.dump(-1, ' ', false, Json::error_handler_t::replace));
+        m_features += jsonText(feature);
     }
 
     static Json shape(const char* type, Json coordinates)

@@ -1,5 +1,6 @@
 #include "core/io/export/gpx.h"
 
+#include "core/base/number_text.h"
 #include "core/io/export/xml_text.h"
 #include "core/io/text/export_numbers.h"
 #include "core/io/text/html_text.h"

@@ -1,5 +1,6 @@
 #include "core/io/export/plan_csv.h"
 
+#include "core/base/number_text.h"
 #include "core/io/text/export_numbers.h"
 
 #include <algorithm>

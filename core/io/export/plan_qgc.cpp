@@ -136,7 +136,7 @@ std::string qgcPlan(const ExportContent& content)
     plan["mission"] = jsonMission(mission);
     plan["geoFence"] = jsonFence(content);
     plan["rallyPoints"] = jsonRally(mission);
-    return escapedJson(plan.dump(4)) + '\n';
+    return jsonText(plan, 4) + '\n';
 }
 
 } // namespace berg

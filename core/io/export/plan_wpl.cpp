@@ -1,8 +1,8 @@
 #include "core/io/export/plan_wpl.h"
 
+#include "core/base/number_text.h"
 #include "core/io/export/mission_items.h"
 #include "core/io/text/export_numbers.h"
-#include "core/io/text/number_text.h"
 
 namespace berg {
 

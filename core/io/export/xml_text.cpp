@@ -1,8 +1,8 @@
 #include "core/io/export/xml_text.h"
 
+#include "core/base/number_text.h"
 #include "core/io/text/export_numbers.h"
 #include "core/io/text/html_text.h"
-#include "core/io/text/number_text.h"
 
 namespace berg {
 

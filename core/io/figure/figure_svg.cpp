@@ -1,8 +1,8 @@
 #include "core/io/figure/figure_svg.h"
 
+#include "core/base/number_text.h"
 #include "core/io/figure/figure_layout.h"
 #include "core/io/text/html_text.h"
-#include "core/io/text/number_text.h"
 #include "core/plan/policy/policy.h"
 
 namespace berg {

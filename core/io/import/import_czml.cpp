@@ -2,6 +2,7 @@
 
 #include "core/io/import/import_xml.h"
 #include "core/io/import/json_members.h"
+#include "core/io/text/json_writer.h"
 
 #include <cmath>
 
@@ -19,7 +20,7 @@ std::string propertyText(const Json& value)
     if (value.is_string())
         return value.get<std::string>();
     if (value.is_number() || value.is_boolean())
-        return value.dump();
+        return jsonText(value);
     for (const char* type : {"number", "string", "boolean"})
         if (const Json* wrapped = memberOf(&value, type); wrapped && !wrapped->is_structured())
             return propertyText(*wrapped);
@@ -114,8 +115,8 @@ private:
     {
         if (!longitude.is_number() || !latitude.is_number())
             return false;
-        texts.set(SightingField::Longitude, longitude.dump());
-        texts.set(SightingField::Latitude, latitude.dump());
+        texts.set(SightingField::Longitude, jsonText(longitude));
+        texts.set(SightingField::Latitude, jsonText(latitude));
         return true;
     }
 

@@ -2,6 +2,7 @@
 
 #include "core/io/import/import_fields.h"
 #include "core/io/import/import_geojson_scene.h"
+#include "core/io/text/json_writer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ std::string cellText(const Json& value)
 {
     if (value.is_string())
         return value.get<std::string>();
-    return value.is_number() ? value.dump() : std::string();
+    return value.is_number() ? jsonText(value) : std::string();
 }
 
 /** Longitude and latitude of a position; false when it is none. */
@@ -30,8 +31,8 @@ bool setPlace(FieldTexts& texts, const Json& position)
     if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
         !position[1].is_number())
         return false;
-    texts.set(SightingField::Longitude, position[0].dump());
-    texts.set(SightingField::Latitude, position[1].dump());
+    texts.set(SightingField::Longitude, jsonText(position[0]));
+    texts.set(SightingField::Latitude, jsonText(position[1]));
     return true;
 }
 
@@ -179,13 +180,13 @@ private:
             withDrift(sightingOf(texts, {}, m_feature), driftOf(properties));
         if (auto* const sighting = std::get_if<Sighting>(&row)) {
             sighting->appearsIn_s = appearsIn_s(properties);
-        addRow(m_table, std::move(row), m_source.budget);
             sighting->change = changeOf([&](const char* name) {
                 const Json* const value = memberOf(properties, name);
                 return value != nullptr && value->is_number() ? std::optional(value->get<double>())
                                                               : std::nullopt;
             });
         }
+        addRow(m_table, std::move(row), m_source.budget);
     }
 
     /** Corners of a line are places without a name of their own. */

@@ -2,6 +2,7 @@
 #include "core/io/import/import_geojson.h"
 #include "core/io/import/import_mission.h"
 #include "core/io/import/json_members.h"
+#include "core/io/text/json_writer.h"
 
 #include <array>
 
@@ -14,11 +15,11 @@ constexpr std::size_t kParams = 7;
 constexpr std::size_t kLatitude = 4; ///< of the params; longitude and altitude follow
 
 /** A number as its text; empty for null, which stands for none. */
-std::string numberText(const Json& value, const std::string& path, Faults& faults)
+std::string memberText(const Json& value, const std::string& path, Faults& faults)
 {
     if (value.is_null())
         return {};
-    return numberOf(value, path, faults) ? value.dump() : std::string();
+    return numberOf(value, path, faults) ? jsonText(value) : std::string();
 }
 
 /** Whether what is inside is where to fly; that is so unless the file says otherwise. */
@@ -122,10 +123,10 @@ private:
         if (home->size() < 2)
             m_file.faults.add(path, {IssueId::LeastEntries, {2}});
         else
-            m_places.setHome({.latitude = numberText((*home)[0], path + "[0]", m_file.faults),
-                              .longitude = numberText((*home)[1], path + "[1]", m_file.faults),
+            m_places.setHome({.latitude = memberText((*home)[0], path + "[0]", m_file.faults),
+                              .longitude = memberText((*home)[1], path + "[1]", m_file.faults),
                               .altitude = home->size() > 2 && (*home)[2].is_number()
-                                              ? (*home)[2].dump()
+                                              ? jsonText((*home)[2])
                                               : std::string()});
     }
 
@@ -158,7 +159,7 @@ private:
         std::array<std::string, kParams> texts;
         for (std::size_t i = 0; i < kParams; ++i)
             texts[i] =
-                numberText((*params)[i], path + '[' + std::to_string(i) + ']', m_file.faults);
+                memberText((*params)[i], path + '[' + std::to_string(i) + ']', m_file.faults);
         m_places.add({.line = line,
                       .command = item.whole("command", 0, kMavNumbers),
                       .frame = item.whole("frame", 0, kMavNumbers),

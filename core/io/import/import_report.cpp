@@ -17,11 +17,6 @@ constexpr std::array<Named<ImportOutcome>, 4> kOutcomeNames{{
     {ImportOutcome::LeftOut, "left-out"},
 }};
 
-std::string count(std::size_t n)
-{
-    return jsonText(static_cast<std::int64_t>(n));
-}
-
 std::string icebergText(const ImportedIceberg& imported, const Iceberg* iceberg)
 {
     std::vector<std::string> notes;
@@ -30,8 +25,8 @@ std::string icebergText(const ImportedIceberg& imported, const Iceberg* iceberg)
     JsonObject object;
     object.add("id", imported.id);
     object.add("outcome", nameOf(kOutcomeNames, imported.outcome));
-    object.addText("sightings", count(imported.sightings));
-    object.addText("used", count(imported.used));
+    object.add("sightings", imported.sightings);
+    object.add("used", imported.used);
     object.add("age_s", imported.age_s);
     if (iceberg != nullptr) {
         object.add("velocity_mps", iceberg->velocity_mps);
@@ -47,14 +42,14 @@ std::string findingText(const SceneFinding& finding)
 {
     JsonObject object;
     object.add("note", sceneFindingText(finding));
-    object.addText("count", count(finding.count));
+    object.add("count", finding.count);
     return object.inLine();
 }
 
 std::string rejectedText(const RejectedRow& row)
 {
     JsonObject object;
-    object.addText("line", count(row.line));
+    object.add("line", row.line);
     object.add("reason", englishText(reasonOf(row)));
     return object.inLine();
 }
@@ -89,14 +84,14 @@ std::string importJson(const SightingTable& table, const ImportResult& result)
 
     JsonObject object;
     object.add("format", table.format);
-    object.addText("sightings", count(table.sightings.size()));
-    object.addText("rejected", count(result.rejected.count));
-    object.addText("outside_area", count(result.outsideArea));
-    object.addText("outside_time", count(result.outsideTime));
-    object.addText("added", count(result.added));
-    object.addText("updated", count(result.updated));
-    object.addText("unchanged", count(result.unchanged));
-    object.addText("left_out", count(result.leftOut));
+    object.add("sightings", table.sightings.size());
+    object.add("rejected", result.rejected.count);
+    object.add("outside_area", result.outsideArea);
+    object.add("outside_time", result.outsideTime);
+    object.add("added", result.added);
+    object.add("updated", result.updated);
+    object.add("unchanged", result.unchanged);
+    object.add("left_out", result.leftOut);
     if (result.at)
         object.add("start_utc", result.scenario.startUtc);
     else

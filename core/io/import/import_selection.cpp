@@ -1,6 +1,7 @@
 #include "core/io/import/import_selection.h"
 
 #include "core/base/angles.h"
+#include "core/base/number_text.h"
 #include "core/base/stopped.h"
 #include "core/io/text/read_budget.h"
 #include "core/scenario/checks.h"
@@ -22,7 +23,7 @@ std::string unnamedId(const Sighting& sighting, const SightingTable& table)
     if (const std::optional<UtcTime>& first = table.sightings.front().time; table.oneIceberg)
         return first ? "track " + utcText(*first, 0) : "track";
     const auto angle = [](double angle_deg) {
-        return shortText(std::round(std::abs(angle_deg) * 1e4) / 1e4);
+        return numberText(std::round(std::abs(angle_deg) * 1e4) / 1e4);
     };
     const LatLon& place = sighting.place;
     return angle(place.latitude_deg) + (place.latitude_deg < 0 ? "S " : "N ") +
@@ -197,8 +198,8 @@ void place(std::vector<SightedIceberg>& icebergs, const LocalFrame& frame, Rejec
                 return false;
             rejected.add({.line = sighting.line,
                           .fault = IssueId::TooFar,
-                          .detail = shortText(sighting.place.latitude_deg) + ' ' +
-                                    shortText(sighting.place.longitude_deg)});
+                          .detail = numberText(sighting.place.latitude_deg) + ' ' +
+                                    numberText(sighting.place.longitude_deg)});
             return true;
         });
     std::erase_if(icebergs,

@@ -1,6 +1,7 @@
 #include "core/io/import/import_setting.h"
 
 #include "core/base/angles.h"
+#include "core/base/number_text.h"
 #include "core/io/import/area_outline.h"
 #include "core/io/import/import_icebergs.h"
 #include "core/io/import/import_selection.h"
@@ -100,7 +101,7 @@ private:
     {
         if (value && !attempt([&](Scenario& scenario) { change(scenario, *value); }))
             addFinding(m_findings, SceneNote::NumberWrong,
-                       std::string(name) + ' ' + shortText(*value));
+                       std::string(name) + ' ' + numberText(*value));
     }
 
     void takeUav(const SceneUav& taken)
@@ -254,8 +255,8 @@ private:
                 scenario.asset->position_m = toCentimetre(place_m + velocity_mps * until_s);
             }))
             addFinding(m_findings, SceneNote::NumberWrong,
-                       "velocity_mps " + shortText(taken.velocity_mps->x()) + ' ' +
-                           shortText(taken.velocity_mps->y()));
+                       "velocity_mps " + numberText(taken.velocity_mps->x()) + ' ' +
+                           numberText(taken.velocity_mps->y()));
     }
 
     const FileScene& m_scene;

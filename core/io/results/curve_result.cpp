@@ -1,5 +1,6 @@
 #include "core/io/results/curve_result.h"
 
+#include "core/base/number_text.h"
 #include "core/io/results/result_csv.h"
 #include "core/io/text/json_writer.h"
 #include "core/sim/clusters.h"

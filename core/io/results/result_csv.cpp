@@ -1,6 +1,7 @@
 #include "core/io/results/result_csv.h"
 
 #include "core/base/angles.h"
+#include "core/base/number_text.h"
 #include "core/io/text/export_numbers.h"
 #include "core/io/text/json_writer.h"
 #include "core/plan/solve/names.h"
@@ -135,13 +136,6 @@ std::string eventDetail(const MissionEvent& event, const Mission& mission)
     case EventKind::BackInside:
         break;
     }
-    return text;
-}
-
-std::string numberText(double value)
-{
-    std::string text;
-    appendNumber(text, value);
     return text;
 }
 

@@ -60,8 +60,6 @@ private:
 void appendTrajectoryRow(std::string& text, const LocalFrame& frame, const std::string& uav,
                          const TrackPoint& point);
 
-/** Shortest text that reads back as the same double, C locale; for CSV and XML. */
-[[nodiscard]] std::string numberText(double value);
 /**
  * One CSV field, quoted when it must be; controls that terminals obey become U+FFFD. A text that a
  * spreadsheet would run as a formula gets an apostrophe in front, which imports take off again

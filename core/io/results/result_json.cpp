@@ -1,5 +1,6 @@
 #include "core/io/results/result_json.h"
 
+#include "core/base/number_text.h"
 #include "core/io/results/result_csv.h"
 #include "core/io/results/result_parts.h"
 #include "core/plan/policy/policy.h"

@@ -19,10 +19,9 @@ ResultJson orNull(const std::optional<T>& value)
     return value ? ResultJson(*value) : ResultJson(nullptr);
 }
 
-/** Names from files may hold broken UTF-8. */
 inline std::string resultText(const ResultJson& json)
 {
-    return escapedJson(json.dump(1, ' ', false, ResultJson::error_handler_t::replace)) + '\n';
+    return jsonText(json, 1) + '\n';
 }
 
 } // namespace berg

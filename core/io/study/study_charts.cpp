@@ -1,8 +1,8 @@
 #include "core/io/study/study_charts.h"
 
+#include "core/base/number_text.h"
 #include "core/io/figure/figure_svg.h"
 #include "core/io/results/result_csv.h"
-#include "core/io/text/number_text.h"
 #include "core/plan/policy/policy.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
+#include "core/base/number_text.h"
 #include "core/io/study/study_charts.h"
 #include "core/io/study/study_report_parts.h"
 #include "core/io/text/html_text.h"
-#include "core/io/text/number_text.h"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,7 @@
 #include "core/io/text/json_reader.h"
 
+#include "core/io/text/json_writer.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -124,7 +126,7 @@ std::optional<std::int64_t> wholeOf(const Json& value, const std::string& path, 
         return static_cast<std::int64_t>(number);
     faults.add(path, {IssueId::NotWhole,
                       {limits.low, limits.high,
-                       value.is_number() ? IssueArgument(value.dump()) : kindOf(value)}});
+                       value.is_number() ? IssueArgument(jsonText(value)) : kindOf(value)}});
     return std::nullopt;
 }
 
@@ -241,7 +243,7 @@ std::string ObjectReader::unknown() const
         for (const auto& [name, value] : m_object->items()) {
             m_faults->goOn();
             if (!m_read.contains(name))
-                text += (text.empty() ? '{' : ',') + Json(name).dump() + ':' + value.dump();
+                text += (text.empty() ? '{' : ',') + jsonText(name) + ':' + jsonText(value);
         }
     return text.empty() ? text : text + '}';
 }

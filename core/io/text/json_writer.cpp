@@ -1,15 +1,19 @@
 #include "core/io/text/json_writer.h"
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/scenario/checks.h"
 
-#include <array>
-#include <charconv>
+#include <nlohmann/json.hpp>
+
 #include <cmath>
+#include <utility>
 
 namespace berg {
 
 namespace {
+
+using Tree = nlohmann::ordered_json;
 
 /** As \u00XX. */
 void appendCode(std::string& json, unsigned char code)
@@ -73,22 +77,17 @@ std::string jsonText(double value)
 {
     if (!std::isfinite(value))
         return "null";
-    if (value == 0)
-        return std::signbit(value) ? "-0.0" : "0"; // "-0" would be read as a whole number
-    // Plain digits as long as they are short to read; both forms read back exactly.
-    constexpr double kSmallestPlain = 1e-5;
-    constexpr double kLargestPlain = 1e15;
-    const double size = std::abs(value);
-    const bool plain = size >= kSmallestPlain && size < kLargestPlain;
-    std::array<char, 64> buffer{};
-    char* const end =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                      plain ? std::chars_format::fixed : std::chars_format::scientific)
-            .ptr;
-    return {buffer.data(), end};
+    if (value == 0 && std::signbit(value))
+        return "-0.0"; // "-0" would be read as a whole number
+    return numberText(value);
 }
 
 std::string jsonText(std::int64_t value)
+{
+    return std::to_string(value);
+}
+
+std::string jsonText(std::size_t value)
 {
     return std::to_string(value);
 }
@@ -137,19 +136,81 @@ std::string jsonText(const Point& value)
     return jsonArray({jsonText(value.x()), jsonText(value.y())});
 }
 
-std::string escapedJson(std::string_view json)
+namespace {
+
+class TreeText
 {
-    std::string safe;
-    safe.reserve(json.size());
-    for (std::size_t i = 0; i < json.size(); ++i)
-        if (const auto next = static_cast<unsigned char>(i + 1 < json.size() ? json[i + 1] : 0);
-            json[i] == '\xC2' && next < 0xA0U)
-            appendCode(safe, static_cast<unsigned char>(json[++i]));
-        else if (json[i] == '\x7F')
-            appendCode(safe, 0x7F);
+public:
+    explicit TreeText(int indent) : m_indent(indent) {}
+
+    void add(const Tree& value)
+    {
+        if (value.is_object())
+            addEntries(value.get_ref<const Tree::object_t&>(), '{', '}');
+        else if (value.is_array())
+            addEntries(value.get_ref<const Tree::array_t&>(), '[', ']');
+        else if (value.is_string())
+            m_text += jsonText(value.get_ref<const std::string&>());
+        else if (value.is_number_float())
+            addDouble(value.get<double>());
+        else if (value.is_number_unsigned())
+            m_text += std::to_string(value.get<std::uint64_t>());
+        else if (value.is_number())
+            m_text += jsonText(value.get<std::int64_t>());
         else
-            safe += json[i];
-    return safe;
+            m_text += value.is_null() ? "null" : jsonText(value.get<bool>());
+    }
+    [[nodiscard]] std::string take() { return std::move(m_text); }
+
+private:
+    void add(const Tree::object_t::value_type& member)
+    {
+        m_text += jsonText(member.first) + (m_indent < 0 ? ":" : ": ");
+        add(member.second);
+    }
+
+    template <class Entries>
+    void addEntries(const Entries& entries, char open, char close)
+    {
+        m_text += open;
+        ++m_depth;
+        for (const auto& entry : entries) {
+            if (&entry != &entries.front())
+                m_text += ',';
+            startLine();
+            add(entry);
+        }
+        --m_depth;
+        if (!entries.empty())
+            startLine();
+        m_text += close;
+    }
+
+    void addDouble(double value)
+    {
+        const std::string text = jsonText(value);
+        const bool isWhole = text.find_first_not_of("-0123456789") == std::string::npos;
+        m_text += text + (isWhole ? ".0" : "");
+    }
+
+    void startLine()
+    {
+        if (m_indent >= 0)
+            m_text += '\n' + std::string(static_cast<std::size_t>(m_indent * m_depth), ' ');
+    }
+
+    int m_indent;
+    int m_depth = 0;
+    std::string m_text;
+};
+
+} // namespace
+
+std::string jsonText(const Tree& tree, int indent)
+{
+    TreeText text(indent);
+    text.add(tree);
+    return text.take();
 }
 
 std::size_t characterSize(std::string_view text)

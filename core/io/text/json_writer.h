@@ -1,8 +1,11 @@
 #pragma once
 
-// Private to core/io: JSON text in the layout and with the numbers our own files have.
+// Private to core/io: all the JSON that is written. Objects with names known beforehand are made of
+// texts, others as trees of the library; numbers and texts are written by the same functions.
 
 #include "core/base/geometry.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -12,20 +15,24 @@
 
 namespace berg {
 
-/** Shortest number that reads back as the same double, in the C locale; `null` when not finite. */
+/** `numberText`; `null` when not finite. */
 [[nodiscard]] std::string jsonText(double value);
 [[nodiscard]] std::string jsonText(std::int64_t value);
+[[nodiscard]] std::string jsonText(std::size_t value);
 [[nodiscard]] std::string jsonText(int value);
 [[nodiscard]] std::string jsonText(bool value);
-/** Quoted and escaped; bytes that are no UTF-8 become U+FFFD. */
+/** Quoted and escaped, also what terminals obey; bytes that are no UTF-8 become U+FFFD. */
 [[nodiscard]] std::string jsonText(std::string_view value);
 [[nodiscard]] std::string jsonText(const std::string& value);
 [[nodiscard]] std::string jsonText(const char* value);
 /** `[east, north]` */
 [[nodiscard]] std::string jsonText(const Point& value);
 
-/** What the JSON library has written, without controls that terminals obey: they become \u00XX. */
-[[nodiscard]] std::string escapedJson(std::string_view json);
+/**
+ * A tree on one line, or an entry a line, each level `indent` further in. Whole numbers that are
+ * measurements, doubles, end in ".0": geographic programs take the type of a column from that.
+ */
+[[nodiscard]] std::string jsonText(const nlohmann::ordered_json& tree, int indent = -1);
 
 /** Bytes of the UTF-8 character at the front, 0 when there is no valid one. */
 [[nodiscard]] std::size_t characterSize(std::string_view text);

@@ -1,3 +1,4 @@
+#include "core/base/number_text.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/results/result_csv.h"
 #include "core/scenario/limits.h"

@@ -131,7 +131,7 @@ private slots:
         QVERIFY(!texts.contains(QByteArray()));
         QCOMPARE(texts.size(), kIssueIds);
         QCOMPARE(englishText({.id = IssueId::OutOfRange, .arguments = {0.0, 1e6, -2.5}}),
-                 std::string("must be from 0 to 1e+06, not -2.5"));
+                 std::string("must be from 0 to 1000000, not -2.5"));
     }
 
     void saysItInUnits()

@@ -113,7 +113,7 @@ private slots:
             std::find_if(result.scene.begin(), result.scene.end(),
                          [](const SceneFinding& f) { return f.note == SceneNote::NumberWrong; });
         QVERIFY(wrong != result.scene.end());
-        QCOMPARE(wrong->detail, std::string("airspeed_mps 1e+09"));
+        QCOMPARE(wrong->detail, std::string("airspeed_mps 1000000000"));
         QCOMPARE(wrong->count, std::size_t{4});
     }
 

@@ -9,9 +9,7 @@
 
 #include <QTest>
 
-#include <bit>
 #include <cmath>
-#include <limits>
 
 using namespace berg;
 using namespace berg::test;
@@ -60,48 +58,6 @@ class TestResultCsv : public QObject
 
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
-
-    void numbers_data()
-    {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<QByteArray>("text");
-        QTest::newRow("zero") << 0.0 << QByteArray("0");
-        QTest::newRow("integer") << 22.0 << QByteArray("22");
-        QTest::newRow("not 1e+05") << 100000.0 << QByteArray("100000");
-        QTest::newRow("a tenth") << 0.1 << QByteArray("0.1");
-        QTest::newRow("step count times dt") << 3 * 0.1 << QByteArray("0.30000000000000004");
-        QTest::newRow("negative") << -47.5 << QByteArray("-47.5");
-        QTest::newRow("small") << 0.000125 << QByteArray("0.000125");
-        QTest::newRow("tiny") << 1e-17 << QByteArray("1e-17");
-        QTest::newRow("huge") << 1.5e300 << QByteArray("1.5e+300");
-    }
-
-    void numbers()
-    {
-        QFETCH(double, value);
-        QFETCH(QByteArray, text);
-        QCOMPARE(bytes(numberText(value)), text);
-    }
-
-    void numbersReadBackExactly()
-    {
-        Random random(5);
-        for (int i = 0; i < 20000; ++i) {
-            // Any finite bit pattern, and numbers of everyday size.
-            const double patterns[] = {std::bit_cast<double>(random.bits()), random.normal() * 1e4,
-                                       random.uniform() * 1e-5};
-            for (const double value : patterns) {
-                if (!std::isfinite(value))
-                    continue;
-                bool ok = false;
-                const QByteArray text = bytes(numberText(value));
-                const double back = text.toDouble(&ok);
-                QVERIFY2(ok && std::bit_cast<std::uint64_t>(back) ==
-                                   std::bit_cast<std::uint64_t>(value),
-                         text.constData());
-            }
-        }
-    }
 
     /** What a spreadsheet would run; an import takes the apostrophe off. */
     void formulasAreTexts()

@@ -5,7 +5,21 @@
 
 namespace berg {
 
-// Numbers for people to read in reports and on terminals, independent of the locale.
+// All the ways in which numbers are written, independent of the locale.
+
+/**
+ * Shortest text that reads back as the same double: digits from 1e-5 to 1e15, which 1e+05 is not
+ * easier to read than, and else with an exponent. For files, tables and messages.
+ */
+[[nodiscard]] std::string numberText(double value);
+
+/** The same without a string of its own, for tables of many rows. */
+void appendNumber(std::string& text, double value);
+
+/** The same, never with an exponent: for XML decimals. */
+[[nodiscard]] std::string decimalText(double value);
+
+// For people to read in reports and on terminals.
 
 /** `decimals` after the point, rounded; never "-0". */
 [[nodiscard]] std::string fixedText(double value, int decimals);

@@ -1,4 +1,4 @@
-#include "core/io/text/number_text.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,36 @@
 #include <cmath>
 
 namespace berg {
+
+std::string numberText(double value)
+{
+    std::string text;
+    appendNumber(text, value);
+    return text;
+}
+
+void appendNumber(std::string& text, double value)
+{
+    constexpr double kSmallestPlain = 1e-5;
+    constexpr double kLargestPlain = 1e15;
+    const double size = std::abs(value);
+    const bool plain = size == 0 || (size >= kSmallestPlain && size < kLargestPlain);
+    std::array<char, 40> buffer{};
+    char* const end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                      plain ? std::chars_format::fixed : std::chars_format::scientific)
+            .ptr;
+    text.append(buffer.data(), end);
+}
+
+std::string decimalText(double value)
+{
+    std::array<char, 400> buffer{}; // the largest double has 309 digits, the smallest 324 decimals
+    char* const end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
+            .ptr;
+    return {buffer.data(), end};
+}
 
 std::string fixedText(double value, int decimals)
 {
