@@ -5228,16 +5228,16 @@
         <translation>Alt innenfor rammen blir valgt.</translation>
     </message>
     <message>
-        <source>Click selects. The scenario is locked while flying.</source>
-        <translation>Klikk velger. Scenarioet er låst under flyging.</translation>
-    </message>
-    <message>
         <source>Click selects, drag moves. Ctrl adds, a drag on water selects what is inside the frame.</source>
         <translation>Klikk velger, dra flytter. Ctrl legger til, dra på sjøen velger det som er innenfor rammen.</translation>
     </message>
     <message>
         <source>Click selects. In flight the tip of the wind&apos;s arrow and the asset can be dragged.</source>
         <translation>Klikk velger. Under flyging kan spissen av vindpilen og objektet dras.</translation>
+    </message>
+    <message>
+        <source>Click selects. The scenario is locked while flying.</source>
+        <translation>Klikk velger. Scenarioet er låst under flyging.</translation>
     </message>
 </context>
 <context>
@@ -7437,10 +7437,6 @@ på den, og uten at noe planlegges på nytt.</translation>
         <translation>Nedre grense for ζ: %1 m² s</translation>
     </message>
     <message>
-        <source>Lower bound on ζ: %1 m² s (%2 %…)</source>
-        <translation>Nedre grense for ζ: %1 m² s (%2 %…)</translation>
-    </message>
-    <message>
         <source>That limit is proven for this scenario and the noise that it draws,
 whatever the policy and however tightly the UAV turns.</source>
         <translation>Grensen er bevist for dette scenariet og støyen det trekker,
@@ -7469,6 +7465,10 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     <message>
         <source>Against the plan before: %1</source>
         <translation>Mot planen før: %1</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ: %1 m² s, %2 % computed</source>
+        <translation>Nedre grense for ζ: %1 m² s, %2 % beregnet</translation>
     </message>
 </context>
 <context>
@@ -7601,10 +7601,6 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Stopp og rediger</translation>
     </message>
     <message>
-        <source>Scenario locked in flight</source>
-        <translation>Scenarioet er låst under flyging</translation>
-    </message>
-    <message>
         <source>Ends the flight and goes back to the start, where everything can be edited.</source>
         <translation>Avslutter flygingen og går tilbake til start, der alt kan redigeres.</translation>
     </message>
@@ -7615,6 +7611,10 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     <message>
         <source>Scenario locked in flight. τ and policy can be changed while flying; the plan follows at once.</source>
         <translation>Scenarioet er låst under flyging. τ og strategi kan endres under flyging; planen følger med straks.</translation>
+    </message>
+    <message>
+        <source>Scenario locked in flight</source>
+        <translation>Scenarioet er låst under flyging</translation>
     </message>
 </context>
 <context>
@@ -7698,6 +7698,14 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>%1, lowest %2</source>
         <translation>%1, laveste %2</translation>
+    </message>
+    <message>
+        <source>too slow for %1 flights</source>
+        <translation>for langsom for %1 flyginger</translation>
+    </message>
+    <message>
+        <source>%1; too slow to compare: %2</source>
+        <translation>%1; for langsom til å sammenlignes: %2</translation>
     </message>
 </context>
 <context>
@@ -8389,17 +8397,8 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <translation>Ring: referanse.</translation>
     </message>
     <message>
-        <source>%1 (TSP)</source>
-        <comment>travelling salesman problem</comment>
-        <translation>%1 (TSP)</translation>
-    </message>
-    <message>
         <source>Best τ of each case</source>
         <translation>Beste τ i hvert tilfelle</translation>
-    </message>
-    <message>
-        <source>TSP</source>
-        <translation>TSP</translation>
     </message>
     <message>
         <source>ζ %1 m² s</source>
@@ -8495,16 +8494,16 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <translation>Figur 4</translation>
     </message>
     <message>
-        <source>ζ of this scenario for τ = 0, 0.1 … 4, and of the shortest path (TSP).</source>
-        <translation>ζ for dette scenarioet for τ = 0, 0,1 … 4, og for korteste vei (TSP).</translation>
-    </message>
-    <message>
         <source>Figure 5</source>
         <translation>Figur 5</translation>
     </message>
     <message>
-        <source>Two flights of this scenario over the map: with the τ of lowest ζ, and along the shortest path (TSP).</source>
-        <translation>To flyginger av dette scenarioet over kartet: med τ som gir lavest ζ, og langs korteste vei (TSP).</translation>
+        <source>ζ of this scenario for τ = 0, 0.1 … 4, and of the shortest path.</source>
+        <translation>ζ for dette scenariet med τ = 0, 0,1 … 4, og for korteste vei.</translation>
+    </message>
+    <message>
+        <source>Two flights of this scenario over the map: with the τ of lowest ζ, and along the shortest path.</source>
+        <translation>To flyginger av dette scenariet over kartet: med den τ som gir lavest ζ, og langs korteste vei.</translation>
     </message>
 </context>
 <context>

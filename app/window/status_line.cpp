@@ -20,6 +20,7 @@ namespace berg {
 namespace {
 
 constexpr int kLongestState_px = 420;
+constexpr int kLabelMargin_px = 8;
 
 template <class Label>
 Label* makeLabel(const QString& name)
@@ -47,6 +48,8 @@ StatusLine::StatusLine(WindowContext& context)
     QSizePolicy room = m_findings->sizePolicy();
     room.setRetainSizeWhenHidden(true); // or the map above gets another size
     m_findings->setSizePolicy(room);
+    for (QLabel* label : {m_state, m_cursor}) // neighbours do not touch
+        label->setContentsMargins(kLabelMargin_px, 0, kLabelMargin_px, 0);
     QStatusBar& bar = *window().statusBar();
     bar.addWidget(m_hint, 1);
     for (QWidget* widget :

@@ -473,8 +473,14 @@ private slots:
         saveScenario(randomScenario(7), path.toStdString());
         QString begun;
         const auto answer = [&](const QString& file) {
-            QTimer::singleShot(200, &w.window(), [&begun, file] {
+            auto* look = new QTimer(&w.window());
+            look->start(1);
+            QObject::connect(look, &QTimer::timeout, &w.window(), [&begun, file, look] {
                 auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+                if (dialog == nullptr || !dialog->isVisible())
+                    return;
+                look->deleteLater();
+                look->stop();
                 begun = dialog->directory().absolutePath();
                 test::child<QLineEdit>(*dialog, u"fileNameEdit"_s).setText(file);
                 if (file.isEmpty())

@@ -60,6 +60,22 @@ private slots:
         QCOMPARE(w.workspace.selection().ids(), Ids{"berg-2"});
     }
 
+    /** Also to what was selected while another tab was in front, or beside others. */
+    void tableScrollsToWhatIsSelected()
+    {
+        WindowFixture w(randomScenario(3, {.icebergs = 60}));
+        QTableView& table = test::child<QTableView>(w.window(), u"icebergTable"_s);
+        const auto isSeen = [&](int row) {
+            return table.viewport()->rect().intersects(
+                table.visualRect(cell(table, row, IcebergColumn::Name)));
+        };
+        w.workspace.selection().set({"berg-50"});
+        raisedTable(w);
+        QTRY_VERIFY(isSeen(49));
+        w.workspace.selection().set({"berg-50", "berg-2"});
+        QTRY_VERIFY(isSeen(1));
+    }
+
     /** By mouse and keys, from whichever of the three it is made. */
     void planListShowsTheSelection()
     {

@@ -109,7 +109,7 @@ private slots:
             QVERIFY(w.untilReady());
         }
         QVERIFY(w.workspace.runs().comparison());
-        QTest::qWait(20);
+        w.window().grab(); // laid out
         QVERIFY(!test::child<QWidget>(w.window(), u"zetaDock"_s).visibleRegion().isEmpty());
     }
 

@@ -191,13 +191,8 @@ void StudyChart::addPolicies(Figure& figure, const ZetaContent& content) const
     double slot_px = -kSlot_px * (count - 0.5);
     for (const ZetaPoint& policy : content.policies) {
         const Ink ink{.of = InkOf::Policy, .value = static_cast<double>(policy.of.policy)};
-        const bool isTsp = policy.of.policy == PolicyKind::Path;
-        across(policy.zeta_m2s.mean, ink,
-               isTsp ? tr("%1 (TSP)", "travelling salesman problem").arg(policy.name)
-                     : policy.name);
+        across(policy.zeta_m2s.mean, ink, policy.name);
         const PlotPoint at{kPlotEdge, policy.zeta_m2s.mean, slot_px};
-        if (isTsp)
-            figure.x.extra.emplace_back(at, utf8(tr("TSP")));
         if (hasSpread())
             figure.lines.push_back({.points = {{kPlotEdge, policy.zeta_m2s.quartile1, slot_px},
                                                {kPlotEdge, policy.zeta_m2s.quartile3, slot_px}},

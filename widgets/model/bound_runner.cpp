@@ -2,6 +2,7 @@
 
 #include "core/scenario/validate.h"
 
+#include <algorithm>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -52,6 +53,7 @@ BoundRunner::BoundRunner(QObject* parent, std::int64_t workLimit)
              {.work = boundWork(workLimit),
               .deliver =
                   [this](KnownBound known) {
+                      known.zeta_m2s = std::max(known.zeta_m2s, m_known.zeta_m2s); // all hold
                       m_known = std::move(known);
                       m_complete = m_known.whole != nullptr;
                       emit updated();

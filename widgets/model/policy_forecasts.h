@@ -30,6 +30,9 @@ struct PolicyForecast
     std::vector<double> drawn_m2s = {}; ///< zeta of flights in drawn worlds, by `drawnZeta_m2s`
     bool drawsNoMore = false;           ///< all were flown, or it takes too long
     QString whyNot;
+
+    /** In all drawn worlds. */
+    [[nodiscard]] bool isFlown() const { return drawn_m2s.size() == kDrawnFlights; }
     bool operator==(const PolicyForecast&) const = default;
 };
 

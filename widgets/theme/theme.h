@@ -33,7 +33,7 @@ struct Theme
     QColor swept;      ///< over water seen so far, translucent
     QColor comparison;
     QColor alarm;   ///< act now
-    QColor warning; ///< something is not as it was to be
+    QColor warning; ///< something is not as planned
 
     // Text and panels
     QColor text;

@@ -122,7 +122,7 @@ private slots:
         QStringList names;
         for (const DrawnLabel& label : f.chart.drawing().labels)
             names << QString::fromStdString(label.text);
-        QCOMPARE(names, (QStringList{u"Shortest path (TSP)"_s, u"Best τ of each case"_s}));
+        QCOMPARE(names, (QStringList{u"Shortest path"_s, u"Best τ of each case"_s}));
     }
 
     void readoutSaysWhatIsThere()

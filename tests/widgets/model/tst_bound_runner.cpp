@@ -5,6 +5,7 @@
 
 #include <QSignalSpy>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 
@@ -169,6 +170,21 @@ private slots:
         runner.setScenario(fleet);
         QVERIFY(completes(runner));
         QVERIFY(isBoundOf(runner, fleet));
+    }
+
+    /** Each number told holds, so the largest does. */
+    void boundNeverFalls()
+    {
+        Scenario scenario = largeField();
+        scenario.duration_s = 1800;
+        BoundRunner runner(nullptr, 20 * kLittleWork);
+        std::vector<double> told_m2s;
+        connect(&runner, &BoundRunner::updated, &runner,
+                [&] { told_m2s.push_back(runner.known().zeta_m2s); });
+        runner.setScenario(scenario);
+        QVERIFY(completes(runner));
+        QVERIFY(told_m2s.size() > 2);
+        QVERIFY(std::ranges::is_sorted(told_m2s));
     }
 
     void endsWhileSearching()

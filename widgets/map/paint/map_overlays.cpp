@@ -94,7 +94,9 @@ void paintBar(QPainter& painter, const QPointF& at, const ScaleBar& bar, const T
 
 double SymbolScale::ringRadius_px(double symbol_px, double sigma_m2) const
 {
-    return sigma_m2 > 0 ? symbol_px + 2.5 + ring_pxpm * std::sqrt(sigma_m2) : 0;
+    constexpr double kLargest_px = 18; // of one whose sigma is far beyond the scale
+    return sigma_m2 > 0 ? symbol_px + 2.5 + std::min(ring_pxpm * std::sqrt(sigma_m2), kLargest_px)
+                        : 0;
 }
 
 double roundDown125(double value)

@@ -1,6 +1,7 @@
 #include "widgets/map/picture/map_content.h"
 
 #include "widgets/map/picture/footprint.h"
+#include "widgets/map/picture/map_view_transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,19 @@ void addField(std::vector<Point>& points_m, const MapUav& uav, double slack_m)
         const Point d_m = corner_m - uav.position_m;
         points_m.emplace_back(uav.position_m + Point(nearer(d_m.x()), nearer(d_m.y())));
     }
+}
+
+/** Where the rings reach, but so far only that the rest is not shown at less than half the scale.
+ */
+void addRings(std::vector<Point>& points_m, const MapAsset& asset)
+{
+    const WorldBounds rest = boundsOf(points_m);
+    const Point margin_m = rest.size_m() / 2;
+    const double radius_m = std::max(asset.range_m, asset.alarm_m);
+    for (const Point& towards : {Point(1, 0), Point(-1, 0), Point(0, 1), Point(0, -1)})
+        points_m.emplace_back((asset.position_m + radius_m * towards)
+                                  .cwiseMin(rest.max_m + margin_m)
+                                  .cwiseMax(rest.min_m - margin_m));
 }
 
 } // namespace
@@ -56,6 +70,8 @@ std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s, 
         if (uav.home_m)
             points_m.push_back(*uav.home_m);
     }
+    if (picture.asset)
+        addRings(points_m, *picture.asset);
     return points_m;
 }
 

@@ -302,9 +302,17 @@ double sigmaScaleEnd_m2(const FlightRecord& record)
     const std::size_t stride = std::bit_ceil((all + kEnough - 1) / kEnough);
     std::vector<double> recorded_m2;
     recorded_m2.reserve(2 * kEnough);
+    // One that is lost would turn all others the colour of nothing.
+    const std::vector<Track>& tracks = record.now.world.tracks;
+    const auto isTracked = [](const Track& track) { return track.status == TrackStatus::Tracked; };
+    const bool isAnyTracked = std::ranges::any_of(tracks, isTracked);
+    const auto counts = [&](std::size_t i) {
+        return !isAnyTracked || i >= tracks.size() || isTracked(tracks[i]);
+    };
     for (std::size_t row = 0; row < rows.size(); row += stride)
-        for (const IcebergSample& sample : rows[row])
-            recorded_m2.push_back(sample.sigma_m2);
+        for (std::size_t i = 0; i < rows[row].size(); ++i)
+            if (counts(i))
+                recorded_m2.push_back(rows[row][i].sigma_m2);
     double end_m2 = 0;
     if (!recorded_m2.empty()) {
         const auto at =
@@ -313,9 +321,9 @@ double sigmaScaleEnd_m2(const FlightRecord& record)
         std::nth_element(recorded_m2.begin(), at, recorded_m2.end());
         end_m2 = *at;
     }
-    for (std::size_t i = 0; i < record.now.world.tracks.size(); ++i)
-        if (record.now.active[i])
-            end_m2 = std::max(end_m2, record.now.world.tracks[i].sigma_m2);
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+        if (record.now.active[i] && counts(i))
+            end_m2 = std::max(end_m2, tracks[i].sigma_m2);
     return roundSigmaScale(end_m2);
 }
 

@@ -14,7 +14,7 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kUavRoom_px = 20; // that a followed UAV has to a panel
+constexpr double kUavClearance_px = 20; // that a followed UAV has to a panel
 
 // The whole range of coordinates fits on the smallest scale, a tenth of a metre is a pixel on the
 // largest.
@@ -289,7 +289,9 @@ void MapView::keepUavInSight()
     QPointF inside(std::clamp(at.x(), middle.x() - half.x(), middle.x() + half.x()),
                    std::clamp(at.y(), middle.y() - half.y(), middle.y() + half.y()));
     for (const QRectF& overlay : m_scene.layout().overlays())
-        if (overlay.marginsAdded({kUavRoom_px, kUavRoom_px, kUavRoom_px, kUavRoom_px})
+        if (overlay
+                .marginsAdded(
+                    {kUavClearance_px, kUavClearance_px, kUavClearance_px, kUavClearance_px})
                 .contains(inside))
             inside = middle;
     if (inside != at)

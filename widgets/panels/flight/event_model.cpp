@@ -6,6 +6,8 @@
 #include "widgets/words/plan_text.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -19,22 +21,20 @@ void EventModel::clear()
 {
     beginResetModel();
     m_rows.clear();
-    m_plans = 0;
+    m_events = m_plans = 0;
+    m_next.clear();
     endResetModel();
 }
 
 void EventModel::setHistory(const MissionHistory& history, const std::vector<Iceberg>& icebergs,
                             const std::vector<Uav>& uavs)
 {
-    if (history.rewrites != m_rewrites || history.events.size() < m_rows.size())
+    if (history.rewrites != m_rewrites || history.events.size() < m_events)
         clear();
     m_rewrites = history.rewrites;
-    const std::size_t kept = m_rows.size();
-    if (kept == history.events.size())
-        return;
-    beginInsertRows({}, static_cast<int>(kept), static_cast<int>(history.events.size()) - 1);
-    for (std::size_t i = kept; i < history.events.size(); ++i) {
-        const MissionEvent& event = history.events[i];
+    std::vector<Row> news;
+    for (; m_events < history.events.size(); ++m_events) {
+        const MissionEvent& event = history.events[m_events];
         const PlanEvent* plan = nullptr;
         if (event.kind == EventKind::Planned) {
             while (m_plans < history.plans.size() && history.plans[m_plans].interim)
@@ -42,16 +42,34 @@ void EventModel::setHistory(const MissionHistory& history, const std::vector<Ice
             if (m_plans < history.plans.size())
                 plan = &history.plans[m_plans++];
         }
-        m_rows.push_back(rowOf(event, plan, icebergs, uavs));
+        if (!isNews(event, plan))
+            continue;
+        news.push_back(rowOf(event, plan, icebergs, uavs));
+        news.back().number = m_events;
     }
+    if (news.empty())
+        return;
+    const int first = rowCount();
+    beginInsertRows({}, first, first + static_cast<int>(news.size()) - 1);
+    std::ranges::move(news, std::back_inserter(m_rows));
     endInsertRows();
+}
+
+bool EventModel::isNews(const MissionEvent& event, const PlanEvent* plan)
+{
+    if (event.kind != EventKind::Planned)
+        return true;
+    const auto [next, isFirst] = m_next.try_emplace(event.uav, event.iceberg);
+    const bool isSame = !isFirst && std::exchange(next->second, event.iceberg) == event.iceberg;
+    return !isSame || plan == nullptr || plan->reason != PlanReason::HoldFlown;
 }
 
 EventModel::Row EventModel::rowOf(const MissionEvent& event, const PlanEvent* plan,
                                   const std::vector<Iceberg>& icebergs,
                                   const std::vector<Uav>& uavs) const
 {
-    Row row{.event = event,
+    Row row{.number = 0,
+            .event = event,
             .what = eventSentence(event, icebergs, uavs, m_locale),
             .details = {},
             .toolTip = {}};
@@ -75,12 +93,18 @@ void EventModel::setShown(std::size_t shown)
 {
     if (shown == m_shown)
         return;
-    const std::size_t from = std::min({shown, m_shown, m_rows.size()});
-    const std::size_t to = std::min(std::max(shown, m_shown), m_rows.size());
+    const int before = lastShown();
     m_shown = shown;
-    if (from < to)
-        emit dataChanged(index(static_cast<int>(from), 0),
-                         index(static_cast<int>(to) - 1, ColumnCount - 1), {AheadRole});
+    const int now = lastShown();
+    if (before != now)
+        emit dataChanged(index(std::min(before, now) + 1, 0),
+                         index(std::max(before, now), ColumnCount - 1), {AheadRole});
+}
+
+int EventModel::lastShown() const
+{
+    const auto ahead = std::ranges::lower_bound(m_rows, m_shown, {}, &Row::number);
+    return static_cast<int>(ahead - m_rows.begin()) - 1;
 }
 
 double EventModel::time_s(int row) const
@@ -118,7 +142,7 @@ QVariant EventModel::data(const QModelIndex& index, int role) const
     if (role == Qt::ToolTipRole)
         return row.toolTip.isEmpty() ? row.what : row.toolTip;
     if (role == AheadRole)
-        return i >= m_shown;
+        return row.number >= m_shown;
     return {};
 }
 

@@ -5,6 +5,7 @@
 #include <QAbstractTableModel>
 #include <QLocale>
 
+#include <map>
 #include <vector>
 
 namespace berg {
@@ -31,12 +32,17 @@ public:
 
     explicit EventModel(const QLocale& locale, QObject* parent = nullptr);
 
-    /** The log now; what was told of it before is not told again. */
+    /**
+     * The log now; what was told of it before is not told again, nor are plans at the end of a hold
+     * that lead to the same iceberg as the one before.
+     */
     void setHistory(const MissionHistory& history, const std::vector<Iceberg>& icebergs,
                     const std::vector<Uav>& uavs);
     /** So many events had come at the instant shown. */
     void setShown(std::size_t shown);
 
+    /** The last row that had come at the instant shown; -1: none had. */
+    [[nodiscard]] int lastShown() const;
     /** Time of a row, s. */
     [[nodiscard]] double time_s(int row) const;
 
@@ -49,12 +55,15 @@ public:
 private:
     struct Row
     {
+        std::size_t number = 0; ///< of the event in the log
         MissionEvent event;
         QString what;
         QString details;
         QString toolTip;
     };
     void clear();
+    /** Whether it tells anything. */
+    [[nodiscard]] bool isNews(const MissionEvent& event, const PlanEvent* plan);
     [[nodiscard]] Row rowOf(const MissionEvent& event, const PlanEvent* plan,
                             const std::vector<Iceberg>& icebergs,
                             const std::vector<Uav>& uavs) const;
@@ -62,7 +71,9 @@ private:
     QLocale m_locale;
     std::vector<Row> m_rows;
     std::uint64_t m_rewrites = 0;
-    std::size_t m_plans = 0; ///< that the rows have come to
+    std::size_t m_events = 0;  ///< that the rows have come to
+    std::size_t m_plans = 0;   ///< likewise
+    std::map<int, int> m_next; ///< by UAV, the iceberg that its last plan leads to
     std::size_t m_shown = 0;
 };
 

@@ -82,10 +82,9 @@ void EventPanel::setTheme(const Theme& theme)
 void EventPanel::showRecord(const FlightRecord& record)
 {
     m_model->setHistory(record.history, record.now.icebergs, record.scenario.uavs);
-    const std::size_t shown = record.eventsShown();
-    m_model->setShown(shown);
-    if (record.instant && shown > 0)
-        m_table->scrollTo(m_model->index(static_cast<int>(shown) - 1, 0));
+    m_model->setShown(record.eventsShown());
+    if (record.instant && m_model->lastShown() >= 0)
+        m_table->scrollTo(m_model->index(m_model->lastShown(), 0));
     else if (m_follows)
         m_table->scrollToBottom();
 }

@@ -16,6 +16,7 @@
 #include <QMimeData>
 #include <QScopedValueRollback>
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -124,13 +125,13 @@ void IcebergTable::setUpTable()
 
 void IcebergTable::connectTable()
 {
+    m_table->viewport()->installEventFilter(this);
     connect(&m_document, &ScenarioDocument::scenarioChanged, this, &IcebergTable::showDocument);
     connect(&m_selection, &Selection::changed, this, [this] {
         if (m_isSelecting)
             return; // it was made here
         showSelection();
-        if (!m_selection.isEmpty())
-            m_table->scrollTo(m_table->currentIndex());
+        scrollToSelection();
     });
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &IcebergTable::acceptSelection);
@@ -206,6 +207,14 @@ void IcebergTable::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     showDocument();
+}
+
+/** What is selected stays in sight; a list that is not laid out does not scroll. */
+bool IcebergTable::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize)
+        QTimer::singleShot(0, this, &IcebergTable::scrollToSelection);
+    return QWidget::eventFilter(watched, event);
 }
 
 /** After the rows were begun anew, or are of another kind. */
@@ -299,6 +308,16 @@ void IcebergTable::showSelection()
     if (last >= 0 && !chosenRows->isRowSelected(current.row()))
         chosenRows->setCurrentIndex(m_model->index(last, std::max(0, current.column())),
                                     QItemSelectionModel::NoUpdate);
+}
+
+/** To what was selected last. */
+void IcebergTable::scrollToSelection()
+{
+    if (m_selection.isEmpty())
+        return;
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        if (m_model->rowAt(row).id == m_selection.ids().back())
+            m_table->scrollTo(m_model->index(row, std::max(0, m_table->currentIndex().column())));
 }
 
 /** What was selected before stays in front, in its order. */

@@ -57,6 +57,7 @@ signals:
 
 protected:
     void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void setUpTable();
@@ -69,6 +70,7 @@ private:
     void showFilter();
     void showEmpty();
     void showSelection();
+    void scrollToSelection();
     void acceptSelection();
     void setHovered(const std::string& id);
     void editAll(const QModelIndex& index, const QVariant& value);

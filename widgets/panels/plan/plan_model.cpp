@@ -320,7 +320,7 @@ Qt::ItemFlags PlanModel::flags(const QModelIndex& index) const
 {
     Qt::ItemFlags flags = QAbstractTableModel::flags(index);
     if (m_lines.empty() || m_lines.front().uav < 0)
-        return flags;               // there is no other one to hand anything to
+        return flags;               // there is no other UAV to assign an iceberg to
     flags |= Qt::ItemIsDropEnabled; // of the root as well: else a view without an indicator refuses
     flags.setFlag(Qt::ItemIsDragEnabled, index.isValid() && !line(index.row()).isUav());
     return flags;

@@ -268,7 +268,7 @@ QString PlanPanel::boundText(const PlanOutlook& outlook) const
     const QString bound = significantText(*outlook.bound_m2s, 4, locale());
     if (outlook.boundShare >= 1)
         return tr("Lower bound on ζ: %1 m² s").arg(bound);
-    return tr("Lower bound on ζ: %1 m² s (%2 %…)")
+    return tr("Lower bound on ζ: %1 m² s, %2 % computed")
         .arg(bound, fixedText(100 * outlook.boundShare, 0, locale()));
 }
 

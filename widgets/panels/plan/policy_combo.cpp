@@ -146,12 +146,13 @@ void PolicyCombo::showForecasts(const PolicyForecastList& forecasts)
     if (forecasts == m_forecasts)
         return;
     m_forecasts = forecasts;
-    m_isDrawn = true;
-    for (const auto& [policy, forecast] : m_forecasts)
-        m_isDrawn = m_isDrawn && (forecast.state == ForecastState::Known
-                                      ? forecast.drawn_m2s.size() == kDrawnFlights
-                                      : forecast.state != ForecastState::Waiting &&
-                                            forecast.state != ForecastState::Computing);
+    m_isDrawn = std::ranges::all_of(m_forecasts, [](const auto& entry) {
+        const PolicyForecast& forecast = entry.second;
+        return forecast.state == ForecastState::Known
+                   ? forecast.drawsNoMore || forecast.isFlown()
+                   : forecast.state != ForecastState::Waiting &&
+                         forecast.state != ForecastState::Computing;
+    });
     updateOffers();
 }
 
@@ -172,13 +173,46 @@ std::optional<double> PolicyCombo::zetaOf(PolicyKind policy) const
     const PolicyForecast* const forecast = forecastOf(policy);
     if (forecast == nullptr || forecast->state != ForecastState::Known)
         return std::nullopt;
-    return m_isDrawn ? summarise(forecast->drawn_m2s).mean : forecast->metrics.zeta_m2s;
+    return hasMean(policy) ? summarise(forecast->drawn_m2s).mean : forecast->metrics.zeta_m2s;
+}
+
+/** Its zeta is the mean of flights in drawn worlds. */
+bool PolicyCombo::hasMean(PolicyKind policy) const
+{
+    const PolicyForecast* const forecast = forecastOf(policy);
+    return m_isDrawn && forecast != nullptr && forecast->state == ForecastState::Known &&
+           forecast->isFlown();
+}
+
+/** Predicted, but too slow for the drawn worlds that others were flown in. */
+std::vector<PolicyKind> PolicyCombo::leftOut() const
+{
+    std::vector<PolicyKind> policies;
+    if (!m_isDrawn)
+        return policies;
+    for (const auto& [policy, forecast] : m_forecasts)
+        if (forecast.state == ForecastState::Known && !forecast.isFlown())
+            policies.push_back(policy);
+    return policies;
+}
+
+/** Of zeta with the policy against that with the one chosen, both found in the same way. */
+std::optional<double> PolicyCombo::changeTo(PolicyKind policy) const
+{
+    const std::optional<double> zeta_m2s = zetaOf(policy);
+    const std::optional<double> chosen_m2s = zetaOf(shownPolicy());
+    if (!zeta_m2s || !chosen_m2s)
+        return std::nullopt;
+    const bool isOfMeans = hasMean(policy) && hasMean(shownPolicy());
+    const double to_m2s = isOfMeans ? *zeta_m2s : forecastOf(policy)->metrics.zeta_m2s;
+    const double from_m2s = isOfMeans ? *chosen_m2s : forecastOf(shownPolicy())->metrics.zeta_m2s;
+    return from_m2s > 0 ? std::optional(to_m2s / from_m2s - 1) : std::nullopt;
 }
 
 /** "65 120 to 80 330": of 20 flights all but the one or two at each end. Empty: not known. */
 QString PolicyCombo::spreadOf(PolicyKind policy) const
 {
-    if (!m_isDrawn || !zetaOf(policy))
+    if (!hasMean(policy))
         return {};
     std::vector<double> zetas_m2s = forecastOf(policy)->drawn_m2s;
     std::ranges::sort(zetas_m2s);
@@ -187,10 +221,15 @@ QString PolicyCombo::spreadOf(PolicyKind policy) const
              significantText(quantile(zetas_m2s, 0.95), 4, locale()));
 }
 
-/** Of those that are known; none while some are still to come. */
+/** Of those that are known; none while some are still to come or cannot be set beside the others.
+ */
 std::optional<PolicyKind> PolicyCombo::lowest() const
 {
     std::optional<PolicyKind> best;
+    const bool isAnyFlown = std::ranges::any_of(
+        m_forecasts, [this](const auto& entry) { return hasMean(entry.first); });
+    if (isAnyFlown && !leftOut().empty())
+        return best;
     for (const auto& [policy, forecast] : m_forecasts) {
         if (forecast.state == ForecastState::Waiting || forecast.state == ForecastState::Computing)
             return std::nullopt;
@@ -225,15 +264,15 @@ QString PolicyCombo::remarkOf(PolicyKind policy) const
     const PolicyForecast* const forecast = forecastOf(policy);
     if (forecast != nullptr && forecast->state == ForecastState::TooLong)
         return tr("takes too long");
-    const std::optional<double> zeta_m2s = zetaOf(policy);
-    const std::optional<double> chosen_m2s = zetaOf(shownPolicy());
     QStringList parts;
     if (const QString spread = spreadOf(policy); !spread.isEmpty())
         parts << spread;
+    else if (std::ranges::count(leftOut(), policy) > 0)
+        parts << tr("too slow for %1 flights").arg(kDrawnFlights);
     if (policy == shownPolicy())
         parts << tr("chosen");
-    else if (zeta_m2s && chosen_m2s && *chosen_m2s > 0)
-        parts << changeText(*zeta_m2s / *chosen_m2s - 1, locale());
+    else if (const std::optional<double> change = changeTo(policy))
+        parts << changeText(*change, locale());
     return parts.join(u" · "_s);
 }
 
@@ -280,13 +319,18 @@ QString PolicyCombo::summary() const
                                ? zetaText(*zeta_m2s, locale())
                                : u"%1 (%2)"_s.arg(zetaText(*zeta_m2s, locale()), spread);
     if (m_inFlight)
-        return (m_isDrawn ? tr("Mean before take-off: ζ %1")
-                          : tr("Predicted before take-off: ζ %1"))
+        return (hasMean(policy) ? tr("Mean before take-off: ζ %1")
+                                : tr("Predicted before take-off: ζ %1"))
             .arg(figure);
-    QString told = (m_isDrawn ? tr("Mean ζ %1") : tr("Predicted ζ %1")).arg(figure);
+    QString told = (hasMean(policy) ? tr("Mean ζ %1") : tr("Predicted ζ %1")).arg(figure);
     const std::optional<PolicyKind> best = lowest();
-    if (!best)
-        return told;
+    if (!best) {
+        QStringList slow;
+        for (const PolicyKind left : leftOut())
+            slow << policyName(left);
+        return slow.isEmpty() ? told
+                              : tr("%1; too slow to compare: %2").arg(told, slow.join(u", "_s));
+    }
     if (best == policy)
         return tr("%1, the lowest").arg(told);
     return tr("%1, lowest %2").arg(told, changeText(*zetaOf(*best) / *zeta_m2s - 1, locale()));
@@ -295,7 +339,7 @@ QString PolicyCombo::summary() const
 void PolicyCombo::updateOffers()
 {
     const std::optional<PolicyKind> best = lowest();
-    const QString pill = m_isDrawn ? tr("Recommended") : tr("Lowest");
+    const QString pill = best && hasMean(*best) ? tr("Recommended") : tr("Lowest");
     for (int row = 0; row < count(); ++row) {
         const auto policy = static_cast<PolicyKind>(itemData(row).toInt());
         const QString figure = figureOf(policy);

@@ -56,8 +56,9 @@ public:
     /** In flight the forecasts are of the time before take-off. */
     void setInFlight(bool inFlight);
 
-    /** Of the policy shown, e.g. "Predicted ζ 71 230 m² s, lowest −14.1 %"; once all were flown in
-     * drawn worlds "Mean ζ 72 410 m² s (65 120 to 80 330), lowest −12.8 %". */
+    /** Of the policy shown, e.g. "Predicted ζ 71 230 m² s, lowest −14.1 %"; once those that are
+     * fast enough were flown in drawn worlds "Mean ζ 72 410 m² s (65 120 to 80 330), lowest −12.8
+     * %". */
     [[nodiscard]] QString summary() const;
     /** What the forecasts are. */
     [[nodiscard]] static QString explanation();
@@ -68,6 +69,9 @@ private:
     [[nodiscard]] PolicyKind shownPolicy() const;
     [[nodiscard]] const PolicyForecast* forecastOf(PolicyKind policy) const;
     [[nodiscard]] std::optional<double> zetaOf(PolicyKind policy) const;
+    [[nodiscard]] bool hasMean(PolicyKind policy) const;
+    [[nodiscard]] std::vector<PolicyKind> leftOut() const;
+    [[nodiscard]] std::optional<double> changeTo(PolicyKind policy) const;
     [[nodiscard]] QString spreadOf(PolicyKind policy) const;
     [[nodiscard]] std::optional<PolicyKind> lowest() const;
     [[nodiscard]] QString figureOf(PolicyKind policy) const;
@@ -77,7 +81,7 @@ private:
 
     PolicyDelegate* m_delegate;
     PolicyForecastList m_forecasts;
-    bool m_isDrawn = false; ///< figures are means of drawn worlds, which all known have flown
+    bool m_isDrawn = false; ///< all that are fast enough were flown in drawn worlds
     bool m_inFlight = false;
 };
 

@@ -96,11 +96,11 @@ void StudyPanel::addFigures(QBoxLayout& column)
                "of the paper."));
     const QPushButton* fourth =
         add(u"figure4"_s, tr("Figure 4"),
-            tr("ζ of this scenario for τ = 0, 0.1 … 4, and of the shortest path (TSP)."));
+            tr("ζ of this scenario for τ = 0, 0.1 … 4, and of the shortest path."));
     const QPushButton* fifth =
         add(u"figure5"_s, tr("Figure 5"),
             tr("Two flights of this scenario over the map: with the τ of lowest ζ, and along the "
-               "shortest path (TSP)."));
+               "shortest path."));
     column.addLayout(row);
     connect(third, &QPushButton::clicked, this, &StudyPanel::solveTimesRequested);
     connect(fourth, &QPushButton::clicked, this,

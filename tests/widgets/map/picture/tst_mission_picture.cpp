@@ -249,6 +249,10 @@ private slots:
         Mission away(scenario);
         away.advance(30);
         COMPARE_NEAR(sigmaScaleEnd_m2(recordOf(away)), 1000, 1e-9);
+        // But that of one whose search was given up would make all others look alike.
+        FlightRecord lost = recordOf(away);
+        lost.now.world.tracks[0].status = TrackStatus::GivenUp;
+        COMPARE_NEAR(sigmaScaleEnd_m2(lost), 5, 1e-9);
     }
 
     void sigmaChartHasALineForEachIceberg()

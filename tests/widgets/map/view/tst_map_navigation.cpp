@@ -100,6 +100,22 @@ private slots:
                 QVERIFY(!overlaps(panel, symbol));
     }
 
+    void fitShowsTheRingsOfTheAsset()
+    {
+        test::MapFixture map;
+        Asset rig{.name = "Rig", .position_m = {2500, 2000}, .range_m = 2500, .alarm_m = 1000};
+        const double before_pxpm = map.view.view().scale_pxpm();
+        map.document.edit(u"Asset"_s, [&](Scenario& scenario) { scenario.asset = rig; });
+        map.view.fit();
+        for (const Point& towards : {Point(1, 0), Point(-1, 0), Point(0, 1), Point(0, -1)})
+            QVERIFY(map.view.rect().contains(map.pixelOf(rig.position_m + rig.range_m * towards)));
+        // One that reaches far beyond the icebergs does not make them too small to work with.
+        rig.range_m = 90000;
+        map.document.edit(u"Asset"_s, [&](Scenario& scenario) { scenario.asset = rig; });
+        map.view.fit();
+        QVERIFY(map.view.view().scale_pxpm() > 0.4 * before_pxpm);
+    }
+
     void zoomKeepsThePlaceUnderTheCursor_data()
     {
         QTest::addColumn<double>("factor");

@@ -65,6 +65,34 @@ private slots:
         QVERIFY(cell(model, 0, EventModel::Details).startsWith(u"take-off"_s));
     }
 
+    /** Each pass of an aim point is a plan; those that lead where the one before did tell nothing.
+     */
+    void endsOfHoldsAreLeftOut()
+    {
+        FlightRecord record = flown(400);
+        MissionHistory& history = record.history;
+        const auto add = [&](double time_s, int iceberg, PlanReason reason) {
+            history.events.push_back({.time_s = time_s, .iceberg = iceberg, .uav = 0});
+            history.plans.push_back(
+                {.time_s = time_s, .reason = reason, .target = iceberg, .order = {iceberg}});
+        };
+        EventModel model{QLocale::c()};
+        const QAbstractItemModelTester tester(&model);
+        model.setHistory(history, record.now.icebergs, record.scenario.uavs);
+        const int rows = model.rowCount();
+        const int next = history.plans.back().target;
+        add(400.1, next, PlanReason::HoldFlown);
+        add(400.2, next, PlanReason::HoldFlown);
+        add(400.3, next == 0 ? 1 : 0, PlanReason::HoldFlown);
+        model.setHistory(history, record.now.icebergs, record.scenario.uavs);
+        QCOMPARE(model.rowCount(), rows + 1);
+        QCOMPARE(model.time_s(rows), 400.3);
+        model.setShown(history.events.size() - 1);
+        QCOMPARE(model.lastShown(), rows - 1);
+        model.setShown(history.events.size());
+        QCOMPARE(model.lastShown(), rows);
+    }
+
     /** A re-planning has a row for each UAV; how it was solved is said in the first. */
     void fleetsTellOfEachSolveOnce()
     {

@@ -119,6 +119,26 @@ private slots:
                                 u"(71\u202f450 to 88\u202f550)"_s);
     }
 
+    /** Ranges are shown of those that were flown; with one left out none is recommended. */
+    void rangesWhenOnePolicyIsTooSlow()
+    {
+        Fixture f;
+        PolicyForecastList list = forecasts();
+        for (auto& [policy, forecast] : list) {
+            forecast.drawn_m2s.assign(20, 80000);
+            forecast.drawsNoMore = true;
+        }
+        list[PolicyKind::Coverage].drawn_m2s.resize(3);
+        f.panel.showForecasts(list);
+        QCOMPARE(f.remark(PolicyKind::Visitation), u"80\u202f000 to 80\u202f000 · chosen"_s);
+        QVERIFY(f.remark(PolicyKind::Coverage).startsWith(u"too slow for 20 flights"_s));
+        QCOMPARE(f.figure(PolicyKind::Coverage), u"ζ 61\u202f230 m² s"_s);
+        for (const PolicyKind policy : kPolicies)
+            QVERIFY(!f.isLowest(policy));
+        QCOMPARE(f.line.text(), u"Mean ζ 80\u202f000 m² s (80\u202f000 to 80\u202f000); "
+                                u"too slow to compare: Best predicted coverage"_s);
+    }
+
     /** One that was not predicted has no part in it. */
     void drawnWorldsOfThoseThatAreKnown()
     {
