@@ -130,7 +130,9 @@ void Docks::addStudies()
     // Studies, not part of watching a flight; hidden before their tabs ask for room.
     solveTime->hide();
     study->hide();
-    QDockWidget* comparison = add("comparisonDock", tr("Comparison"), panels().comparison, kArea);
+    // It asks for more room when there are runs, which would move the map.
+    QDockWidget* comparison =
+        add("comparisonDock", tr("Comparison"), scrolling(panels().comparison), kArea);
     QDockWidget* icebergs = add("icebergsDock", tr("Icebergs"), panels().icebergs, kArea);
     window().tabifyDockWidget(dock(Dock::Sigma), icebergs);
     window().tabifyDockWidget(icebergs, dock(Dock::Events));

@@ -84,17 +84,18 @@ private slots:
         WindowFixture w(test::MapFixture::fourIcebergs());
         auto& strip = test::child<QWidget>(w.window(), u"alarmStrip"_s);
         auto& state = test::child<QLabel>(w.window(), u"planState"_s);
-        QVERIFY(!strip.isVisible());
+        auto& checks = test::child<QPushButton>(strip, u"showChecksButton"_s);
+        QVERIFY(!checks.isVisible());
         blow(w, 25);
         QVERIFY(w.until(RunPhase::Failed));
-        QTRY_VERIFY(strip.isVisible());
+        QTRY_VERIFY(checks.isVisible());
         QVERIFY(state.text().startsWith(u"The wind must be slower than the UAV flies."));
         QCOMPARE(test::child<QToolButton>(w.window(), u"checksButton"_s).text(), u"1 error"_s);
         QVERIFY(!strip.geometry().intersects(w.map().geometry()));
 
         auto& list = test::child<QListWidget>(w.window(), u"checkList"_s);
         QVERIFY(!isInFront(list));
-        test::child<QPushButton>(strip, u"showChecksButton"_s).click();
+        checks.click();
         QTRY_VERIFY(isInFront(list));
         test::child<QDockWidget>(w.window(), u"zetaDock"_s).raise();
         QTRY_VERIFY(!isInFront(list));
@@ -103,7 +104,7 @@ private slots:
 
         blow(w, 0);
         QVERIFY(w.untilReady());
-        QVERIFY(!strip.isVisible());
+        QTRY_VERIFY(!checks.isVisible());
         QVERIFY(state.text().startsWith(u"Proven optimal"));
     }
 

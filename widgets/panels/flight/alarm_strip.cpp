@@ -53,8 +53,6 @@ QHBoxLayout* addRow(QWidget& line)
 {
     auto* row = new QHBoxLayout(&line);
     row->setContentsMargins(0, 1, kMargin_px, 1);
-    // All alike, so that what comes and goes does not move the map.
-    line.setMinimumHeight(QPushButton().sizeHint().height() + 2);
     row->setSpacing(6);
     return row;
 }
@@ -180,6 +178,12 @@ void AlarmStrip::setTheme(const Theme& theme)
     setGround(*this, theme.panel);
     m_text->setFont(theme.body());
     m_givenUpText->setFont(theme.body());
+    // All alike, so that what comes and goes does not move the map.
+    const int height_px = m_flyOn->sizeHint().height() + 2;
+    for (QWidget* line : {m_state, m_givenUp})
+        line->setFixedHeight(height_px);
+    for (const NoticeLine& line : m_lines)
+        line.line->setFixedHeight(height_px);
     fillNotices();
     fillState();
 }
@@ -226,9 +230,8 @@ void AlarmStrip::resizeEvent(QResizeEvent* event)
 
 void AlarmStrip::showOrHide()
 {
-    const bool isQuiet = m_inFlight && m_open.empty();
+    const bool isQuiet = m_open.empty() && m_givenUp->isHidden();
     m_state->setVisible(!m_fault.isEmpty() || m_lookBack_s || isQuiet);
-    setVisible(m_inFlight || !m_fault.isEmpty() || !m_open.empty() || !m_givenUp->isHidden());
 }
 
 void AlarmStrip::showGivenUp(const QString& text)

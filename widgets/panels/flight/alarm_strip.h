@@ -22,8 +22,8 @@ namespace berg {
 /**
  * Above the map: what the user must know now, the worst first, each in a line of its rank's colour
  * that brings what it is about onto the map; below that what is shown of the flight, or why nothing
- * can be planned. An alarm that was acknowledged comes back when it was over and happens again. In
- * flight there is always a line, so that the first alarm does not move the map.
+ * can be planned. An alarm that was acknowledged comes back when it was over and happens again.
+ * There is always a line, so that neither take-off nor the first alarm moves the map.
  */
 class AlarmStrip : public QWidget
 {

@@ -187,6 +187,24 @@ std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocal
     return notice;
 }
 
+/** Each by itself: one may be acknowledged while another is searched for. */
+void addLost(std::vector<FlightNotice>& notices, const MissionSnapshot& shown)
+{
+    for (std::size_t i = 0; i < shown.world.tracks.size(); ++i) {
+        const TrackStatus status = shown.world.tracks[i].status;
+        if (status != TrackStatus::Lost && status != TrackStatus::GivenUp)
+            continue;
+        const QString text = status == TrackStatus::Lost
+                                 ? FlightNotices::tr("%1 is lost")
+                                 : FlightNotices::tr("%1 is lost, the search was given up");
+        notices.push_back(
+            {.kind = NoticeKind::LostIceberg,
+             .about = {shown.icebergs[i].id},
+             .text = text.arg(shownName(shown.icebergs[i])),
+             .toolTip = FlightNotices::tr("It was not in view where it was expected.")});
+    }
+}
+
 QString modeText(const MissionSnapshot& shown, const UavState& uav, const QLocale& locale)
 {
     switch (uav.mode) {
@@ -224,6 +242,7 @@ NoticeRank rankOf(NoticeKind kind)
         return NoticeRank::Alarm;
     case NoticeKind::PlannerFailed:
     case NoticeKind::WindLimit:
+    case NoticeKind::LostIceberg:
         return NoticeRank::Warning;
     case NoticeKind::Mode:
         return NoticeRank::Note;
@@ -247,6 +266,7 @@ std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocal
     addLate(notices, record);
     if (std::optional<FlightNotice> alarm = alarmNotice(record, locale))
         notices.push_back(*std::move(alarm));
+    addLost(notices, record.shown());
     const std::vector<UavState>& uavs = record.shown().world.uavs;
     for (std::size_t k = 0; k < uavs.size(); ++k)
         if (const QString mode = modeText(record.shown(), uavs[k], locale); !mode.isEmpty())

@@ -24,6 +24,7 @@ enum class NoticeKind
     RingEntry,
     PlannerFailed,
     WindLimit,
+    LostIceberg,
     Mode
 };
 
@@ -42,8 +43,8 @@ struct FlightNotice
 /**
  * Of the instant shown, warnings first: that the planner has failed and no later plan has come,
  * UAVs of one altitude layer that are close to each other, that home cannot be reached in time,
- * icebergs on their way into the inner ring of the asset, and what else the UAVs do than visit
- * icebergs. Cost: linear in icebergs and the last events.
+ * icebergs on their way into the inner ring of the asset, lost icebergs, and what else the UAVs do
+ * than visit icebergs. Cost: linear in icebergs and the last events.
  */
 [[nodiscard]] std::vector<FlightNotice> flightNotices(const FlightRecord& record,
                                                       const QLocale& locale);

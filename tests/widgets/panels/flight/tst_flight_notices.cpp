@@ -224,6 +224,21 @@ private slots:
                                                u"East: Returning home"_s}));
     }
 
+    void lostIcebergsAreWarnedOf()
+    {
+        FlightRecord record = inMode(FlightMode::Leg);
+        record.now.world.tracks[1].status = TrackStatus::Lost;
+        QCOMPARE(textsOf(record), QStringList{u"Storberget is lost"_s});
+        const FlightNotice notice = flightNotices(record, kLocale).front();
+        QVERIFY(notice.kind == NoticeKind::LostIceberg);
+        QVERIFY(rankOf(notice.kind) == NoticeRank::Warning);
+        QCOMPARE(notice.about, std::vector{record.now.icebergs[1].id});
+        record.now.world.tracks[1].status = TrackStatus::GivenUp;
+        QCOMPARE(textsOf(record), QStringList{u"Storberget is lost, the search was given up"_s});
+        record.now.world.tracks[1].status = TrackStatus::Tracked;
+        QVERIFY(textsOf(record).isEmpty());
+    }
+
     /** In one layer, both aloft, nearer than the separation of 200 m. */
     void closeUavsAreAWarning()
     {
