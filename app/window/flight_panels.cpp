@@ -10,6 +10,7 @@
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/inspector/check_panel.h"
 #include "widgets/panels/plan/plan_panel.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
 #include "widgets/words/event_text.h"
 
 #include <algorithm>
@@ -55,10 +56,16 @@ void FlightPanels::showSoon()
 void FlightPanels::showPlan()
 {
     const FlightRecord& record = workspace().record();
-    panels().plan->setFaulty(!planFault(workspace()).isEmpty());
-    panels().plan->showPlan(planSections(record.shown(), record.scenario));
+    const QString fault = planFault(workspace());
+    std::vector<PlanSection> sections = planSections(record.shown(), record.scenario);
+    PlanReadout readout = readoutOf(record, fault);
+    readout.distance_m = planLength_m(sections); // one figure wherever it is told
+    panels().tradeoff->showPlan(readout);
+    panels().plan->setFaulty(!fault.isEmpty());
+    panels().plan->showPlan(std::move(sections));
     panels().plan->showOutlook(planOutlook(record));
-    showSorties(plannedSorties(record.shown(), record.scenario));
+    showSorties(record.isOver() ? std::vector<std::optional<PlannedSortie>>()
+                                : plannedSorties(record.shown(), record.scenario));
 }
 
 /** Margins at home and contact, wherever they are told. */

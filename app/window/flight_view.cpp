@@ -83,9 +83,6 @@ void FlightView::showFlight()
     panels().map->setPicture(std::move(picture));
     panels().map->setMayIntervene(workspace().mayIntervene());
     const QString fault = planFault(workspace());
-    PlanReadout readout = readoutOf(record, fault);
-    readout.distance_m = planLength_m(planSections(record.shown(), record.scenario));
-    panels().tradeoff->showPlan(readout);
     const bool playing = workspace().isPlaying();
     if (!playing) // else at the pace of the tables
         m_flightPanels.showPlan();

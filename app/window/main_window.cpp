@@ -13,6 +13,7 @@
 #include "app/window/planner_view.h"
 #include "app/window/preference_menus.h"
 #include "app/window/result_files.h"
+#include "app/window/run_end.h"
 #include "app/window/scenario_dialogs.h"
 #include "app/window/scenario_files.h"
 #include "app/window/sightings_import.h"
@@ -63,6 +64,7 @@ struct MainWindow::Parts
     FlightPanels flightPanels;
     FlightView flightView;
     FlightControls flight;
+    RunEnd runEnd;
     MapLinks mapLinks;
     AppearanceChoice appearance;
     PreferenceMenus preferences;
@@ -88,6 +90,7 @@ MainWindow::Parts::Parts(WindowContext& context)
     , flightPanels(context, docks)
     , flightView(context, flightPanels, status)
     , flight(context)
+    , runEnd(context, docks, results)
     , mapLinks(context, docks)
     , appearance(context)
     , preferences(context, appearance)
@@ -155,6 +158,7 @@ void MainWindow::showTheme(const Theme& theme)
     m_panels.setTheme(theme);
     m_parts->status.setTheme(theme);
     m_parts->start.setTheme(theme);
+    m_parts->runEnd.setTheme(theme);
     m_parts->menus.refreshIcons();
     m_parts->checks.showChecks();
 }

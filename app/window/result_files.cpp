@@ -4,11 +4,14 @@
 #include "app/window/file_names.h"
 #include "app/window/panels.h"
 #include "core/io/text/file_set.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/print/export_painter.h"
 #include "widgets/words/error_text.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -62,16 +65,36 @@ void ResultFiles::writeRun(const QString& path, const RunFile& run)
 
 void ResultFiles::exportPlan()
 {
+    chooseExport(settings().value("export/format").toString().toStdString());
+}
+
+void ResultFiles::exportBrief()
+{
+    chooseExport("brief");
+}
+
+void ResultFiles::copyPicture()
+{
+    QApplication::clipboard()->setPixmap(panels().map->grab());
+    showMessage(tr("Picture of the map copied"), kMessage_ms);
+}
+
+void ResultFiles::exportReport()
+{
+    chooseExport("charts-pdf");
+}
+
+void ResultFiles::chooseExport(const std::string& formatId)
+{
     const ScenarioDocument& document = workspace().document();
     const QString folder = settings().value("export/folder", QDir::homePath()).toString();
     const QString name = fileNameOf(QString::fromStdString(document.scenario().name));
-    const ExportOffer offer{
-        .suggested = {.formatId = settings().value("export/format").toString().toStdString(),
-                      .options = m_exportOptions,
-                      .path = QDir(folder).filePath(name)},
-        .flown = workspace().inFlight(),
-        .scenario = std::make_shared<const Scenario>(document.scenario()),
-        .theme = theme()};
+    const ExportOffer offer{.suggested = {.formatId = formatId,
+                                          .options = m_exportOptions,
+                                          .path = QDir(folder).filePath(name)},
+                            .flown = workspace().inFlight(),
+                            .scenario = std::make_shared<const Scenario>(document.scenario()),
+                            .theme = theme()};
     const std::uint64_t generation = workspace().runner().generation();
     const std::optional<ExportRequest> choice =
         interaction().chooseExport(&window(), workspace().runner(), offer);

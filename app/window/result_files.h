@@ -22,8 +22,15 @@ public:
     void takeOver(const ResultFiles& other) { m_exportOptions = other.m_exportOptions; }
     void saveRun();
     void exportPlan();
+    /** The page to fly by, likewise. */
+    void exportBrief();
+    /** The map as it is, for other programs to paste. */
+    void copyPicture();
+    /** Charts of the run as a page, unless another format is chosen. */
+    void exportReport();
 
 private:
+    void chooseExport(const std::string& formatId);
     [[nodiscard]] bool isStillOf(std::uint64_t generation);
     void writeExport(const std::vector<ExportFile>& files);
     void writeRun(const QString& path, const RunFile& run);

@@ -182,6 +182,11 @@ bool FlightRecord::inFlight() const
     return false;
 }
 
+bool FlightRecord::isOver() const
+{
+    return inFlight() && shown().time_s > scenario.duration_s - scenario.dt_s / 2;
+}
+
 Point FlightRecord::estimate_m(std::size_t iceberg) const
 {
     return shown().world.tracks[iceberg].estimate_m(shown().time_s);
@@ -215,6 +220,7 @@ PlanReadout readoutOf(const FlightRecord& record, const QString& fault)
     const MissionSnapshot& shown = record.shown();
     PlanReadout readout{.plan = shown.plan,
                         .solving = record.now.phase == RunPhase::Planning,
+                        .isOver = record.isOver(),
                         .fault = fault,
                         .others = {}};
     for (const PlanEvent& plan : shown.plans)

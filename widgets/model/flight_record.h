@@ -63,6 +63,8 @@ struct FlightRecord
 
     /** Under way, paused or at its end: the scenario is not to be edited. */
     [[nodiscard]] bool inFlight() const;
+    /** What is shown is the end of the run: nothing is left to fly. */
+    [[nodiscard]] bool isOver() const;
     /** Of this flight: nothing when an iceberg was reported seen, or the wind changed in flight. */
     [[nodiscard]] KnownBound boundOfFlight() const;
     /** At the time shown. */

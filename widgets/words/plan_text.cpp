@@ -104,6 +104,8 @@ PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
 {
     if (!readout.fault.isEmpty())
         return {PlanVerdict::Fault, readout.fault, {}};
+    if (readout.isOver)
+        return {PlanVerdict::None, PlanText::tr("Run complete"), {}};
     if (!readout.plan)
         return {PlanVerdict::None,
                 readout.solving ? PlanText::tr("Planning…") : PlanText::tr("No plan yet"),
@@ -144,7 +146,7 @@ std::size_t PlanReadout::icebergs() const
 PlanState planState(const PlanReadout& readout, const QLocale& locale)
 {
     PlanState state = stateOf(readout, locale);
-    if (readout.plan && (isSolved(*readout.plan) || readout.plan->fellBack))
+    if (readout.plan && !readout.isOver && (isSolved(*readout.plan) || readout.plan->fellBack))
         state.details = detailsOf(*readout.plan, locale);
     return state;
 }
@@ -152,7 +154,7 @@ PlanState planState(const PlanReadout& readout, const QLocale& locale)
 PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
 {
     PlanFigures figures;
-    if (!readout.plan || readout.icebergs() == 0)
+    if (!readout.plan || readout.isOver || readout.icebergs() == 0)
         return figures;
     const PlanEvent& plan = *readout.plan;
     if (plan.status == SolveStatus::None || plan.source == AnswerSource::KeptRoute)

@@ -15,8 +15,9 @@ struct PlanReadout
 {
     std::optional<PlanEvent> plan; ///< of several UAVs that of one of them
     bool solving = false;
-    QString fault;      ///< why nothing can be planned; empty: nothing stands in the way
-    OrdersByUav others; ///< of the UAVs that were planned together with it
+    bool isOver = false; ///< the run has ended: nothing is left of the plan
+    QString fault;       ///< why nothing can be planned; empty: nothing stands in the way
+    OrdersByUav others;  ///< of the UAVs that were planned together with it
     std::optional<double> distance_m = {}; ///< of what lies ahead of all UAVs; none: as solved
 
     /** In the orders of all of them. */

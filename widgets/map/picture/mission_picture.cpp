@@ -262,7 +262,7 @@ void markNoReturn(MapPicture& picture, const FlightRecord& record)
         if (!paths[uav])
             continue;
         SortieOutlook outlook = sortieOutlook(record.scenario, uavs[uav], *paths[uav]);
-        if (outlook.noReturn)
+        if (outlook.noReturn && !record.isOver())
             picture.routes[uav].toNoReturn_m = std::move(outlook.noReturn->path_m);
     }
 }
@@ -275,7 +275,8 @@ MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<
     MapRoute route;
     const UavState& state = record.shown().world.uavs[uav];
     const PlanEvent* plan = planOf(record.shown(), place);
-    if (plan != nullptr && state.isPlanned()) { // else others visit what was its
+    if (plan != nullptr && state.isPlanned() &&
+        !record.isOver()) { // else others visit its icebergs
         route.plan = placesOf(plan->order, shown);
         route.thisSortie = plan->thisSortie;
         route.planPaths = mapPaths(pathsAhead(record.shown(), place));

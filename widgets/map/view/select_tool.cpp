@@ -319,7 +319,7 @@ QString SelectTool::status() const
         return SelectToolText::tr(
             "Click selects. In flight the tip of the wind's arrow and the asset can be dragged.");
     if (context().view.isLocked())
-        return SelectToolText::tr("Click selects. The scenario is locked while flying.");
+        return SelectToolText::tr("Click selects. Stop and edit to change the scenario.");
     return SelectToolText::tr(
         "Click selects, drag moves. Ctrl adds, a drag on water selects what is "
         "inside the frame.");

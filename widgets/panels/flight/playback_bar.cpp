@@ -95,7 +95,7 @@ QToolButton* PlaybackBar::addButton(const QString& name, const QString& text)
 /** Keeps its place while it is away: the time line does not move at take-off. */
 void PlaybackBar::addLock()
 {
-    m_lock = addButton(u"lockButton"_s, tr("Scenario locked in flight"));
+    m_lock = addButton(u"lockButton"_s, tr("Scenario locked"));
     QSizePolicy policy = m_lock->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
     m_lock->setSizePolicy(policy);

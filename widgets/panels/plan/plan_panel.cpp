@@ -221,7 +221,9 @@ QStringList PlanPanel::summaryLines() const
     if (!m_outlook)
         return lines;
     const QString zeta = significantText(m_outlook->zeta_m2s, 4, locale());
-    if (m_outlook->isInFlight)
+    if (m_outlook->isOver)
+        lines << tr("ζ at the end: %1 m² s").arg(zeta);
+    else if (m_outlook->isInFlight)
         lines << (m_outlook->until_s ? tr("ζ at %1 without another plan: %2 m² s")
                                            .arg(clockText(*m_outlook->until_s), zeta)
                                      : tr("ζ at the end without another plan: %1 m² s").arg(zeta));
@@ -281,7 +283,7 @@ QString PlanPanel::summaryToolTip() const
     if (m_outlook->change)
         lines << tr("Order before the change at %1: %2")
                      .arg(clockText(m_outlook->changed_s), m_outlook->before);
-    if (m_outlook->isInFlight)
+    if (m_outlook->isInFlight && !m_outlook->isOver)
         lines << (m_outlook->isAimed
                       ? tr("Predicted for the path on the map, with every iceberg that "
                            "comes into view\non it, and no new plans.")
@@ -340,7 +342,9 @@ void PlanPanel::updateSpans()
 void PlanPanel::updateEmpty()
 {
     const bool isPlanned = m_sections.empty() || m_sections.front().isPlanned;
+    const bool isOver = !m_sections.empty() && m_sections.front().isOver;
     m_empty->setText(m_isFaulty ? tr("There is no plan: see Checks.")
+                     : isOver   ? tr("The run is complete.")
                      : !isPlanned
                          ? tr("The UAV is on its way home, on the ground or holding: it is "
                               "planned again at take-off or when it resumes.")

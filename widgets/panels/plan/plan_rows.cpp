@@ -206,9 +206,10 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
         section.uav = scenario.uavs[u].id;
         section.name = nameInFleet(scenario.uavs, place);
         section.place = place;
+        section.isOver = now.time_s > scenario.duration_s - scenario.dt_s / 2;
         section.isPlanned = now.world.uavs[u].isPlanned();
         const PlanEvent* plan = planOf(now, place);
-        if (plan == nullptr || !section.isPlanned || u >= forecast.uavs.size())
+        if (plan == nullptr || section.isOver || !section.isPlanned || u >= forecast.uavs.size())
             continue;
         section.rows =
             plan->outlook
@@ -232,7 +233,9 @@ double planLength_m(const std::vector<PlanSection>& sections)
 
 std::optional<PlanOutlook> planOutlook(const FlightRecord& record)
 {
-    std::optional<PlanOutlook> outlook = predictedOutlook(record);
+    std::optional<PlanOutlook> outlook =
+        record.isOver() ? PlanOutlook{.zeta_m2s = record.shown().metrics.zeta_m2s, .isOver = true}
+                        : predictedOutlook(record);
     if (!outlook)
         return outlook;
     outlook->isInFlight = record.inFlight();

@@ -37,6 +37,7 @@ struct PlanSection
     std::string uav;       ///< id
     QString name;          ///< empty: it is the only one
     int place = 0;         ///< in the scenario: it gives the colour
+    bool isOver = false;   ///< the run has ended: nothing is left to fly
     bool isPlanned = true; ///< not on its way home, on the ground or holding
     std::vector<PlanRow> rows;
     std::optional<ReturnLeg> returns; ///< after the rows that are seen
@@ -62,7 +63,8 @@ struct PlanOutlook
     double zeta_m2s =
         0; ///< at the end of the mission: what it is and what is predicted to be added
     bool isInFlight =
-        false; ///< else zeta is told with the policy alone: of the flight, not the plan
+        false;           ///< else zeta is told with the policy alone: of the flight, not the plan
+    bool isOver = false; ///< zeta is that of the whole flight
     std::optional<double> until_s;    ///< the zeta is that of this time, before the end
     bool isAimed = false;             ///< predicted for legs with aim points
     std::optional<PlanChange> change; ///< what the plan shown changed, of all UAVs

@@ -1,0 +1,160 @@
+#include "app/window/window_run.h"
+#include "tests/support/map_fixture.h"
+#include "tests/support/window_fixture.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QToolButton>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using test::WindowFixture;
+
+namespace {
+
+Scenario shortRun()
+{
+    Scenario scenario = test::MapFixture::fourIcebergs();
+    scenario.duration_s = 200;
+    return scenario;
+}
+
+bool flyToEnd(WindowFixture& w)
+{
+    w.workspace.fly(0);
+    return w.until(RunPhase::Finished);
+}
+
+QWidget& card(WindowFixture& w)
+{
+    return test::child<QWidget>(w.window(), u"flightCard"_s);
+}
+
+QString text(WindowFixture& w, const QString& name)
+{
+    return test::child<QLabel>(w.window(), name).text();
+}
+
+void press(WindowFixture& w, const QString& name)
+{
+    test::child<QAbstractButton>(w.window(), name).click();
+}
+
+/** Where it is in the window. */
+QRect placeOf(WindowFixture& w, const QWidget& widget)
+{
+    return {widget.mapTo(&w.window(), QPoint()), widget.size()};
+}
+
+} // namespace
+
+/** What is told when a run has come to its end. */
+class TestMainWindowEnd : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { installLanguage(u"en"_s); }
+    void init() { test::failOnWarnings(); }
+
+    void nothingIsLeftOfThePlan()
+    {
+        WindowFixture w(shortRun());
+        QVERIFY(flyToEnd(w));
+        QTRY_COMPARE(test::child<QTableView>(w.window(), u"planTable"_s).model()->rowCount(), 0);
+        QCOMPARE(text(w, u"planEmpty"_s), u"The run is complete."_s);
+        QVERIFY(!text(w, u"planSummary"_s).contains(u"0 m,"_s));
+        QVERIFY(text(w, u"planSummary"_s).startsWith(u"ζ at the end: "_s));
+        QCOMPARE(text(w, u"planDistance"_s), u"–"_s);
+        QCOMPARE(text(w, u"planState"_s), u"Run complete"_s);
+        QVERIFY(!text(w, u"hintLabel"_s).contains(u"while flying"_s));
+        const auto& lock = test::child<QToolButton>(w.window(), u"lockButton"_s);
+        QCOMPARE(lock.accessibleName(), u"Scenario locked"_s);
+        w.workspace.seek(100);
+        QVERIFY(w.until([&] { return w.record().instant.has_value(); }));
+        QTRY_VERIFY(test::child<QTableView>(w.window(), u"planTable"_s).model()->rowCount() > 0);
+    }
+
+    void cardTellsWhatTheRunHasComeTo()
+    {
+        WindowFixture w(shortRun());
+        QVERIFY(w.until([&] { return w.workspace.forecasts().isDrawn(); }));
+        QVERIFY(!card(w).isVisible());
+        QVERIFY(flyToEnd(w));
+        QTRY_VERIFY(card(w).isVisible());
+        QVERIFY(w.map().rect().contains(card(w).geometry()));
+        const Metrics& metrics = w.record().now.metrics;
+        QCOMPARE(text(w, u"flightCardZeta"_s),
+                 u"ζ %1 m² s"_s.arg(significantText(metrics.zeta_m2s, 4, QLocale())));
+        QCOMPARE(text(w, u"flightCardVisits"_s), QString::number(metrics.visits));
+        QVERIFY(text(w, u"flightCardPredicted"_s).contains(u"%"_s));
+        QVERIFY(text(w, u"flightCardUnseen"_s).contains(u"berg-"_s));
+    }
+
+    void cardGoesWhenItIsClosedOrAnotherRunBegins()
+    {
+        WindowFixture w(shortRun());
+        QVERIFY(flyToEnd(w));
+        QTRY_VERIFY(card(w).isVisible());
+        w.workspace.seek(100); // looked back at
+        QTRY_VERIFY(!card(w).isVisible());
+        w.workspace.seekLatest();
+        QTRY_VERIFY(card(w).isVisible());
+        press(w, u"flightCardClose"_s);
+        QVERIFY(!card(w).isVisible());
+        w.workspace.seek(100);
+        QVERIFY(w.until([&] { return w.record().instant.has_value(); }));
+        w.workspace.seekLatest();
+        QVERIFY(w.until([&] { return !w.record().instant; }));
+        QVERIFY(!card(w).isVisible());
+        w.workspace.reset();
+        QVERIFY(w.untilReady());
+        QVERIFY(flyToEnd(w));
+        QTRY_VERIFY(card(w).isVisible());
+        w.workspace.reset();
+        QTRY_VERIFY(!card(w).isVisible());
+    }
+
+    void cardLeadsOn()
+    {
+        WindowFixture w(shortRun());
+        QVERIFY(flyToEnd(w));
+        QTRY_VERIFY(card(w).isVisible());
+        press(w, u"flightCardCompare"_s);
+        const auto& comparison = test::child<QDockWidget>(w.window(), u"comparisonDock"_s);
+        QTRY_VERIFY(!comparison.visibleRegion().isEmpty());
+        press(w, u"flightCardSave"_s);
+        QCOMPARE(w.interaction.suggested, QStringList{u"flight.bergrun"_s});
+        press(w, u"flightCardReport"_s);
+        QCOMPARE(w.interaction.offers.size(), 1U);
+        QCOMPARE(w.interaction.offers.front().suggested.formatId, std::string("charts-pdf"));
+        QVERIFY(card(w).isVisible());
+    }
+
+    /** Nothing round it comes or goes at take-off or at the end. */
+    void mapAndTimeLineStandStill()
+    {
+        WindowFixture w(shortRun());
+        const auto& timeLine = test::child<QWidget>(w.window(), u"timeLine"_s);
+        const QRect map = placeOf(w, w.map());
+        const QRect line = placeOf(w, timeLine);
+        const auto areWhereTheyWere = [&] {
+            return placeOf(w, w.map()) == map && placeOf(w, timeLine) == line;
+        };
+        w.workspace.stepTicks(100);
+        QVERIFY(w.until(RunPhase::Paused));
+        QTRY_VERIFY(areWhereTheyWere());
+        QVERIFY(flyToEnd(w));
+        QTRY_VERIFY(card(w).isVisible());
+        QTRY_VERIFY(areWhereTheyWere());
+        w.workspace.reset();
+        QVERIFY(w.untilReady());
+        QTRY_VERIFY(areWhereTheyWere());
+    }
+};
+
+QTEST_MAIN(TestMainWindowEnd)
+#include "tst_main_window_end.moc"

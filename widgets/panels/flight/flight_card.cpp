@@ -1,0 +1,202 @@
+#include "widgets/panels/flight/flight_card.h"
+
+#include "core/study/statistics.h"
+#include "widgets/map/paint/map_overlays.h"
+#include "widgets/model/compared_run.h"
+#include "widgets/panels/fields/panel_labels.h"
+#include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kEdge_px = 12;
+constexpr int kAboveScale_px = 74; ///< scale bar and margins below it
+constexpr int kPadding_px = 12;
+
+/** Of the flight as it was chosen at take-off; in flight nothing was changed. */
+std::optional<double> predictionOf(const ComparedRun& run, const PolicyForecastList& forecasts)
+{
+    const auto found = forecasts.find(run.planner.policy);
+    if (run.wasChanged || !run.worldChanges.empty() || found == forecasts.end() ||
+        found->second.state != ForecastState::Known)
+        return std::nullopt;
+    return found->second.isFlown() ? summarise(found->second.drawn_m2s).mean
+                                   : found->second.metrics.zeta_m2s;
+}
+
+} // namespace
+
+FlightSummary flightSummary(const FlightRecord& record, const PolicyForecastList& forecasts)
+{
+    const ComparedRun run = comparedRun(record);
+    const RunFigures figures = figuresAt(run, run.flown_s);
+    FlightSummary summary{.zeta_m2s = run.metrics.zeta_m2s,
+                          .predicted_m2s = predictionOf(run, forecasts),
+                          .visits = run.metrics.visits};
+    if (const KnownBound bound = record.boundOfFlight(); bound.zeta_m2s > 0)
+        summary.bound_m2s = bound.zeta_m2s;
+    if (figures.longestUnseen >= 0) {
+        const auto longest = static_cast<std::size_t>(figures.longestUnseen);
+        summary.longestUnseen = shownName(record.now.icebergs[longest]);
+        summary.longestUnseen_s = figures.unseen[longest].longest_s;
+    }
+    return summary;
+}
+
+FlightCard::FlightCard(QWidget* map)
+    : QFrame(map)
+    , m_title(new QLabel(tr("Run complete")))
+    , m_close(new QToolButton)
+    , m_zeta(new FigureLabel)
+{
+    setObjectName(u"flightCard"_s);
+    setAccessibleName(tr("Result of the run"));
+    setCursor(Qt::ArrowCursor);
+    m_close->setObjectName(u"flightCardClose"_s);
+    m_close->setText(u"\u00d7"_s);
+    m_close->setAutoRaise(true);
+    m_close->setAccessibleName(tr("Close"));
+    m_close->setToolTip(tr("Closes this card until the next run ends."));
+    m_zeta->setObjectName(u"flightCardZeta"_s);
+    m_zeta->setAccessibleDescription(tr("Zeta ζ"));
+
+    auto* column = new QGridLayout(this);
+    column->setContentsMargins(kPadding_px, kPadding_px / 2, kPadding_px, kPadding_px);
+    column->setVerticalSpacing(3);
+    column->setHorizontalSpacing(kPadding_px);
+    column->addWidget(m_title, 0, 0);
+    column->addWidget(m_close, 0, 1, Qt::AlignRight);
+    column->addWidget(m_zeta, 1, 0, 1, 2);
+    m_predicted = addRow(*column, u"flightCardPredicted"_s, tr("Against prediction"),
+                         tr("ζ against what was predicted before take-off for the policy."));
+    m_bound = addRow(*column, u"flightCardBound"_s, tr("Lower bound"),
+                     tr("No flight can have a lower ζ in this world, whatever the policy."));
+    m_visits = addRow(*column, u"flightCardVisits"_s, tr("Visits"), tr("Targets reached."));
+    m_unseen = addRow(*column, u"flightCardUnseen"_s, tr("Longest unseen"),
+                      tr("The iceberg that was out of view longest."));
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(0, kPadding_px / 2, 0, 0);
+    const auto addButton = [&](const QString& name, const QString& text, const QString& toolTip,
+                               void (FlightCard::*intent)()) {
+        auto* button = new QPushButton(text);
+        button->setObjectName(name);
+        button->setToolTip(toolTip);
+        button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the map
+        connect(button, &QPushButton::clicked, this, intent);
+        row->addWidget(button);
+    };
+    addButton(u"flightCardCompare"_s, tr("Compare"), tr("Sets the run beside others."),
+              &FlightCard::compareRequested);
+    addButton(u"flightCardSave"_s, tr("Save run"), tr("Keeps the run in a file."),
+              &FlightCard::saveRequested);
+    addButton(u"flightCardReport"_s, tr("Report"), tr("Exports the charts of the run as a page."),
+              &FlightCard::reportRequested);
+    column->addLayout(row, column->rowCount(), 0, 1, 2);
+    connect(m_close, &QToolButton::clicked, this, [this] {
+        hide();
+        emit closed();
+    });
+    map->installEventFilter(this);
+    setTheme(m_theme);
+    hide();
+}
+
+QLabel* FlightCard::addRow(QGridLayout& rows, const QString& name, const QString& caption,
+                           const QString& toolTip)
+{
+    auto* value = new QLabel;
+    value->setObjectName(name);
+    value->setAccessibleDescription(caption);
+    auto* before = new CaptionLabel(caption);
+    for (QLabel* label : {value, static_cast<QLabel*>(before)})
+        label->setToolTip(toolTip);
+    const int row = rows.rowCount();
+    rows.addWidget(before, row, 0);
+    rows.addWidget(value, row, 1, Qt::AlignRight);
+    return value;
+}
+
+void FlightCard::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    setCaptionTheme(*this, theme);
+    m_title->setFont(theme.strong());
+    m_zeta->setFont(theme.figure());
+    for (QLabel* label : {m_predicted, m_bound, m_visits, m_unseen})
+        label->setFont(theme.body());
+    update();
+}
+
+void FlightCard::showSummary(const FlightSummary& summary)
+{
+    const auto zeta = [&](double zeta_m2s) {
+        return tr("%1 m² s").arg(significantText(zeta_m2s, 4, locale()));
+    };
+    m_zeta->setText(u"ζ "_s + zeta(summary.zeta_m2s));
+    m_predicted->setText(
+        summary.predicted_m2s && *summary.predicted_m2s > 0
+            ? u"%1 (%2)"_s.arg(changeText(summary.zeta_m2s / *summary.predicted_m2s - 1, locale()),
+                               zeta(*summary.predicted_m2s))
+            : noFigure());
+    m_bound->setText(summary.bound_m2s ? zeta(*summary.bound_m2s) : noFigure());
+    m_visits->setText(fixedText(summary.visits, 0, locale()));
+    m_unseen->setText(
+        summary.longestUnseen.isEmpty()
+            ? noFigure()
+            : u"%1, %2"_s.arg(summary.longestUnseen, clockText(summary.longestUnseen_s)));
+    place();
+    show();
+    raise();
+}
+
+/** In its corner, or where the user has put it, on the map. */
+void FlightCard::place()
+{
+    adjustSize();
+    const QSize room = parentWidget()->size() - size();
+    const QPoint at =
+        m_movedTo_px.value_or(QPoint(room.width() - kEdge_px, room.height() - kAboveScale_px));
+    move(std::clamp(at.x(), 0, std::max(0, room.width())),
+         std::clamp(at.y(), 0, std::max(0, room.height())));
+}
+
+bool FlightCard::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize)
+        place();
+    return QFrame::eventFilter(watched, event);
+}
+
+void FlightCard::paintEvent(QPaintEvent* /*event*/)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintPanel(painter, rect(), m_theme);
+}
+
+void FlightCard::mousePressEvent(QMouseEvent* event)
+{
+    m_grabbed = event->position().toPoint();
+}
+
+void FlightCard::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!event->buttons().testFlag(Qt::LeftButton))
+        return;
+    m_movedTo_px = mapToParent(event->position().toPoint()) - m_grabbed;
+    place();
+}
+
+} // namespace berg
