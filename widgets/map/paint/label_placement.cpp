@@ -24,7 +24,9 @@ constexpr double kFault = 1e4;
 constexpr double kLineCost = 2.5; // per pixel of a line under the label
 constexpr double kGapCost = 1.0;
 constexpr double kAngleCost = 0.5;
-constexpr double kStayGain = 14; // what another place must be better by to move a label
+// What another place must be better by to move a label; one that is free moves for no line.
+constexpr double kStayGain = 14;
+constexpr double kFreeStayGain = 2000;
 
 double overlapArea(const QRectF& a, const QRectF& b)
 {
@@ -120,8 +122,11 @@ Candidate stayingCandidate(const LabelRequest& request, const Neighbourhood& nea
     QRectF rect(before.topLeft(), request.size_px);
     if (before.center().x() < request.anchor.centre_px.x())
         rect.moveRight(before.right());
-    const double cost = near.faults(rect) + near.crossings(rect) +
-                        kGapCost * gapBetween(rect, request.anchor) - kStayGain;
+    const double faults = near.faults(rect);
+    const bool isFree = faults == 0 && !request.previous->apart;
+    const double cost = faults + near.crossings(rect) +
+                        kGapCost * gapBetween(rect, request.anchor) -
+                        (isFree ? kFreeStayGain : kStayGain);
     return {.rect = rect, .apart = request.previous->apart, .cost = cost};
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/map/paint/map_layout.h"
 
+#include "widgets/map/paint/map_dots.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/map/paint/wind_panel.h"
@@ -164,28 +165,21 @@ SymbolScale symbolScale(const MapPicture& picture, const MapViewTransform& view)
 void placeIcebergs(MapLayout& layout, const MapPicture& picture)
 {
     layout.icebergs.clear();
-    for (const MapIceberg& iceberg : picture.icebergs) {
-        const double symbol_px = icebergSymbolRadius_px(iceberg.radius_m);
-        const double ring_px = iceberg.inView
+    for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
+        const MapIceberg& iceberg = picture.icebergs[i];
+        if (layout.density.marks[i] != IcebergMark::Symbol) {
+            layout.icebergs.push_back({.centre_px = layout.view.toPixel(iceberg.position_m),
+                                       .radius_px = kIcebergDot_px + 1});
+            continue;
+        }
+        const double symbol_px =
+            layout.density.isDense ? kSmallIceberg_px : icebergSymbolRadius_px(iceberg.radius_m);
+        const double ring_px = layout.density.isDense ? 0
+                               : iceberg.inView
                                    ? symbol_px + 7
                                    : layout.symbols.ringRadius_px(symbol_px, iceberg.sigma_m2);
         layout.icebergs.push_back({.centre_px = layout.view.toPixel(iceberg.position_m),
                                    .radius_px = std::max(symbol_px + 1.5, ring_px + 1)});
-    }
-}
-
-/** Where two plans have an iceberg, one of them being old, the sooner visit counts. */
-void placeStops(MapLayout& layout, const MapPicture& picture)
-{
-    layout.stops.assign(picture.icebergs.size(), {});
-    for (std::size_t uav = 0; uav < picture.routes.size(); ++uav) {
-        int order = 0;
-        for (const int iceberg : picture.routes[uav].plan) {
-            MapStop& stop = layout.stops[static_cast<std::size_t>(iceberg)];
-            ++order;
-            if (stop.order == 0 || order < stop.order)
-                stop = {.order = order, .uav = uav};
-        }
     }
 }
 
@@ -363,7 +357,7 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
     std::vector<std::size_t> asking; // iceberg of each request
     for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
         const LabelDisk& anchor = layout.icebergs[i];
-        if (!overlaps(layout.rect, anchor))
+        if (layout.density.marks[i] != IcebergMark::Symbol || !overlaps(layout.rect, anchor))
             continue;
         LabelRequest request{.anchor = anchor, .size_px = {}};
         const auto before = continuity.labels.find(picture.icebergs[i].id);
@@ -456,7 +450,7 @@ QString labelText(const MapIceberg& iceberg)
 
 MapContinuity continuityOf(const MapPicture& picture, const MapLayout& layout)
 {
-    MapContinuity continuity;
+    MapContinuity continuity{.labels = {}, .isDense = layout.density.isDense};
     for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
         PlacedLabel label = layout.labels[i];
         if (!label.rect.isNull())
@@ -475,9 +469,11 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
     layout.symbols = symbolScale(picture, layout.view);
     if (continuity.driftTime_s)
         layout.symbols.driftTime_s = *continuity.driftTime_s;
+    layout.stops = stopsOf(picture);
+    layout.density = densityOf(picture, layout.view, rect, layout.stops, continuity.isDense);
+    layout.symbols.showsDots = layout.density.isDense;
     placeOverlays(layout, picture, style);
     placeIcebergs(layout, picture);
-    placeStops(layout, picture);
     placeUavLabels(layout, picture, style.theme);
     layout.labels = labelsOf(layout, picture, style, continuity);
     return layout;
@@ -485,6 +481,8 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
 
 QLineF driftArrow(const MapPicture& picture, const MapLayout& layout, std::size_t iceberg)
 {
+    if (layout.density.isDense)
+        return {};
     const Point path_m = picture.icebergs[iceberg].velocity_mps * layout.symbols.driftTime_s;
     const Point path_px = path_m * layout.view.scale_pxpm();
     const double length_px = path_px.norm();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/map/paint/label_placement.h"
+#include "widgets/map/paint/map_density.h"
 #include "widgets/map/paint/map_overlays.h"
 
 #include <QHash>
@@ -9,13 +10,6 @@
 #include <optional>
 
 namespace berg {
-
-/** An iceberg's place in the plans. */
-struct MapStop
-{
-    int order = 0; ///< 1-based; 0: not planned
-    std::size_t uav = 0;
-};
 
 /** Where everything of one picture goes, device-independent pixels. */
 struct MapLayout
@@ -34,6 +28,7 @@ struct MapLayout
     std::array<QRectF, kMapPanels> icons;
     std::vector<LabelDisk> icebergs; ///< symbol with its ring, by index
     std::vector<MapStop> stops;      ///< by iceberg
+    MapDensity density;              ///< which of them are drawn as symbols
     std::vector<QRectF> uavLabels;   ///< names of the UAVs; null: it has none
     std::vector<PlacedLabel> labels; ///< id with order number, by iceberg; null: out of sight
 
@@ -70,6 +65,7 @@ struct MapContinuity
     std::optional<LabelTurn> turn;
     /** Drift arrows of this time instead of the one that suits the fastest iceberg. */
     std::optional<double> driftTime_s;
+    bool isDense = false; ///< icebergs are dots
 };
 
 /** The part of a layout that the next frame starts from. */

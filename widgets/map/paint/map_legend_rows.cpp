@@ -1,5 +1,6 @@
 #include "widgets/map/paint/map_legend_rows.h"
 
+#include "widgets/map/paint/map_dots.h"
 #include "widgets/map/paint/map_surroundings.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/map/picture/route_colours.h"
@@ -277,12 +278,18 @@ std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& sty
     addFleetRows(rows, picture, theme);
     addPathRows(rows, picture, theme);
     addPlaceRows(rows, picture, theme);
+    rows.add(scale.showsDots, MapLegend::tr("Icebergs without room, number of them"),
+             MapLegend::tr("Without room"), [&theme](QPainter& p, const QRectF& r) {
+                 drawIcebergDot(p, r.center() - QPointF(11, 0), theme.sigma.at(0.4), false, theme);
+                 drawIcebergCount(p, r.center() + QPointF(7, 0), 4, theme.sigma.at(0.4), theme);
+             });
     const QString drift =
         MapLegend::tr("Drift in %1").arg(durationText(scale.driftTime_s, style.locale));
-    rows.add(scale.driftTime_s > 0, drift, drift, [&theme](QPainter& p, const QRectF& r) {
-        const QLineF arrow(r.left() + 4, r.center().y(), r.right() - 4, r.center().y());
-        drawArrow(p, arrow, QPen(theme.ink, 1.6), 7);
-    });
+    rows.add(scale.driftTime_s > 0 && !scale.showsDots, drift, drift,
+             [&theme](QPainter& p, const QRectF& r) {
+                 const QLineF arrow(r.left() + 4, r.center().y(), r.right() - 4, r.center().y());
+                 drawArrow(p, arrow, QPen(theme.ink, 1.6), 7);
+             });
     return rows.take();
 }
 

@@ -47,6 +47,7 @@ struct SymbolScale
 {
     double ring_pxpm = 2;   ///< pixels of ring for each metre of the root of sigma
     double driftTime_s = 0; ///< drift arrows show the way of this time; 0: no arrows
+    bool showsDots = false; ///< of icebergs without room for their symbols
     /** Radius of the ring round a symbol of `symbol_px`; 0 in view or for sigma 0. */
     [[nodiscard]] double ringRadius_px(double symbol_px, double sigma_m2) const;
 };

@@ -4,6 +4,8 @@
 
 #include <QPainter>
 
+#include <functional>
+
 namespace berg {
 
 /** What the parts of a map are painted with: clipped to the map, saved and restored. */
@@ -36,5 +38,9 @@ struct MapPaint
     MapPaint(const MapPaint&) = delete;
     MapPaint& operator=(const MapPaint&) = delete;
 };
+
+/** Draws round `at`, by way of the kept drawings when there are any. */
+void paintKept(const MapPaint& p, const QString& key, const QRectF& bounds, const QPointF& at,
+               const std::function<void(QPainter&)>& draw);
 
 } // namespace berg

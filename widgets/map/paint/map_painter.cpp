@@ -2,6 +2,7 @@
 
 #include "core/base/random.h"
 #include "widgets/map/land/land_layer.h"
+#include "widgets/map/paint/map_dots.h"
 #include "widgets/map/paint/map_legend_rows.h"
 #include "widgets/map/paint/map_paint.h"
 #include "widgets/map/paint/map_paths.h"
@@ -30,19 +31,6 @@ namespace {
 constexpr double kArrowRoom_px = 60; // that a drift arrow may take beside its symbol
 constexpr double kSigmaSteps = 250;  // of the colour of kept drawings
 constexpr double kRingSteps = 4;     // for each pixel, of the rings of kept drawings
-
-/** Draws round `at`, by way of the kept drawings when there are any. */
-void paintKept(const MapPaint& p, const QString& key, const QRectF& bounds, const QPointF& at,
-               const std::function<void(QPainter&)>& draw)
-{
-    if (p.sprites != nullptr) {
-        p.sprites->paint(p.painter, key, bounds, at, draw);
-        return;
-    }
-    const PainterState saved(p.painter);
-    p.painter.translate(at);
-    draw(p.painter);
-}
 
 void paintGraticuleLabels(const MapPaint& p)
 {
@@ -77,12 +65,15 @@ void paintIcebergs(const MapPaint& p)
 {
     for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i) {
         const LabelDisk& disk = p.layout.icebergs[i];
-        if (!overlaps(p.layout.rect,
+        if (p.layout.density.marks[i] != IcebergMark::Symbol ||
+            !overlaps(p.layout.rect,
                       {.centre_px = disk.centre_px, .radius_px = disk.radius_px + kArrowRoom_px}))
             continue;
         const MapIceberg& iceberg = p.picture.icebergs[i];
-        const double symbol_px = icebergSymbolRadius_px(iceberg.radius_m);
-        double ring_px = p.layout.symbols.ringRadius_px(symbol_px, iceberg.sigma_m2);
+        const bool isSmall = p.layout.density.isDense;
+        const double symbol_px =
+            isSmall ? kSmallIceberg_px : icebergSymbolRadius_px(iceberg.radius_m);
+        double ring_px = isSmall ? 0 : p.layout.symbols.ringRadius_px(symbol_px, iceberg.sigma_m2);
         double sigma = std::clamp(iceberg.sigma_m2 / p.picture.sigmaFull_m2, 0.0, 1.0);
         if (p.sprites != nullptr)
             roundForKeeping(ring_px, sigma);
@@ -258,6 +249,18 @@ void paintOverlays(const MapPaint& p, double north_rad, const std::optional<QPoi
 
 } // namespace
 
+void paintKept(const MapPaint& p, const QString& key, const QRectF& bounds, const QPointF& at,
+               const std::function<void(QPainter&)>& draw)
+{
+    if (p.sprites != nullptr) {
+        p.sprites->paint(p.painter, key, bounds, at, draw);
+        return;
+    }
+    const PainterState saved(p.painter);
+    p.painter.translate(at);
+    draw(p.painter);
+}
+
 void paintMapGround(QPainter& painter, const MapFrame& frame)
 {
     const MapPaint p(painter, frame);
@@ -286,6 +289,7 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     paintComparison(p);
     paintTracks(p);
     paintFieldsOfView(p);
+    paintDots(p); // below the plans
     paintFormerPlans(p);
     paintClusters(p);
     paintPlans(p);

@@ -23,6 +23,7 @@ constexpr double kComparisonMarks_px = 150; // between its arrow heads
 constexpr double kComparisonMark_px = 9;
 constexpr std::size_t kHeadingLegs = 3;
 constexpr double kHeading_px = 24;
+constexpr double kFarPlan = 0.5; // share of its colour left in what is far ahead in a dense field
 
 /** Where an arrow head has room. */
 QLineF longestPiece(const QPolygonF& leg)
@@ -158,6 +159,11 @@ void paintPlan(const MapPaint& p, std::size_t uav)
         const double width_px = isNext ? 3.2 : 1.6;
         if (legs[k].size() < 2)
             continue;
+        if (p.layout.density.isDense && k >= kNumberedNext) { // or there would be nothing but plan
+            p.painter.setPen(QPen(mixed(p.theme.sea, colours.plan, kFarPlan), 1));
+            p.painter.drawPolyline(legs[k]);
+            continue;
+        }
         // A rim of sea sets the line off from the track below.
         p.painter.setPen(
             QPen(p.theme.sea, width_px + 2.4, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));

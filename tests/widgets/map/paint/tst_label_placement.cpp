@@ -88,6 +88,21 @@ private slots:
         COMPARE_NEAR(lengthInside(placed[0].rect, around.lines[0]), 0, 1e-9);
     }
 
+    /** Legs sweep over a name all the time in flight; only what hides it makes it move. */
+    void freePlaceIsKept()
+    {
+        LabelRequest request{.anchor = {.centre_px = {400, 300}, .radius_px = 15},
+                             .size_px = kLabel};
+        LabelSurroundings around = openSea();
+        around.disks = {request.anchor};
+        request.previous = placeLabels(std::vector{request}, around)[0];
+        const QRectF before = request.previous->rect;
+        around.lines = {QLineF(400, 300, 700, 300)};
+        QCOMPARE(placeLabels(std::vector{request}, around)[0].rect, before);
+        around.disks.push_back({.centre_px = before.center(), .radius_px = 10});
+        QVERIFY(placeLabels(std::vector{request}, around)[0].rect != before);
+    }
+
     void nothingOverlaps_data()
     {
         QTest::addColumn<int>("count");

@@ -1,0 +1,124 @@
+#include "core/scenario/presets.h"
+#include "tests/support/panel_test.h"
+#include "widgets/map/paint/map_layout.h"
+#include "widgets/map/picture/scenario_picture.h"
+
+#include <algorithm>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QRectF kMap(0, 0, 900, 420);
+
+/** A field of 9 km by 4.2 km, all of it planned by number. */
+MapPicture field(int icebergs)
+{
+    MapPicture picture =
+        withScenario({}, randomScenario(3, {.icebergs = icebergs, .size_m = {9000, 4200}}));
+    picture.routes.resize(picture.uavs.size());
+    for (int i = 0; i < icebergs; ++i)
+        picture.routes.front().plan.push_back(i);
+    return picture;
+}
+
+/** With so many metres in a pixel. */
+MapLayout layoutOf(const MapPicture& picture, double metres = 10, bool wasDense = false)
+{
+    const Theme theme = Theme::light();
+    return arrangeMap(picture, {.theme = theme, .locale = QLocale::c()}, kMap,
+                      MapViewTransform({4500, 2100}, kMap.center(), 1 / metres),
+                      {.isDense = wasDense});
+}
+
+std::ptrdiff_t marked(const MapLayout& map, IcebergMark mark)
+{
+    return std::ranges::count(map.density.marks, mark);
+}
+
+} // namespace
+
+/** What becomes of symbols that have no room. */
+class TestMapDensity : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void fieldsWithRoomKeepTheirSymbols()
+    {
+        for (const int icebergs : {12, 39, 100}) {
+            const MapLayout map = layoutOf(field(icebergs));
+            QVERIFY(!map.density.isDense);
+            QCOMPARE(marked(map, IcebergMark::Symbol), icebergs);
+        }
+        // Few are symbols however near they are.
+        QVERIFY(!layoutOf(field(39), 100).density.isDense);
+    }
+
+    void nextTenAreNumberedAndTheOthersDots()
+    {
+        const MapPicture picture = field(500);
+        const MapLayout map = layoutOf(picture);
+        QVERIFY(map.density.isDense);
+        QCOMPARE(marked(map, IcebergMark::Symbol), kNumberedNext);
+        for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
+            QCOMPARE(map.density.marks[i] == IcebergMark::Symbol,
+                     map.stops[i].order <= kNumberedNext);
+            QVERIFY(map.density.marks[i] == IcebergMark::Symbol || map.labels[i].rect.isNull());
+            QVERIFY(driftArrow(picture, map, i).isNull());
+        }
+        const auto named = std::ranges::count_if(
+            map.labels, [](const PlacedLabel& label) { return !label.rect.isNull(); });
+        QVERIFY2(named >= kNumberedNext - 2, QByteArray::number(qlonglong(named)));
+    }
+
+    void numbersCountWhatTheyStandFor()
+    {
+        for (const double metres : {10.0, 40.0, 200.0}) {
+            const MapLayout map = layoutOf(field(500), metres);
+            std::ptrdiff_t counted = 0;
+            for (const MapCount& count : map.density.counts) {
+                QVERIFY(count.icebergs >= 3);
+                QVERIFY(count.sigma_m2 > 0);
+                QVERIFY(kMap.contains(count.centre_px));
+                counted += count.icebergs;
+            }
+            QCOMPARE(counted, marked(map, IcebergMark::Counted));
+            QVERIFY(metres < 40 || counted > 250);
+        }
+    }
+
+    /** They would be hidden when they matter most. */
+    void lostIcebergsAndAlarmsKeepTheirSymbols()
+    {
+        MapPicture picture = field(500);
+        picture.icebergs[100].status = TrackStatus::Lost;
+        picture.icebergs[200].ringEntry_s = 60;
+        const MapLayout map = layoutOf(picture);
+        QVERIFY(map.density.marks[100] == IcebergMark::Symbol);
+        QVERIFY(map.density.marks[200] == IcebergMark::Symbol);
+        QCOMPARE(marked(map, IcebergMark::Symbol), kNumberedNext + 2);
+    }
+
+    /** A field at the limit stays what it is. */
+    void doesNotFlickerAtTheLimit()
+    {
+        const MapPicture picture = field(300);
+        const auto isDense = [&](double metres, bool wasDense) {
+            return layoutOf(picture, metres, wasDense).density.isDense;
+        };
+        double limit = 4;
+        while (limit < 40 && !isDense(limit, false))
+            limit *= 1.02;
+        QVERIFY(limit > 4.1 && limit < 40);
+        QVERIFY(isDense(limit / 1.05, true));
+        QVERIFY(!isDense(limit / 1.05, false));
+        QVERIFY(!isDense(limit / 1.3, true));
+    }
+};
+
+QTEST_MAIN(TestMapDensity)
+#include "tst_map_density.moc"

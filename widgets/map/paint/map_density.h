@@ -1,0 +1,57 @@
+#pragma once
+
+#include "widgets/map/picture/map_picture.h"
+#include "widgets/map/picture/map_view_transform.h"
+
+#include <QRectF>
+
+namespace berg {
+
+/** An iceberg's place in the plans. */
+struct MapStop
+{
+    int order = 0; ///< 1-based; 0: not planned
+    std::size_t uav = 0;
+};
+
+/** By iceberg. Where two plans have one, one of them being old, the sooner visit counts. */
+[[nodiscard]] std::vector<MapStop> stopsOf(const MapPicture& picture);
+
+/** How an iceberg is drawn. */
+enum class IcebergMark
+{
+    Symbol, ///< with ring, drift and name
+    Dot,
+    Counted ///< with others as one number
+};
+
+/** Icebergs that lie so close together that they are drawn as a number. */
+struct MapCount
+{
+    QPointF centre_px;
+    int icebergs = 0;
+    double sigma_m2 = 0; ///< the largest of theirs
+};
+
+/** How the icebergs of one view are drawn. */
+struct MapDensity
+{
+    bool isDense = false;           ///< symbols have no room: all but the next ones are dots
+    std::vector<IcebergMark> marks; ///< by iceberg
+    std::vector<MapCount> counts;
+};
+
+/** So many icebergs of each plan keep their symbol and number in a dense field. */
+inline constexpr int kNumberedNext = 10;
+
+/**
+ * Where most icebergs in sight have another within 20 px, the next ten of each plan, lost ones and
+ * those on their way to an asset keep their symbols; the others are dots, three and more that cover
+ * each other a number. `wasDense`: in the frame before, so that a field at the limit does not
+ * flicker. Cost: linear.
+ */
+[[nodiscard]] MapDensity densityOf(const MapPicture& picture, const MapViewTransform& view,
+                                   const QRectF& shown, const std::vector<MapStop>& stops,
+                                   bool wasDense);
+
+} // namespace berg
