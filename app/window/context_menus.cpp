@@ -3,14 +3,20 @@
 #include "app/window/docks.h"
 #include "app/window/menus.h"
 #include "app/window/panels.h"
+#include "widgets/map/paint/map_layout.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/plan/plan_panel.h"
+#include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QMainWindow>
 #include <QMenu>
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
@@ -35,11 +41,16 @@ void ContextMenus::showOnMap(const QPoint& globalPos, const Point& position_m,
                              const std::string& id)
 {
     QMenu* menu = makeMenu(u"mapMenu"_s);
-    if (id.empty())
+    const std::optional<MapPanel> panel = panels().map->panelAt(globalPos);
+    if (panel && id.empty())
+        addPanelActions(*menu, *panel);
+    else if (id.empty())
         addWaterActions(*menu, position_m);
     else
         addObjectActions(*menu, id);
     menu->addSeparator();
+    if (!panel || !id.empty())
+        addPlaceActions(*menu, position_m);
     menu->addAction(m_actions.selectAll);
     menu->addAction(m_actions.fit);
     menu->addAction(m_actions.follow);
@@ -106,6 +117,47 @@ void ContextMenus::addObjectActions(QMenu& menu, const std::string& id)
         ->setEnabled(!locked);
 }
 
+/** Of the place itself, in flight as well. */
+void ContextMenus::addPlaceActions(QMenu& menu, const Point& position_m)
+{
+    const LatLon place =
+        LocalFrame(workspace().document().scenario().origin).toGeographic(position_m);
+    constexpr int kDecimals = 3; // of the minutes: to two metres
+    const QString text = placeText(place, kDecimals, locale());
+    menu.addAction(tr("Copy coordinates: %1").arg(text), this, [this, text] {
+        QApplication::clipboard()->setText(text);
+        showMessage(tr("Copied %1").arg(text), kMessage_ms);
+    });
+    menu.addAction(tr("Centre the map here"), this,
+                   [this, place] { panels().map->centreOn(place); });
+    menu.addAction(tr("Measure from here"), this,
+                   [this, position_m] { panels().map->measureFrom(position_m); });
+    menu.addSeparator();
+}
+
+/** There, moved or new. */
+void ContextMenus::placeAsset(const Point& position_m)
+{
+    if (workspace().inFlight()) {
+        workspace().moveAsset(position_m);
+        return;
+    }
+    workspace().document().edit(tr("Place asset"), [&](Scenario& scenario) {
+        Asset asset = scenario.asset.value_or(Asset());
+        asset.position_m = position_m;
+        scenario.asset = asset;
+    });
+}
+
+void ContextMenus::addPanelActions(QMenu& menu, MapPanel panel)
+{
+    const auto place = static_cast<std::size_t>(panel);
+    if (std::ranges::find(kFoldingPanels, panel) != kFoldingPanels.end())
+        menu.addAction(panels().map->panels()[place].isFolded ? tr("Unfold") : tr("Fold"), this,
+                       [this, panel] { panels().map->foldPanel(panel); });
+    menu.addAction(tr("Hide"), m_actions.panels[place], &QAction::trigger);
+}
+
 void ContextMenus::addWaterActions(QMenu& menu, const Point& position_m)
 {
     const bool locked = workspace().inFlight();
@@ -114,6 +166,9 @@ void ContextMenus::addWaterActions(QMenu& menu, const Point& position_m)
     menu.addAction(tr("New UAV here"), this,
                    [this, position_m] { panels().map->addUavAt(position_m); })
         ->setEnabled(!locked);
+    const bool hasAsset = workspace().record().now.asset.has_value();
+    menu.addAction(tr("Asset here"), this, [this, position_m] { placeAsset(position_m); })
+        ->setEnabled(!locked || (hasAsset && workspace().mayIntervene()));
     menu.addAction(
             tr("Ground station here"), this,
             [this, position_m] {

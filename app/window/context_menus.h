@@ -2,6 +2,7 @@
 
 #include "app/window/window_part.h"
 #include "core/base/geometry.h"
+#include "widgets/map/paint/map_overlays.h"
 
 #include <string>
 
@@ -26,6 +27,9 @@ private:
     void showOnPlan(const QPoint& globalPos, const std::string& id);
     void addHandOverActions(QMenu& menu, const std::string& id);
     void addObjectActions(QMenu& menu, const std::string& id);
+    void addPlaceActions(QMenu& menu, const Point& position_m);
+    void placeAsset(const Point& position_m);
+    void addPanelActions(QMenu& menu, MapPanel panel);
     void addWaterActions(QMenu& menu, const Point& position_m);
 
     const Docks& m_docks;

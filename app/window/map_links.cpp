@@ -12,6 +12,7 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -54,10 +55,11 @@ MapPanelStates MapLinks::savedPanels() const
     for (std::size_t i = 0; i < std::min(states.size(), static_cast<std::size_t>(saved.size()));
          ++i) {
         const QStringList parts = saved[static_cast<qsizetype>(i)].split(u' ');
-        if (parts.size() == 4)
+        const QPointF moved_px(parts.value(2).toDouble(), parts.value(3).toDouble());
+        if (parts.size() == 4 && std::isfinite(moved_px.x()) && std::isfinite(moved_px.y()))
             states[i] = {.isHidden = parts[0] == u"1"_s,
                          .isFolded = parts[1] == u"1"_s,
-                         .moved_px = {parts[2].toDouble(), parts[3].toDouble()}};
+                         .moved_px = moved_px};
     }
     return states;
 }

@@ -233,8 +233,9 @@ void Menus::buildMapActions(QMenu& menu)
 void Menus::addPanelMenu(QMenu& menu)
 {
     const auto add = [&](const char* name, const QString& text, MapPanel panel) {
-        addSwitch(menu, {name, text, {}, std::nullopt}, m_targets.mapLinks.panelIsShown(panel),
-                  [this, panel](bool on) { m_targets.mapLinks.setPanelShown(panel, on); });
+        m_shared.panels[static_cast<std::size_t>(panel)] =
+            addSwitch(menu, {name, text, {}, std::nullopt}, m_targets.mapLinks.panelIsShown(panel),
+                      [this, panel](bool on) { m_targets.mapLinks.setPanelShown(panel, on); });
     };
     add("titlePanelAction", tr("&Title and figures"), MapPanel::Title);
     add("legendPanelAction", tr("&Legend"), MapPanel::Legend);

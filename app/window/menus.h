@@ -2,8 +2,10 @@
 
 #include "app/window/action_maker.h"
 #include "app/window/window_part.h"
+#include "widgets/map/paint/map_overlays.h"
 #include "widgets/map/view/map_tools.h"
 
+#include <array>
 #include <vector>
 
 class QActionGroup;
@@ -60,7 +62,8 @@ struct SharedActions
     QAction* exportPlan = nullptr;
     QAction* seen = nullptr;
     QAction* wind = nullptr;
-    std::vector<QAction*> orders; ///< to the selected UAVs
+    std::vector<QAction*> orders;              ///< to the selected UAVs
+    std::array<QAction*, kMapPanels> panels{}; ///< show and hide those on the map
 };
 
 /** Menu bar and tool bar, and which of their actions are possible now. */

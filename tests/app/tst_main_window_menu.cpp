@@ -1,5 +1,6 @@
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
+#include "widgets/model/places.h"
 
 #include <QClipboard>
 #include <QLineEdit>
@@ -108,6 +109,39 @@ private slots:
         QCOMPARE(w.scenario().icebergs.size(), 6U);
         QVERIFY((w.scenario().icebergs[5].position_m - Point(2000, 2200)).norm() < kPixel_m);
         QCOMPARE(w.document().undoStack()->count(), 2);
+    }
+
+    /** The place under the pointer, whatever is there. */
+    void placeIsCopiedCentredAndMeasuredFrom()
+    {
+        WindowFixture w(withEverything());
+        QMenu& menu = menuAt(w, kWater_m);
+        QString copy;
+        for (const QAction* action : menu.actions())
+            if (action->text().startsWith(u"Copy coordinates: "_s))
+                copy = action->text();
+        QVERIFY(!copy.isEmpty());
+        choose(menu, copy);
+        const LatLon clicked =
+            std::get<FoundPlace>(findPlace(QApplication::clipboard()->text())).at;
+        const Point found_m = LocalFrame(w.scenario().origin).toPlane(clicked);
+        QVERIFY((found_m - kWater_m).norm() < kPixel_m);
+        choose(menuAt(w, kWater_m), u"Centre the map here"_s);
+        QVERIFY((w.map().rect().center() - w.pixelOf(kWater_m)).manhattanLength() <= 4);
+        choose(menuAt(w, kWater_m), u"Measure from here"_s);
+        QVERIFY(w.map().tool() == MapToolKind::Measure);
+        QVERIFY(w.map().isDrawing());
+    }
+
+    void assetIsPlacedWhereOneClicks()
+    {
+        Scenario scenario = test::MapFixture::fourIcebergs();
+        WindowFixture w(scenario);
+        choose(menuAt(w, kWater_m), u"Asset here"_s);
+        QVERIFY(w.scenario().asset);
+        QVERIFY((w.scenario().asset->position_m - kWater_m).norm() < kPixel_m);
+        w.trigger(u"undoAction"_s);
+        QVERIFY(w.scenario() == scenario);
     }
 
     void uavsAreAddedAndDeleted()

@@ -1,5 +1,9 @@
+#include "app/window/window_run.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
+
+#include <QDockWidget>
+#include <QMenu>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
@@ -34,6 +38,7 @@ class TestMainWindowPanels : public QObject
     Q_OBJECT
 
 private slots:
+    void initTestCase() { installLanguage(u"en"_s); }
     void init() { test::failOnWarnings(); }
 
     void icebergBelowAPanelIsPickedAndDragged()
@@ -87,6 +92,83 @@ private slots:
         const QPoint grip(*fold - 10, kParts_px);
         w.drag(grip, grip + QPoint(50, 30));
         QCOMPARE(stateOf(w, MapPanel::Title).moved_px, QPointF(50, 30));
+    }
+
+    /** What the mouse asked for beyond the edge is not kept: the way back begins at once. */
+    void isNotMovedBeyondTheMap()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const std::optional<int> fold = foldTitle(w);
+        QVERIFY(fold);
+        w.click({25, 25});
+        const QPoint grip(*fold - 10, kParts_px);
+        w.drag(grip, grip - QPoint(300, 300));
+        QCOMPARE(stateOf(w, MapPanel::Title).moved_px, QPointF(0, 0));
+    }
+
+    void middleButtonDoesNotLetAPanelGo()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const std::optional<int> fold = foldTitle(w);
+        QVERIFY(fold);
+        w.click({25, 25});
+        const QPoint grip(*fold - 10, kParts_px);
+        QTest::mousePress(&w.map(), Qt::LeftButton, {}, grip);
+        QTest::mouseMove(&w.map(), grip + QPoint(20, 20));
+        QTest::mouseClick(&w.map(), Qt::MiddleButton, {}, grip + QPoint(20, 20));
+        QTest::mouseMove(&w.map(), grip + QPoint(50, 30));
+        QTest::mouseRelease(&w.map(), Qt::LeftButton, {}, grip + QPoint(50, 30));
+        QCOMPARE(stateOf(w, MapPanel::Title).moved_px, QPointF(50, 30));
+    }
+
+    /** The second click of a double click is not one on what was below the panel. */
+    void doubleClickFoldsOnce()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const std::optional<int> fold = foldTitle(w);
+        QVERIFY(fold);
+        w.click({25, 25});
+        const QPoint button(*fold, kParts_px);
+        w.map().panBy(QPointF(button) - w.pixelOf("berg-2"));
+        auto& inspector = test::child<QDockWidget>(w.window(), u"inspectorDock"_s);
+        QVERIFY(inspector.visibleRegion().isEmpty());
+        QTest::mouseClick(&w.map(), Qt::LeftButton, {}, button);
+        QTest::mouseDClick(&w.map(), Qt::LeftButton, {}, button);
+        QVERIFY(stateOf(w, MapPanel::Title).isFolded);
+        QVERIFY(w.workspace.selection().isEmpty());
+        QVERIFY(inspector.visibleRegion().isEmpty());
+    }
+
+    void brokenSettingsAreNotTakenUp()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.settings.setValue(u"view/mapPanels"_s,
+                            QStringList{u"0 0 nan 0"_s, u"0 0 0 inf"_s, u"0 1 5"_s});
+        const MainWindow next(w.workspace, w.interaction, w.settings);
+        QVERIFY(next.mapView().panels() == MapPanelStates());
+    }
+
+    void menuFoldsAndHides()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const auto choose = [&](const QString& text) {
+            QTest::mouseClick(&w.map(), Qt::RightButton, {}, kOnTitle);
+            auto& menu = test::child<QMenu>(w.window(), u"mapMenu"_s);
+            for (QAction* action : menu.actions())
+                if (action->text() == text) {
+                    action->trigger();
+                    menu.close();
+                    return QTest::qWaitFor(
+                        [&] { return w.window().findChild<QMenu*>(u"mapMenu"_s) == nullptr; });
+                }
+            return false;
+        };
+        QVERIFY(choose(u"Fold"_s));
+        QVERIFY(stateOf(w, MapPanel::Title).isFolded);
+        w.click({25, 25});
+        QVERIFY(choose(u"Hide"_s));
+        QVERIFY(stateOf(w, MapPanel::Title).isHidden);
+        QVERIFY(!w.action(u"titlePanelAction"_s).isChecked());
     }
 
     void hiddenStaysHidden()

@@ -80,6 +80,7 @@ void rearrange(MapLayout& layout, const MapPanelStates& states)
         const MapPanelState& state = states[i];
         QRectF& rect = panelOf(layout, static_cast<MapPanel>(i));
         layout.icons[i] = {};
+        layout.moved_px[i] = {};
         if (rect.isNull() || state == MapPanelState{})
             continue;
         QRectF wanted = rect;
@@ -90,11 +91,13 @@ void rearrange(MapLayout& layout, const MapPanelStates& states)
             wanted.moveTo(isRight ? rect.right() - kFolded_px : rect.left(),
                           isLow ? rect.bottom() - kFolded_px : rect.top());
         }
+        const QPointF own = wanted.topLeft();
         wanted.translate(state.moved_px);
         wanted.moveLeft(
             std::max(inner.left(), std::min(wanted.left(), inner.right() - wanted.width())));
         wanted.moveTop(
             std::max(inner.top(), std::min(wanted.top(), inner.bottom() - wanted.height())));
+        layout.moved_px[i] = wanted.topLeft() - own;
         rect = state.isHidden || state.isFolded ? QRectF() : wanted;
         if (state.isFolded && !state.isHidden)
             layout.icons[i] = wanted;

@@ -26,6 +26,8 @@ struct MapLayout
     QRectF inset; ///< kept free, not painted
     /** Of folded panels, which then are null themselves. */
     std::array<QRectF, kMapPanels> icons;
+    /** By how much panels stand off from where they are by themselves. */
+    std::array<QPointF, kMapPanels> moved_px;
     std::vector<LabelDisk> icebergs; ///< symbol with its ring, by index
     std::vector<MapStop> stops;      ///< by iceberg
     MapDensity density;              ///< which of them are drawn as symbols

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kPadding_px = 12;
 constexpr double kReadoutGap_px = 24;
+constexpr double kParts_px = 32; // beside the title, for what moves and folds the panel
 constexpr double kUnitGap_px = 5;
 constexpr double kMetresPerNauticalMile = 1852;
 constexpr double kBarLength_px = 120;
@@ -134,7 +135,7 @@ QSizeF titleSize(const MapPicture& picture, const MapStyle& style, double widest
     if (picture.title.isEmpty() && picture.readouts.empty())
         return {};
     const QFont font = titleFont(style.theme);
-    double width_px = QFontMetricsF(font).horizontalAdvance(picture.title);
+    double width_px = QFontMetricsF(font).horizontalAdvance(picture.title) + kParts_px;
     double height_px = textHeight(font);
     if (!picture.subtitle.isEmpty()) {
         width_px = std::max(width_px,
@@ -161,18 +162,19 @@ void paintTitle(QPainter& painter, const QRectF& rect, const MapPicture& picture
     painter.setClipRect(rect);
     const double width_px = rect.width() - 2 * kPadding_px;
     QPointF at = rect.topLeft() + QPointF(kPadding_px, kPadding_px - 2);
-    const auto line = [&](const QFont& font, const QColor& colour, const QString& text) {
+    const auto line = [&](const QFont& font, const QColor& colour, const QString& text,
+                          double room_px) {
         const QFontMetricsF metrics(font);
         painter.setFont(font);
         painter.setPen(colour);
         painter.drawText(at + QPointF(0, metrics.ascent()),
-                         metrics.elidedText(text, Qt::ElideRight, width_px));
+                         metrics.elidedText(text, Qt::ElideRight, room_px));
         at.ry() += metrics.height();
     };
-    line(titleFont(theme), theme.text, picture.title);
+    line(titleFont(theme), theme.text, picture.title, width_px - kParts_px);
     if (!picture.subtitle.isEmpty()) {
         at.ry() += 2;
-        line(theme.small(), theme.mutedText, picture.subtitle);
+        line(theme.small(), theme.mutedText, picture.subtitle, width_px);
     }
     at.ry() += 8;
     const double captionHeight_px = textHeight(theme.small());

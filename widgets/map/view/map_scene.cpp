@@ -305,10 +305,33 @@ std::optional<MapPanelPart> MapScene::panelPartAt(const QPointF& at)
     return std::nullopt;
 }
 
+std::optional<MapPanel> MapScene::panelAt(const QPointF& at)
+{
+    const MapLayout& map = layout();
+    for (std::size_t i = kMapPanels; i-- > 0;) // the last is on top
+        if (const auto which = static_cast<MapPanel>(i);
+            map.icons[i].contains(at) || map.panel(which).contains(at))
+            return which;
+    return std::nullopt;
+}
+
 void MapScene::setPanels(const MapPanelStates& panels)
 {
     m_panels = panels;
     m_layout.reset();
+}
+
+QPointF MapScene::panelOffset_px(MapPanel panel)
+{
+    return layout().moved_px[static_cast<std::size_t>(panel)];
+}
+
+void MapScene::movePanel(MapPanel panel, const QPointF& offset_px)
+{
+    QPointF& moved_px = m_panels[static_cast<std::size_t>(panel)].moved_px;
+    moved_px = offset_px;
+    m_layout.reset();
+    moved_px = panelOffset_px(panel); // the layout is that of both
 }
 
 bool MapScene::setPointer(const std::optional<QPointF>& at)

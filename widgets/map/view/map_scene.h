@@ -74,8 +74,14 @@ public:
     void paintSelection(QPainter& painter, const std::vector<std::string>& keys);
     /** What is there to fold, unfold or move a panel by. */
     [[nodiscard]] std::optional<MapPanelPart> panelPartAt(const QPointF& at);
+    /** The panel or icon that is there. */
+    [[nodiscard]] std::optional<MapPanel> panelAt(const QPointF& at);
     [[nodiscard]] const MapPanelStates& panels() const { return m_panels; }
     void setPanels(const MapPanelStates& panels);
+    /** By how much it stands off from where it is by itself. */
+    [[nodiscard]] QPointF panelOffset_px(MapPanel panel);
+    /** As far as the map reaches. */
+    void movePanel(MapPanel panel, const QPointF& offset_px);
     /** Where the cursor is; none: elsewhere. True: the picture looks different. */
     bool setPointer(const std::optional<QPointF>& at);
     /** True where a panel covers the map and nothing that could be picked. */

@@ -153,6 +153,11 @@ void MapView::setPanels(const MapPanelStates& panels)
     update();
 }
 
+std::optional<MapPanel> MapView::panelAt(const QPoint& globalPos)
+{
+    return m_scene.panelAt(mapFromGlobal(globalPos));
+}
+
 std::vector<LatLon> MapView::outline() const
 {
     const LocalFrame frame(m_scene.picture().origin);
@@ -167,6 +172,16 @@ std::vector<LatLon> MapView::outline() const
                 frame.toGeographic(toWorld(side.pointAt(static_cast<double>(k) / kOutlinePieces))));
     }
     return places;
+}
+
+void MapView::measureFrom(const Point& from_m)
+{
+    setTool(MapToolKind::Measure);
+    m_tool->dropDrawing();
+    const MapPointer pointer{.at_px = toScreen(from_m), .at_m = from_m, .isInside = true};
+    m_tool->press(pointer);
+    m_tool->release(pointer);
+    toolActed();
 }
 
 void MapView::centreOn(const LatLon& place)

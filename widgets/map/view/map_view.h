@@ -53,8 +53,14 @@ public:
     [[nodiscard]] const MapPanelStates& panels() const { return m_scene.panels(); }
     /** As the user wants them; tells nobody. */
     void setPanels(const MapPanelStates& panels);
+    /** To its icon or back, as by mouse. */
+    void foldPanel(MapPanel panel);
+    /** The panel or icon at this place of the screen. */
+    [[nodiscard]] std::optional<MapPanel> panelAt(const QPoint& globalPos);
     /** What is shown: corners, and points between them, all the way round. */
     [[nodiscard]] std::vector<LatLon> outline() const;
+    /** With the tool for it, from this place. */
+    void measureFrom(const Point& from_m);
     /** Shows this place in the middle, or the next one that a scenario can have something at. */
     void centreOn(const LatLon& place);
     /** Waits until all the land of the view last painted can be painted: for pictures. */
@@ -171,6 +177,7 @@ private:
     /** A press on what folds or moves a panel. */
     bool pressPanel(const QPointF& at);
     void movePanel(const QPointF& at);
+    void letPanelGo();
     [[nodiscard]] const MapUav* followedUav() const;
     void endNudges();
     void toolActed();
@@ -210,7 +217,8 @@ private:
     std::optional<QPointF> m_cursor;  ///< none: not over the map
     std::optional<QPointF> m_panFrom; ///< of the middle button
     std::optional<MapPanel> m_movedPanel;
-    QPointF m_panelFrom; ///< cursor less what that panel is moved by
+    QPointF m_panelFrom;         ///< cursor less what that panel is moved by
+    bool m_pressedPanel = false; ///< by the last press
     std::string m_hovered;
     std::string m_highlighted;
     QString m_status;

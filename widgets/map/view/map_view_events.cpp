@@ -71,26 +71,35 @@ bool MapView::pressPanel(const QPointF& at)
     const std::optional<MapPanelPart> part = m_scene.panelPartAt(at);
     if (!part || m_tool->isBusy())
         return false;
-    MapPanelStates states = m_scene.panels();
-    MapPanelState& state = states[static_cast<std::size_t>(part->panel)];
     if (part->isGrip) {
         m_movedPanel = part->panel;
-        m_panelFrom = at - state.moved_px;
+        m_panelFrom = at - m_scene.panelOffset_px(part->panel);
         return true;
     }
-    state.isFolded = !state.isFolded;
+    foldPanel(part->panel);
+    return true;
+}
+
+void MapView::foldPanel(MapPanel panel)
+{
+    MapPanelStates states = m_scene.panels();
+    bool& isFolded = states[static_cast<std::size_t>(panel)].isFolded;
+    isFolded = !isFolded;
     setPanels(states);
     emit panelsChanged();
-    return true;
 }
 
 void MapView::movePanel(const QPointF& at)
 {
-    MapPanelStates states = m_scene.panels();
-    states[static_cast<std::size_t>(*m_movedPanel)].moved_px = at - m_panelFrom;
-    m_scene.setPanels(states);
+    m_scene.movePanel(*m_movedPanel, at - m_panelFrom);
     placeInset();
     update();
+}
+
+void MapView::letPanelGo()
+{
+    if (std::exchange(m_movedPanel, std::nullopt))
+        emit panelsChanged();
 }
 
 void MapView::mousePressEvent(QMouseEvent* event)
@@ -99,7 +108,9 @@ void MapView::mousePressEvent(QMouseEvent* event)
     endNudges();
     m_cursor = event->position();
     updateHover();
-    if (event->button() == Qt::LeftButton && !m_panFrom && pressPanel(event->position()))
+    m_pressedPanel =
+        event->button() == Qt::LeftButton && !m_panFrom && pressPanel(event->position());
+    if (m_pressedPanel)
         return;
     if (event->button() == Qt::MiddleButton) {
         m_panFrom = event->position();
@@ -122,7 +133,9 @@ void MapView::mouseMoveEvent(QMouseEvent* event)
 {
     event->accept();
     m_cursor = event->position();
-    if (m_movedPanel && event->buttons().testFlag(Qt::LeftButton)) {
+    if (!event->buttons().testFlag(Qt::LeftButton))
+        letPanelGo(); // the release went elsewhere
+    if (m_movedPanel) {
         movePanel(event->position());
     } else if (m_panFrom && event->buttons().testFlag(Qt::MiddleButton)) {
         panBy(event->position() - *m_panFrom);
@@ -145,10 +158,10 @@ void MapView::mouseMoveEvent(QMouseEvent* event)
 void MapView::mouseReleaseEvent(QMouseEvent* event)
 {
     event->accept();
-    if (std::exchange(m_movedPanel, std::nullopt))
-        emit panelsChanged();
-    else if (event->button() == Qt::MiddleButton)
+    if (event->button() == Qt::MiddleButton)
         m_panFrom.reset();
+    else if (event->button() == Qt::LeftButton && m_movedPanel)
+        letPanelGo();
     else if (event->button() == Qt::LeftButton && m_tool->isBusy())
         m_tool->release(pointerOf(*event));
     updateHover();
@@ -158,6 +171,8 @@ void MapView::mouseReleaseEvent(QMouseEvent* event)
 void MapView::mouseDoubleClickEvent(QMouseEvent* event)
 {
     event->accept();
+    if (event->button() == Qt::LeftButton && m_pressedPanel)
+        return; // the second click of one on a panel, which may be elsewhere now
     if (event->button() == Qt::LeftButton && m_tool->isDrawing()) {
         m_tool->finishDrawing();
         toolActed();
