@@ -35,6 +35,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QSettings>
 
@@ -212,10 +213,16 @@ void MainWindow::applyTheme(const Theme& theme)
 void MainWindow::showTitle()
 {
     const ScenarioDocument& document = m_context.workspace.document();
-    const QString name = QString::fromStdString(document.scenario().name);
-    QString title = name.isEmpty() ? tr("Untitled") : name;
-    title.replace(u"[*]"_s, u"[*][*]"_s); // once it would be the mark of changes
-    setWindowTitle(title + u"[*] - Bergwatch"_s);
+    const auto asText = [](QString text) { // a place for the mark of changes it would be
+        return text.replace(u"[*]"_s, u"[*][*]"_s);
+    };
+    const QString name = asText(QString::fromStdString(document.scenario().name));
+    const QString path = document.filePath();
+    QStringList parts{(path.isEmpty() ? tr("Untitled") : asText(QFileInfo(path).fileName())) +
+                      u"[*]"_s};
+    if (!name.isEmpty())
+        parts << name;
+    setWindowTitle((parts << u"Bergwatch"_s).join(u" - "_s));
     setWindowFilePath(document.filePath());
     setWindowModified(!document.isClean());
 }

@@ -109,6 +109,8 @@ void Menus::buildFileMenu()
                               {"exportAction", tr("&Export plan..."),
                                QKeySequence(Qt::CTRL | Qt::Key_E), IconName::ExportPlan},
                               [this] { m_targets.results.exportPlan(); });
+    add(menu, {"briefAction", tr("Flight brie&f..."), QKeySequence::Print, std::nullopt},
+        [this] { m_targets.results.exportBrief(); });
     menu.addSeparator();
     add(menu, {"quitAction", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), std::nullopt},
         [this] { window().close(); });
@@ -126,6 +128,10 @@ void Menus::buildEditMenu()
                         [map] { map->copySelected(); });
     QAction* paste = add(menu, {"pasteAction", tr("&Paste"), QKeySequence::Paste, std::nullopt},
                          [map] { map->paste(); });
+    add(menu,
+        {"copyPictureAction", tr("Copy p&icture of the map"),
+         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), std::nullopt},
+        [this] { m_targets.results.copyPicture(); });
     m_shared.duplicate =
         add(menu,
             {"duplicateAction", tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D), std::nullopt},

@@ -5,6 +5,7 @@
 #include "app/window/scenario_files.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/study/study_panel.h"
+#include "widgets/words/policy_words.h"
 
 #include <QDockWidget>
 #include <QMainWindow>
@@ -41,6 +42,7 @@ StudyFlights::StudyFlights(WindowContext& context, ScenarioFiles& files, const D
         if (flyOnMap(scenario, tr("Fly as in the study")))
             showMessage(tr("Flown as in the study, which is under View, Study."), kLongMessage_ms);
     });
+    connect(panel, &StudyPanel::settingRequested, this, &StudyFlights::use);
     connect(panel, &StudyPanel::comparisonRequested, this, &StudyFlights::compareFlights);
     connect(&workspace().runs(), &RunList::changed, this, &StudyFlights::finishComparison);
 }
@@ -58,6 +60,23 @@ bool StudyFlights::flyOnMap(const Scenario& scenario, const QString& text)
         dock->hide(); // it is over the map
     window().activateWindow();
     return true;
+}
+
+/** In flight it is told to the flight. */
+void StudyFlights::use(const StudySetting& setting)
+{
+    const QString text = tr("Use %1").arg(settingText(setting, locale()));
+    if (workspace().inFlight()) {
+        workspace().setPolicy(setting.policy);
+        if (setting.tau)
+            workspace().setTau(*setting.tau);
+    } else {
+        workspace().document().edit(text, [&](Scenario& scenario) {
+            scenario.planner.policy = setting.policy;
+            scenario.planner.tau = setting.tau.value_or(scenario.planner.tau);
+        });
+    }
+    showMessage(tr("Planned with %1").arg(settingText(setting, locale())), kMessage_ms);
 }
 
 /** Figure 5 of the paper: the one is flown on the map, the other beside it. */

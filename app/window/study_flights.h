@@ -9,6 +9,7 @@ namespace berg {
 
 class Docks;
 class ScenarioFiles;
+struct StudySetting;
 
 /** Flights of a study on the map, alone or two set beside each other. */
 class StudyFlights : public WindowPart
@@ -22,6 +23,7 @@ public:
     void takeOver(StudyFlights& other) { m_compared = std::move(other.m_compared); }
 
 private:
+    void use(const StudySetting& setting);
     /** Two flights to be set beside each other when both have ended. */
     struct ComparedPair
     {

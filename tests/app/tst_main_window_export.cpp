@@ -4,6 +4,7 @@
 #include "tests/support/window_fixture.h"
 #include "widgets/print/export_painter.h"
 
+#include <QClipboard>
 #include <QDir>
 #include <QFile>
 #include <QStatusBar>
@@ -81,6 +82,18 @@ private slots:
         });
         QVERIFY(readFile(path.toStdString()) == expected);
         QVERIFY(w.interaction.errors.isEmpty());
+    }
+
+    void briefAndPictureAreAKeyAway()
+    {
+        WindowFixture w(three());
+        w.map().setFocus();
+        QTest::keyClick(&w.map(), Qt::Key_P, Qt::ControlModifier);
+        QCOMPARE(w.interaction.offers.size(), 1U);
+        QCOMPARE(w.interaction.offers.front().suggested.formatId, std::string("brief"));
+        QGuiApplication::clipboard()->clear();
+        QTest::keyClick(&w.map(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(QGuiApplication::clipboard()->image().size(), w.map().size());
     }
 
     /** Two in a row, before the first one is written: each goes to its own file. */

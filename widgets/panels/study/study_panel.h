@@ -48,6 +48,8 @@ signals:
                              const berg::PlannerSettings& tsp);
     /** The user wants to see this flight: its scenario exactly as the study flew it. */
     void openRunRequested(const berg::Scenario& scenario);
+    /** The user wants to plan with these settings. */
+    void settingRequested(const berg::StudySetting& setting);
     void openRequested();
     void saveRequested();
     void reportRequested();

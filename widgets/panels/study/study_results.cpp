@@ -174,13 +174,24 @@ QWidget* StudyResults::makeTables()
     m_open = new QPushButton(tr("Open this run"));
     m_open->setObjectName(u"openStudyRun"_s);
     connect(m_open, &QPushButton::clicked, this, &StudyResults::openRun);
+    m_use = new QPushButton;
+    m_use->setObjectName(u"useStudySetting"_s);
+    connect(m_use, &QPushButton::clicked, this, [this] {
+        emit settingRequested(m_runner.result()->summary.settings[*m_setting].setting);
+    });
+    auto* corner = new QWidget;
+    auto* buttons = new QHBoxLayout(corner);
+    buttons->setContentsMargins(0, 0, 0, 0);
+    buttons->setSpacing(kGap_px);
+    buttons->addWidget(m_use);
+    buttons->addWidget(m_open);
 
     m_tables = new QTabWidget;
     m_tables->setObjectName(u"studyTables"_s);
     m_tables->setDocumentMode(true);
     m_tables->addTab(m_settingsTable, tr("Settings"));
     m_tables->addTab(m_casesTable, tr("Cases"));
-    m_tables->setCornerWidget(m_open);
+    m_tables->setCornerWidget(corner);
     connect(m_tables, &QTabWidget::currentChanged, this, &StudyResults::updateEnabled);
     return m_tables;
 }
@@ -294,6 +305,13 @@ void StudyResults::updateEnabled()
     for (QToolButton* button : m_exports)
         button->setEnabled(hasCases);
     m_tables->setTabEnabled(1, m_casesModel->rowCount() > 0);
+    m_use->setEnabled(result && m_setting);
+    m_use->setText(
+        result && m_setting
+            ? tr("Use %1").arg(settingText(result->summary.settings[*m_setting].setting, locale()))
+            : tr("Use"));
+    m_use->setToolTip(m_use->isEnabled() ? tr("Plans the scenario on the map with this setting.")
+                                         : tr("Choose a point of the picture or a setting."));
     const bool canOpen = chosenMission().has_value();
     m_open->setEnabled(canOpen);
     m_open->setToolTip(canOpen ? tr("Flies this case again, the same in every number, and shows "

@@ -50,6 +50,8 @@ public:
 signals:
     /** The user wants to see this flight: its scenario exactly as the study flew it. */
     void openRunRequested(const berg::Scenario& scenario);
+    /** The user wants to plan with these settings. */
+    void settingRequested(const berg::StudySetting& setting);
     void openRequested();
     void saveRequested();
     void reportRequested();
@@ -88,6 +90,7 @@ private:
     QTableView* m_settingsTable = nullptr;
     QTableView* m_casesTable = nullptr;
     QPushButton* m_open = nullptr;
+    QPushButton* m_use = nullptr;
 };
 
 } // namespace berg

@@ -9,6 +9,7 @@
 #include "widgets/panels/study/study_run_bar.h"
 #include "widgets/panels/study/study_setup.h"
 #include "widgets/panels/study/study_tables.h"
+#include "widgets/words/policy_words.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -274,6 +275,23 @@ private slots:
         QCOMPARE(f.column(u"studySettings"_s, StudySettingsModel::BestIn).front(), u"2"_s);
         QVERIFY(
             f.column(u"studySettings"_s, StudySettingsModel::Difference).contains(u"reference"_s));
+    }
+
+    void settingIsTakenOver()
+    {
+        Fixture f;
+        f.show(test::fourCases());
+        auto& use = f.get<QPushButton>(u"useStudySetting"_s);
+        QVERIFY(!use.isEnabled());
+        QSignalSpy wanted(&f.panel, &StudyPanel::settingRequested);
+        const auto& chart = f.get<StudyChart>(u"studyChart"_s);
+        QTest::mouseClick(&f.get<StudyChart>(u"studyChart"_s), Qt::LeftButton, {},
+                          toQt(chart.drawing().items[2].at).toPoint());
+        QVERIFY(use.text().startsWith(u"Use "_s));
+        use.click();
+        QCOMPARE(wanted.count(), 1);
+        const auto setting = wanted.front().front().value<berg::StudySetting>();
+        QCOMPARE(use.text(), u"Use "_s + settingText(setting, QLocale::c()));
     }
 
     void pointLeadsToItsCases()
