@@ -24,12 +24,22 @@
 #include <QSettings>
 #include <QUndoView>
 
+#include <algorithm>
+
 namespace berg {
 
 namespace {
 
 constexpr int kLayoutVersion = 3;       ///< of the docks' saved places
 constexpr QSize kStudyFrame_px(24, 48); ///< title and edges of the window of a study
+
+constexpr const char* kLayoutKey = "window/layout";
+
+/** Where the settings keep how it was left. */
+QString keyOf(Layout layout)
+{
+    return QStringLiteral("window/layout-%1").arg(static_cast<int>(layout));
+}
 
 /** Does not ask for the room it is best in. */
 QWidget* scrolling(QWidget* content)
@@ -175,9 +185,46 @@ void Docks::noteDefault()
     m_defaultLayout = window().saveState(kLayoutVersion);
 }
 
-void Docks::reset() const
+void Docks::reset()
+{
+    arrange(m_layout);
+}
+
+/** By itself. */
+void Docks::arrange(Layout layout) const
 {
     window().restoreState(m_defaultLayout, kLayoutVersion);
+    if (layout == Layout::Analyse)
+        return;
+    for (const Dock bottom : {Dock::Zeta, Dock::Sigma, Dock::Events, Dock::ComparisonChart,
+                              Dock::Checks, Dock::Comparison, Dock::Icebergs})
+        dock(bottom)->hide(); // the map is as wide as it is in all layouts, and higher
+    if (layout == Layout::Plan)
+        return;
+    dock(Dock::Tradeoff)->hide();
+    for (const Dock moved : {Dock::Zeta, Dock::Events}) {
+        window().addDockWidget(Qt::RightDockWidgetArea, dock(moved));
+        dock(moved)->show();
+    }
+    window().splitDockWidget(dock(Dock::Plan), dock(Dock::Zeta), Qt::Vertical);
+    window().tabifyDockWidget(dock(Dock::Zeta), dock(Dock::Events));
+    dock(Dock::Zeta)->raise();
+    dock(Dock::Plan)->raise();
+}
+
+void Docks::showLayout(Layout layout)
+{
+    settings().setValue(keyOf(m_layout), window().saveState(kLayoutVersion));
+    if (!window().restoreState(settings().value(keyOf(layout)).toByteArray(), kLayoutVersion))
+        arrange(layout);
+    setLayout(layout);
+}
+
+void Docks::setLayout(Layout layout)
+{
+    m_layout = layout;
+    settings().setValue(kLayoutKey, static_cast<int>(layout));
+    emit layoutChanged(layout);
 }
 
 void Docks::save() const
@@ -186,8 +233,12 @@ void Docks::save() const
     settings().setValue("window/state", window().saveState(kLayoutVersion));
 }
 
-void Docks::restore() const
+void Docks::restore()
 {
+    const int saved = settings().value(kLayoutKey, static_cast<int>(Layout::Analyse)).toInt();
+    m_layout = static_cast<Layout>(
+        std::clamp(saved, static_cast<int>(Layout::Plan), static_cast<int>(Layout::Analyse)));
+    emit layoutChanged(m_layout);
     window().restoreGeometry(settings().value("window/geometry").toByteArray());
     window().restoreState(settings().value("window/state").toByteArray(), kLayoutVersion);
 }

@@ -30,6 +30,14 @@ enum class Dock
     Icebergs
 };
 
+/** Arrangements of the docks for one kind of work each. */
+enum class Layout
+{
+    Plan,   ///< the map, what is chosen and what comes of it
+    Fly,    ///< the map, the plan and how it goes
+    Analyse ///< charts and tables round the map
+};
+
 /** The panels as docks round the map, and how the user has arranged them. */
 class Docks : public WindowPart
 {
@@ -47,15 +55,19 @@ public:
     void openFloating(Dock which, const QSize& best_px) const;
     void openInspector() const;
 
-    /** As the window is now: what `reset` goes back to. */
+    /** As the window is now: what `reset` goes back to, and the layout `Analyse` by itself. */
     void noteDefault();
-    void reset() const;
+    void reset();
+    /** As it was left; the one that is shown now is kept as the user has arranged it. */
+    void showLayout(Layout layout);
+    [[nodiscard]] Layout layout() const { return m_layout; }
     void save() const;
-    void restore() const;
+    void restore();
 
 signals:
     /** A dock has come into sight. */
     void shown();
+    void layoutChanged(berg::Layout layout);
 
 private:
     QDockWidget* add(const char* name, const QString& title, QWidget* content,
@@ -63,7 +75,10 @@ private:
     void addRight();
     void addBottom();
     void addStudies();
+    void arrange(Layout layout) const;
+    void setLayout(Layout layout);
 
+    Layout m_layout = Layout::Analyse;
     std::vector<QDockWidget*> m_docks;
     QByteArray m_defaultLayout;
 };

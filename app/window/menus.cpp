@@ -196,6 +196,7 @@ void Menus::buildViewMenu()
     add(menu, {"solveTimeAction", tr("&Solve time study"), {}, std::nullopt},
         [this] { m_targets.solveTimes.show(); });
     menu.addSeparator();
+    addLayouts(*menu.addMenu(tr("La&youts")));
     QMenu& docks = *menu.addMenu(tr("&Panels"));
     for (const QDockWidget* dock : m_targets.docks.all())
         docks.addAction(dock->toggleViewAction());
@@ -234,6 +235,22 @@ void Menus::buildMapActions(QMenu& menu)
               flight.truthIsShown(), [&flight](bool on) { flight.setTruthShown(on); })
         ->setStatusTip(tr("Where the icebergs are in truth, beside where the observer "
                           "believes them to be; off: only what an operator would see"));
+}
+
+void Menus::addLayouts(QMenu& menu)
+{
+    auto* layouts = new QActionGroup(&menu);
+    const auto addLayout = [&](const char* name, const QString& text, Qt::Key key, Layout layout) {
+        QAction* action = addSwitch(menu, {name, text, QKeySequence(Qt::CTRL | key), std::nullopt},
+                                    m_targets.docks.layout() == layout,
+                                    [this, layout] { m_targets.docks.showLayout(layout); });
+        layouts->addAction(action);
+        connect(&m_targets.docks, &Docks::layoutChanged, action,
+                [action, layout](Layout shown) { action->setChecked(shown == layout); });
+    };
+    addLayout("planLayoutAction", tr("&Plan"), Qt::Key_1, Layout::Plan);
+    addLayout("flyLayoutAction", tr("&Fly"), Qt::Key_2, Layout::Fly);
+    addLayout("analyseLayoutAction", tr("&Analyse"), Qt::Key_3, Layout::Analyse);
 }
 
 void Menus::addPanelMenu(QMenu& menu)

@@ -89,6 +89,7 @@ private:
     void buildHistoryActions(QMenu& menu);
     void buildViewMenu();
     void buildMapActions(QMenu& menu);
+    void addLayouts(QMenu& menu);
     void addPanelMenu(QMenu& menu);
     void buildFlightMenu();
     void buildLookBackActions(QMenu& menu);

@@ -173,6 +173,38 @@ private slots:
         QVERIFY(w.map().grab().toImage() != hidden);
     }
 
+    /** Each for one kind of work, and as it was left. */
+    void layoutsGiveTheMapRoom()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const auto isShown = [&](const QString& name) {
+            return test::child<QDockWidget>(w.window(), name).isVisible();
+        };
+        const auto share = [&] {
+            return double(w.map().width()) * w.map().height() /
+                   (double(w.window().width()) * w.window().height());
+        };
+        QTest::keyClick(&w.map(), Qt::Key_1, Qt::ControlModifier);
+        QTRY_VERIFY2(share() >= 0.6, QByteArray::number(share()));
+        QVERIFY(isShown(u"tradeoffDock"_s) && !isShown(u"zetaDock"_s));
+        QTest::keyClick(&w.map(), Qt::Key_2, Qt::ControlModifier);
+        QTRY_VERIFY2(share() >= 0.6, QByteArray::number(share()));
+        QVERIFY(!isShown(u"tradeoffDock"_s) && isShown(u"zetaDock"_s) && isShown(u"planDock"_s));
+        QVERIFY(w.action(u"flyLayoutAction"_s).isChecked());
+        QVERIFY(!w.action(u"planLayoutAction"_s).isChecked());
+        test::child<QDockWidget>(w.window(), u"eventsDock"_s).hide();
+        QTest::keyClick(&w.map(), Qt::Key_3, Qt::ControlModifier);
+        QTRY_VERIFY(isShown(u"zetaDock"_s) && isShown(u"tradeoffDock"_s));
+        QTest::keyClick(&w.map(), Qt::Key_2, Qt::ControlModifier);
+        QTRY_VERIFY(!isShown(u"tradeoffDock"_s));
+        QVERIFY(!isShown(u"eventsDock"_s)); // as it was left
+        const MainWindow next(w.workspace, w.interaction, w.settings);
+        QVERIFY(test::child<QAction>(next, u"flyLayoutAction"_s).isChecked());
+        w.trigger(u"resetLayoutAction"_s);
+        QTRY_VERIFY(isShown(u"planDock"_s));
+        QVERIFY(!isShown(u"tradeoffDock"_s));
+    }
+
     /** True positions are shown beside estimates, can be hidden, and stay so. */
     void truthIsSwitchedAndRemembered()
     {
