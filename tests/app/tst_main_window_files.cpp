@@ -464,21 +464,6 @@ private slots:
         QCOMPARE(w.settings.value(u"files/recent"_s).toStringList().value(0), path);
     }
 
-    void titleNamesFileAndScenario()
-    {
-        Scenario scenario = test::MapFixture::fourIcebergs();
-        scenario.name = "Grand Banks";
-        WindowFixture w(scenario);
-        QCOMPARE(w.window().windowTitle(), u"Untitled[*] - Grand Banks - Bergwatch"_s);
-        w.interaction.path = w.file(u"mine.berg"_s);
-        w.trigger(u"saveAsAction"_s);
-        QCOMPARE(w.window().windowTitle(), u"mine.berg[*] - Grand Banks - Bergwatch"_s);
-        QVERIFY(!w.window().isWindowModified());
-        w.document().edit(u"Name"_s, [](Scenario& s) { s.name.clear(); });
-        QCOMPARE(w.window().windowTitle(), u"mine.berg[*] - Bergwatch"_s);
-        QVERIFY(w.window().isWindowModified());
-    }
-
     /** Also after another start. */
     void dialogsBeginInTheLastFolder()
     {

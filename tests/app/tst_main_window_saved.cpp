@@ -118,6 +118,21 @@ class TestMainWindowSaved : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    void titleNamesFileAndScenario()
+    {
+        Scenario scenario = test::MapFixture::fourIcebergs();
+        scenario.name = "Grand Banks";
+        WindowFixture w(scenario);
+        QCOMPARE(w.window().windowTitle(), u"Untitled[*] - Grand Banks - Bergwatch"_s);
+        w.interaction.path = w.file(u"mine.berg"_s);
+        w.trigger(u"saveAsAction"_s);
+        QCOMPARE(w.window().windowTitle(), u"mine.berg[*] - Grand Banks - Bergwatch"_s);
+        QVERIFY(!w.window().isWindowModified());
+        w.document().edit(u"Name"_s, [](Scenario& s) { s.name.clear(); });
+        QCOMPARE(w.window().windowTitle(), u"mine.berg[*] - Bergwatch"_s);
+        QVERIFY(w.window().isWindowModified());
+    }
+
     void anyEditOpensAgain_data()
     {
         QTest::addColumn<int>("seed");
