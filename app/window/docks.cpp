@@ -203,10 +203,9 @@ void Docks::arrange(Layout layout) const
         return;
     dock(Dock::Tradeoff)->hide();
     for (const Dock moved : {Dock::Zeta, Dock::Events}) {
-        window().addDockWidget(Qt::RightDockWidgetArea, dock(moved));
+        window().addDockWidget(Qt::RightDockWidgetArea, dock(moved), Qt::Vertical);
         dock(moved)->show();
     }
-    window().splitDockWidget(dock(Dock::Plan), dock(Dock::Zeta), Qt::Vertical);
     window().tabifyDockWidget(dock(Dock::Zeta), dock(Dock::Events));
     dock(Dock::Zeta)->raise();
     dock(Dock::Plan)->raise();
