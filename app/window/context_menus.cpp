@@ -4,6 +4,7 @@
 #include "app/window/menus.h"
 #include "app/window/panels.h"
 #include "widgets/map/paint/map_layout.h"
+#include "widgets/map/view/asset_size.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/model/workspace.h"
@@ -142,8 +143,9 @@ void ContextMenus::placeAsset(const Point& position_m)
         workspace().moveAsset(position_m);
         return;
     }
+    const MapView& map = *panels().map;
     workspace().document().edit(tr("Place asset"), [&](Scenario& scenario) {
-        Asset asset = scenario.asset.value_or(Asset());
+        Asset asset = scenario.asset.value_or(assetFor(map.view(), map.size()));
         asset.position_m = position_m;
         scenario.asset = asset;
     });

@@ -4,6 +4,7 @@
 #include "core/scenario/validate.h"
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/picture/scenario_picture.h"
+#include "widgets/map/view/asset_size.h"
 #include "widgets/map/view/drift_arrow.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/scenario_edits.h"
@@ -313,7 +314,7 @@ void AssetTool::press(const MapPointer& pointer)
         return;
     m_now = pointer;
     const std::optional<Asset>& asset = context().document.scenario().asset;
-    m_asset = asset.value_or(Asset());
+    m_asset = asset.value_or(assetFor(scene.view(), scene.rect().size()));
     const bool isGrabbed = asset && scene.objectAt(pointer.at_px) == kAssetKey;
     m_grip_m = isGrabbed ? Point(pointer.at_m - m_asset.position_m) : Point(Point::Zero());
     m_press = pointer;

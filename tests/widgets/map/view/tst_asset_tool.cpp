@@ -80,6 +80,22 @@ private slots:
         QVERIFY(map.selection.isEmpty());
     }
 
+    /** Also far out: it can be seen and saved. */
+    void ringSuitsTheView()
+    {
+        for (const double zoom : {1.0, 0.05, 1e-9}) {
+            test::MapFixture map;
+            map.view.zoomBy(zoom, QRectF(map.view.rect()).center());
+            map.view.setTool(MapToolKind::Asset);
+            map.click(map.view.rect().center());
+            const double range_m = map.scenario().asset->range_m;
+            const double radius_px = range_m * map.view.view().scale_pxpm();
+            QVERIFY2(radius_px > 0.1 * map.view.height() && radius_px < 0.35 * map.view.height(),
+                     QByteArray::number(radius_px));
+            QVERIFY(!hasErrors(validate(map.scenario())));
+        }
+    }
+
     void aDragIsOneStepAndCanBeTakenBack()
     {
         test::MapFixture map;
