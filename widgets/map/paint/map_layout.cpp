@@ -320,14 +320,14 @@ LabelSurroundings surroundingsOf(const MapLayout& layout, const MapPicture& pict
     LabelSurroundings around;
     around.area = layout.rect.adjusted(3, 3, -3, -3);
     around.solids = layout.overlays();
-    around.disks = layout.icebergs;
     for (std::size_t uav = 0; uav < picture.routes.size(); ++uav)
         for (const QPolygonF& leg : planLegs(picture, layout, uav))
             for (qsizetype i = 1; i < leg.size(); ++i)
                 around.lines.emplace_back(leg[i - 1], leg[i]);
     for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
-        const QLineF arrow = driftArrow(picture, layout, i);
-        if (!arrow.isNull())
+        if (layout.density.marks[i] == IcebergMark::Symbol) // names may lie on dots
+            around.disks.push_back(layout.icebergs[i]);
+        if (const QLineF arrow = driftArrow(picture, layout, i); !arrow.isNull())
             around.lines.push_back(arrow);
     }
     for (const MapUav& uav : picture.uavs) {
