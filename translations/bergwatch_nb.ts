@@ -1239,6 +1239,18 @@
         <source>On the ground until it is told to resume</source>
         <translation>På bakken til den får beskjed om å fortsette</translation>
     </message>
+    <message>
+        <source>%1 is lost</source>
+        <translation>%1 er tapt</translation>
+    </message>
+    <message>
+        <source>%1 is lost, the search was given up</source>
+        <translation>%1 er tapt, letingen er gitt opp</translation>
+    </message>
+    <message>
+        <source>It was not in view where it was expected.</source>
+        <translation>Det var ikke i syne der det var ventet.</translation>
+    </message>
 </context>
 <context>
     <name>HandleDrag</name>
@@ -4245,6 +4257,14 @@
         <source>Stand-off</source>
         <translation>Sikkerhetsavstand</translation>
     </message>
+    <message>
+        <source>Icebergs without room, number of them</source>
+        <translation>Isfjell uten plass, antallet av dem</translation>
+    </message>
+    <message>
+        <source>Without room</source>
+        <translation>Uten plass</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -4996,6 +5016,10 @@
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
+    <message>
+        <source>Run complete</source>
+        <translation>Flyging fullført</translation>
+    </message>
 </context>
 <context>
     <name>PolicyText</name>
@@ -5236,8 +5260,8 @@
         <translation>Klikk velger. Under flyging kan spissen av vindpilen og objektet dras.</translation>
     </message>
     <message>
-        <source>Click selects. The scenario is locked while flying.</source>
-        <translation>Klikk velger. Scenarioet er låst under flyging.</translation>
+        <source>Click selects. Stop and edit to change the scenario.</source>
+        <translation>Klikk velger. Stopp og rediger for å endre scenariet.</translation>
     </message>
 </context>
 <context>
@@ -5689,6 +5713,42 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Remove no-fly area</source>
         <translation>Fjern flyforbudsområdet</translation>
     </message>
+    <message>
+        <source>Copy coordinates: %1</source>
+        <translation>Kopier koordinater: %1</translation>
+    </message>
+    <message>
+        <source>Copied %1</source>
+        <translation>Kopierte %1</translation>
+    </message>
+    <message>
+        <source>Centre the map here</source>
+        <translation>Sentrer kartet her</translation>
+    </message>
+    <message>
+        <source>Measure from here</source>
+        <translation>Mål herfra</translation>
+    </message>
+    <message>
+        <source>Place asset</source>
+        <translation>Plasser objektet</translation>
+    </message>
+    <message>
+        <source>Unfold</source>
+        <translation>Fold ut</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Fold sammen</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Skjul</translation>
+    </message>
+    <message>
+        <source>Asset here</source>
+        <translation>Objekt her</translation>
+    </message>
 </context>
 <context>
     <name>berg::DifferenceChart</name>
@@ -6011,6 +6071,89 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Page</source>
         <translation>Side</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FlightCard</name>
+    <message>
+        <source>Run complete</source>
+        <translation>Flyging fullført</translation>
+    </message>
+    <message>
+        <source>Result of the run</source>
+        <translation>Resultat av flygingen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Lukk</translation>
+    </message>
+    <message>
+        <source>Closes this card until the next run ends.</source>
+        <translation>Lukker dette kortet til neste flyging er slutt.</translation>
+    </message>
+    <message>
+        <source>Zeta ζ</source>
+        <translation>Zeta ζ</translation>
+    </message>
+    <message>
+        <source>Against prediction</source>
+        <translation>Mot forutsigelsen</translation>
+    </message>
+    <message>
+        <source>ζ against what was predicted before take-off for the policy.</source>
+        <translation>ζ mot det som ble forutsagt for strategien før avgang.</translation>
+    </message>
+    <message>
+        <source>Lower bound</source>
+        <translation>Nedre grense</translation>
+    </message>
+    <message>
+        <source>No flight can have a lower ζ in this world, whatever the policy.</source>
+        <translation>Ingen flyging kan ha en lavere ζ i denne verdenen, uansett strategi.</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøk</translation>
+    </message>
+    <message>
+        <source>Targets reached.</source>
+        <translation>Mål som er nådd.</translation>
+    </message>
+    <message>
+        <source>Longest unseen</source>
+        <translation>Lengst usett</translation>
+    </message>
+    <message>
+        <source>The iceberg that was out of view longest.</source>
+        <translation>Isfjellet som var lengst ute av syne.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Sammenlign</translation>
+    </message>
+    <message>
+        <source>Sets the run beside others.</source>
+        <translation>Stiller flygingen ved siden av andre.</translation>
+    </message>
+    <message>
+        <source>Save run</source>
+        <translation>Lagre flyging</translation>
+    </message>
+    <message>
+        <source>Keeps the run in a file.</source>
+        <translation>Tar vare på flygingen i en fil.</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Exports the charts of the run as a page.</source>
+        <translation>Eksporterer kurvene fra flygingen som en side.</translation>
+    </message>
+    <message>
+        <source>%1 m² s</source>
+        <translation>%1 m² s</translation>
     </message>
 </context>
 <context>
@@ -7165,6 +7308,30 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>&amp;Wind</source>
         <translation>&amp;Vind</translation>
     </message>
+    <message>
+        <source>Flight brie&amp;f...</source>
+        <translation>&amp;Flygeark …</translation>
+    </message>
+    <message>
+        <source>Copy p&amp;icture of the map</source>
+        <translation>Kopier &amp;bilde av kartet</translation>
+    </message>
+    <message>
+        <source>La&amp;youts</source>
+        <translation>&amp;Arrangement</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Planlegg</translation>
+    </message>
+    <message>
+        <source>&amp;Fly</source>
+        <translation>F&amp;lyg</translation>
+    </message>
+    <message>
+        <source>&amp;Analyse</source>
+        <translation>&amp;Analyser</translation>
+    </message>
 </context>
 <context>
     <name>berg::MissionRunner</name>
@@ -7470,6 +7637,14 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <source>Lower bound on ζ: %1 m² s, %2 % computed</source>
         <translation>Nedre grense for ζ: %1 m² s, %2 % beregnet</translation>
     </message>
+    <message>
+        <source>ζ at the end: %1 m² s</source>
+        <translation>ζ ved slutten: %1 m² s</translation>
+    </message>
+    <message>
+        <source>The run is complete.</source>
+        <translation>Flygingen er fullført.</translation>
+    </message>
 </context>
 <context>
     <name>berg::PlanReadoutView</name>
@@ -7613,8 +7788,8 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Scenarioet er låst under flyging. τ og strategi kan endres under flyging; planen følger med straks.</translation>
     </message>
     <message>
-        <source>Scenario locked in flight</source>
-        <translation>Scenarioet er låst under flyging</translation>
+        <source>Scenario locked</source>
+        <translation>Scenariet er låst</translation>
     </message>
 </context>
 <context>
@@ -7856,6 +8031,10 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
             <numerusform>Eksporterte %n fil</numerusform>
             <numerusform>Eksporterte %n filer</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Picture of the map copied</source>
+        <translation>Bilde av kartet er kopiert</translation>
     </message>
 </context>
 <context>
@@ -8474,6 +8653,14 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <source>Fly Figure 5 of the paper</source>
         <translation>Fly figur 5 i artikkelen</translation>
     </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Bruk %1</translation>
+    </message>
+    <message>
+        <source>Planned with %1</source>
+        <translation>Planlagt med %1</translation>
+    </message>
 </context>
 <context>
     <name>berg::StudyPanel</name>
@@ -8614,6 +8801,22 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>Choose a point of the picture or a setting, then a case.</source>
         <translation>Velg et punkt i bildet eller en innstilling, deretter et tilfelle.</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Bruk %1</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Bruk</translation>
+    </message>
+    <message>
+        <source>Plans the scenario on the map with this setting.</source>
+        <translation>Planlegger scenariet på kartet med denne innstillingen.</translation>
+    </message>
+    <message>
+        <source>Choose a point of the picture or a setting.</source>
+        <translation>Velg et punkt i bildet eller en innstilling.</translation>
     </message>
 </context>
 <context>
