@@ -168,6 +168,7 @@ void Docks::openFloating(Dock which, const QSize& best_px) const
     QDockWidget& opened = *dock(which);
     if (!opened.isVisible()) {
         opened.setFloating(true);
+        opened.setWindowFlags(Qt::Window); // of its own: it can be below others, large, an icon
         opened.resize((best_px + kStudyFrame_px).boundedTo(window().screen()->availableSize()));
         opened.move(window().geometry().center() - opened.rect().center());
     }

@@ -6,6 +6,7 @@
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/study/solve_time_panel.h"
 #include "widgets/panels/study/study_panel.h"
+#include "widgets/words/policy_words.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -79,11 +80,36 @@ class TestMainWindowStudy : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    /** The map is planned with it, in one step. */
+    void settingOfTheStudyIsTakenOver()
+    {
+        StudyWindow w;
+        QVERIFY(w.flyStudy(test::quickStudy(2)));
+        auto& settings = w.get<QTableView>(u"studySettings"_s);
+        QVERIFY(settings.model()->rowCount() > 2);
+        int used = 0;
+        for (int row = 0; row < settings.model()->rowCount(); ++row) {
+            settings.selectRow(row);
+            if (!w.get<QPushButton>(u"useStudySetting"_s).isEnabled())
+                continue; // the best of each case is no setting
+            ++used;
+            const int edits = w.document().undoStack()->index();
+            const PlannerSettings before = w.scenario().planner;
+            w.click(u"useStudySetting"_s);
+            QCOMPARE(w.get<QPushButton>(u"useStudySetting"_s).text(),
+                     u"Use "_s + shortPolicyText(w.scenario().planner, QLocale()));
+            QCOMPARE(w.document().undoStack()->index() - edits,
+                     w.scenario().planner == before ? 0 : 1);
+        }
+        QVERIFY(used > 2);
+    }
+
     void dockOpensWithRoom()
     {
         StudyWindow w;
         auto& dock = w.get<QDockWidget>(u"studyDock"_s);
         QVERIFY(dock.isVisible() && dock.isFloating());
+        QCOMPARE(dock.windowType(), Qt::Window); // not a tool in front of the map
         const QSize best = w.get<StudyPanel>({}).sizeHint();
         const QSize screen = w.window().screen()->availableSize();
         QVERIFY(dock.width() >= std::min(best.width(), screen.width()));
