@@ -75,7 +75,7 @@ bool takeCopy()
         return false;
     }
     QMainWindow* window = mainWindow();
-    if (window == nullptr || !window->windowTitle().startsWith(u"Random field 3"_s))
+    if (window == nullptr || !window->windowTitle().contains(u" - Random field 3"_s))
         return false;
     const bool isCopy = asked && window->windowFilePath().isEmpty();
     QApplication::exit(isCopy ? 0 : 1);
