@@ -464,7 +464,6 @@ private slots:
         QCOMPARE(w.settings.value(u"files/recent"_s).toStringList().value(0), path);
     }
 
-    /** Also after another start. */
     void dialogsBeginInTheLastFolder()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
@@ -474,12 +473,11 @@ private slots:
         QString begun;
         const auto answer = [&](const QString& file) {
             auto* look = new QTimer(&w.window());
-            look->start(1);
+            look->start();
             QObject::connect(look, &QTimer::timeout, &w.window(), [&begun, file, look] {
                 auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-                if (dialog == nullptr || !dialog->isVisible())
+                if (dialog == nullptr)
                     return;
-                look->deleteLater();
                 look->stop();
                 begun = dialog->directory().absolutePath();
                 test::child<QLineEdit>(*dialog, u"fileNameEdit"_s).setText(file);

@@ -1,7 +1,6 @@
 #include "widgets/panels/flight/flight_card.h"
 
 #include "core/study/statistics.h"
-#include "widgets/map/paint/map_overlays.h"
 #include "widgets/model/compared_run.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
@@ -24,6 +23,7 @@ namespace {
 constexpr int kEdge_px = 12;
 constexpr int kAboveScale_px = 74; ///< scale bar and margins below it
 constexpr int kPadding_px = 12;
+constexpr double kRadius_px = 7;
 
 /** Of the flight as it was chosen at take-off; in flight nothing was changed. */
 std::optional<double> predictionOf(const ComparedRun& run, const PolicyForecastList& forecasts)
@@ -183,7 +183,9 @@ void FlightCard::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    paintPanel(painter, rect(), m_theme);
+    painter.setPen(QPen(m_theme.panelLine, 1));
+    painter.setBrush(m_theme.panel);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kRadius_px, kRadius_px);
 }
 
 void FlightCard::mousePressEvent(QMouseEvent* event)
