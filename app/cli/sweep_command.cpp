@@ -15,7 +15,7 @@ namespace berg::cli {
 
 namespace {
 
-/** "0:5:0.5" or "0,0.5,1" or both mixed; the end of a range is included. */
+/** "0:5:0.5" or "0,0.5,1" or both mixed; the end of a range is included. 100 000 values in all. */
 std::vector<double> tausOf(const std::string& text)
 {
     constexpr std::size_t kMost = 100000;
@@ -27,8 +27,11 @@ std::vector<double> tausOf(const std::string& text)
         const double last = range.size() > 1 ? numberOf("--tau", range[1]) : first;
         const double step = range.size() > 2 ? numberOf("--tau", range[2]) : 1;
         if (range.size() == 2 || range.size() > 3 || !(step > 0) || first < 0 || last < first ||
-            last > 100 || (last - first) / step > static_cast<double>(kMost))
+            last > 100)
             throw UsageError{"--tau: " + part + " is not A:B:STEP with 0 <= A <= B <= 100"};
+        if (static_cast<double>(taus.size()) + (last - first) / step >= static_cast<double>(kMost))
+            throw UsageError{"--tau: " + part + " makes it more than " + std::to_string(kMost) +
+                             " values"};
         const auto count = static_cast<int>(std::floor((last - first) / step + 1e-9));
         for (int k = 0; k <= count; ++k)
             taus.push_back(std::round((first + k * step) * kPerUnit) / kPerUnit);

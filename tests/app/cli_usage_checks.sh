@@ -44,6 +44,11 @@ for words in "sweep four.berg --tau nan" "sweep four.berg --tau 0:nan:1" "import
     check "$words" exits 2 "$cli" $words
 done
 
+check "too many taus" exits 2 "$cli" sweep four.berg --tau 0:100:1e-9
+check "too many taus: says so" says "--tau: 0:100:1e-9 makes it more than 100000 values"
+# Each range by itself is short enough; all of them would be 2.4 GB.
+check "too many taus in sum" exits 2 "$cli" sweep four.berg --tau "$(yes 0:100:0.001 | head -3000 | paste -sd,)"
+
 # --- help ------------------------------------------------------------------------------------
 check "help" exits 0 "$cli" help
 check "help: is --help" cmp -s stdout.txt <("$cli" --help)
