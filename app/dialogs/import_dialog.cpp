@@ -210,7 +210,8 @@ void ImportDialog::request(bool atOnce)
 {
     m_runner.start({.path = m_offer.path,
                     .reading = {.format = m_format->currentData().toString().toStdString(),
-                                .mapping = m_columns->mapping()},
+                                .mapping = m_columns->mapping(),
+                                .dates = m_options->dates()},
                     .oneIceberg = m_options->oneIceberg(),
                     .base = m_options->intoNew() ? m_new : m_offer.present,
                     .options = m_options->options()},
@@ -281,10 +282,14 @@ void ImportDialog::showState()
     m_rejectedTable->setEnabled(!busy);
     m_import->setEnabled(usable);
     m_legend->setVisible(usable);
-    QString scene = usable ? sceneSummary(m_preview->result.scene) : QString();
+    QStringList lines;
     if (usable && !m_preview->file->guessedDate.empty())
-        scene = guessedDateText(m_preview->file->guessedDate, m_preview->file->guessedLine) +
-                (scene.isEmpty() ? scene : u'\n' + scene);
+        lines << guessedDateText(m_preview->file->guessedDate, m_preview->file->guessedLine);
+    if (usable && !m_preview->result.scene.empty())
+        lines << sceneSummary(m_preview->result.scene);
+    if (usable && m_preview->result.observerSet)
+        lines << tr("Velocities are not known exactly, so the observer becomes the Kalman filter.");
+    const QString scene = lines.join(u'\n');
     m_scene->setText(scene);
     m_scene->setToolTip(scene); // all of it, where it is wider than the dialog
     m_scene->setVisible(!scene.isEmpty());

@@ -124,7 +124,7 @@ void ImportLoader::forget()
 void ImportLoader::readTable(const ImportRequest& request, const std::stop_token& stop)
 {
     if (m_reading && m_reading->format == request.reading.format &&
-        m_reading->mapping == request.reading.mapping)
+        m_reading->mapping == request.reading.mapping && m_reading->dates == request.reading.dates)
         return;
     m_reading.reset();
     m_table = {};

@@ -9,7 +9,6 @@
 
 #include <stdexcept>
 #include <string_view>
-#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -254,18 +253,8 @@ QString exportNoteText(const ExportNote& note, const QLocale& locale)
 
 QString exportRefusalText(const Error& error)
 {
-    // Of the core's options, called as the dialog calls them.
-    static constexpr std::pair<std::string_view, const char*> kOptions[] = {
-        {"altitude", QT_TRANSLATE_NOOP("ExportText", "Altitude")},
-        {"speed", QT_TRANSLATE_NOOP("ExportText", "Airspeed")},
-        {"acceptance", QT_TRANSLATE_NOOP("ExportText", "Acceptance radius")},
-        {"loiter", QT_TRANSLATE_NOOP("ExportText", "Loiter turns")},
-        {"what", QT_TRANSLATE_NOOP("ExportText", "What")}};
-    for (const auto& [option, name] : kOptions)
-        if (error.subject() == option)
-            return u"%1: %2"_s.arg(QCoreApplication::translate("ExportText", name),
-                                   issueLines(error).join(u'\n'));
-    return errorReport(error);
+    const QStringList lines = optionIssueLines(error, "export");
+    return lines.empty() ? errorReport(error) : lines.join(u'\n');
 }
 
 } // namespace berg

@@ -296,12 +296,14 @@ QString sceneSummary(const std::vector<SceneFinding>& findings)
 QString guessedDateText(const std::string& date, std::size_t line)
 {
     return ImportWords::tr("Line %1: %2 is read month first, which nothing in the file tells. "
-                           "Write dates as 2021-05-02 if the day comes first.")
+                           "Choose under Dates if the day comes first.")
         .arg(QString::number(line), QString::fromStdString(date));
 }
 
 QString importErrorReport(const Error& error)
 {
+    if (const QStringList lines = optionIssueLines(error, "import"); !lines.empty())
+        return lines.join(u'\n');
     QString report =
         u"%1: %2"_s.arg(QString::fromStdString(error.subject()), errorSentence(error.code()));
     return report + u'\n' + issueLines(error).join(u'\n');

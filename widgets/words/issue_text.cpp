@@ -352,6 +352,25 @@ QStringList issueLines(const Error& error)
     return lines;
 }
 
+QStringList optionIssueLines(const Error& error, const std::string& dialog)
+{
+    QStringList lines;
+    for (Issue issue : error.issues()) {
+        issue.field = dialog + '.' + (error.subject() == dialog ? issue.field : error.subject());
+        const QString option = fieldName(issue.field);
+        if (option == QString::fromStdString(issue.field))
+            return {};
+        for (IssueArgument& argument : issue.reason.arguments)
+            if (auto* const other = std::get_if<std::string>(&argument))
+                if (const QString name = fieldName(dialog + '.' + *other);
+                    !name.startsWith(QString::fromStdString(dialog + '.')))
+                    *other = '"' + name.toStdString() + '"';
+        const QString text = issueText(issue);
+        lines << (text.startsWith(option) ? text : u"%1: %2"_s.arg(option, text));
+    }
+    return lines;
+}
+
 QString issueLine(const Issue& issue, const Scenario& scenario)
 {
     QString owner = nameOfEntry(issue, "icebergs", scenario.icebergs);

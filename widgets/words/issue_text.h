@@ -21,6 +21,12 @@ namespace berg {
 [[nodiscard]] QString placedIssueText(const Issue& issue);
 [[nodiscard]] QStringList issueLines(const Error& error);
 
+/**
+ * Faults of the options of a dialog, called as it calls them (`fieldName` of `dialog`.option): the
+ * fields of an error whose subject is the dialog, or the subject itself. Empty: of something else.
+ */
+[[nodiscard]] QStringList optionIssueLines(const Error& error, const std::string& dialog);
+
 /** The finding after the name of the iceberg or UAV it is about, where it is about one. */
 [[nodiscard]] QString issueLine(const Issue& issue, const Scenario& scenario);
 

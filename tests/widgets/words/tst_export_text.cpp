@@ -1,4 +1,5 @@
 #include "widgets/words/export_text.h"
+#include "widgets/words/import_text.h"
 
 #include <QSet>
 #include <QtTest>
@@ -85,8 +86,24 @@ private slots:
     {
         const Error slow(ErrorCode::InvalidInput, "speed", {IssueId::SlowerThanWind});
         QCOMPARE(exportRefusalText(slow), u"Airspeed: must be above the speed of the wind"_s);
+        const Error low(ErrorCode::InvalidInput, "altitude",
+                        {IssueId::OutOfRange, {1.0, 500.0, -5.0}});
+        QCOMPARE(exportRefusalText(low), u"Altitude must be from 1 m to 500 m, not -5 m."_s);
+        const Error endless(ErrorCode::InvalidInput, "speed", {IssueId::NotFinite});
+        QCOMPARE(exportRefusalText(endless), u"Airspeed must be a finite number."_s);
         const Error full(ErrorCode::FileUnwritable, "a.kml", {IssueId::CannotMake});
         QVERIFY(exportRefusalText(full).startsWith(u"a.kml: "_s));
+    }
+
+    /** Options that cannot be met are called as the dialog calls them. */
+    void optionsAreNamed()
+    {
+        const Error error(
+            ErrorCode::InvalidInput, "import",
+            {{Severity::Error, "until", {IssueId::BeforeOther, {"since"}}},
+             {Severity::Error, "area: north", {IssueId::OutOfRange, {50., 90., 40.}}}});
+        QCOMPARE(importErrorReport(error), u"Not after: must not be before \"Not before\"\n"
+                                           "North must be from 50° to 90°, not 40°."_s);
     }
 };
 

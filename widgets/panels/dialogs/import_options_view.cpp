@@ -73,6 +73,7 @@ ImportOptionsView::ImportOptionsView(const QString& presentName, bool intoNew, Q
     m_form->setVerticalSpacing(kGap_px);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     addTarget(presentName, intoNew);
+    addDates();
     m_at = addTime(u"importAt"_s, tr("S&tart at"),
                    tr("UTC time that becomes the start of the scenario. Otherwise the last "
                       "sighting is."));
@@ -113,6 +114,21 @@ void ImportOptionsView::addTarget(const QString& presentName, bool intoNew)
     guardWheel(*m_target);
     connect(m_target, &QComboBox::currentIndexChanged, this, &ImportOptionsView::edited);
     m_form->addRow(tr("&Into"), m_target);
+}
+
+/** Seen when the file leaves it open. */
+void ImportOptionsView::addDates()
+{
+    m_dates = new QComboBox;
+    m_dates->setObjectName(u"importDates"_s);
+    m_dates->addItem(tr("Automatic"));
+    m_dates->addItem(tr("Month first: 12/31/2021"), static_cast<int>(DateOrder::MonthFirst));
+    m_dates->addItem(tr("Day first: 31/12/2021"), static_cast<int>(DateOrder::DayFirst));
+    m_dates->setToolTip(tr("How dates such as 05/02/2021 are meant."));
+    guardWheel(*m_dates);
+    connect(m_dates, &QComboBox::currentIndexChanged, this, &ImportOptionsView::edited);
+    m_form->addRow(tr("Dat&es"), m_dates);
+    m_form->setRowVisible(m_dates, false);
 }
 
 ImportOptionsView::TimeRow ImportOptionsView::addTime(const QString& name, const QString& text,
@@ -221,6 +237,8 @@ void ImportOptionsView::showFile(const SightingSummary& file)
 {
     m_one->setVisible(!file.namesIcebergs && file.sightings > 1);
     m_one->setChecked(file.oneIceberg);
+    if (!file.guessedDate.empty())
+        m_form->setRowVisible(m_dates, true);
     if (!m_errorChosen)
         m_error->showValue(file.positionSd_m);
     if (m_timesShown || !file.first || !file.last)
@@ -252,6 +270,12 @@ void ImportOptionsView::setArea(const GeoBox& box)
 bool ImportOptionsView::intoNew() const
 {
     return m_target->currentIndex() == 1;
+}
+
+std::optional<DateOrder> ImportOptionsView::dates() const
+{
+    const QVariant chosen = m_dates->currentData();
+    return chosen.isValid() ? std::optional(static_cast<DateOrder>(chosen.toInt())) : std::nullopt;
 }
 
 ImportOptions ImportOptionsView::options() const

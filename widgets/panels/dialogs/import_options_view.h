@@ -33,8 +33,10 @@ public:
     [[nodiscard]] bool intoNew() const;
     /** None: as the file suggests. */
     [[nodiscard]] std::optional<bool> oneIceberg() const { return m_oneChosen; }
+    /** How 05/02/2021 is meant; none: as the file suggests. */
+    [[nodiscard]] std::optional<DateOrder> dates() const;
 
-    /** Times to start from, and whether there is a choice about unnamed icebergs. */
+    /** Times to start from, and whether there is a choice about unnamed icebergs and dates. */
     void showFile(const SightingSummary& file);
     void setArea(const GeoBox& box);
 
@@ -49,6 +51,7 @@ private:
         QCheckBox* box = nullptr;
         QDateTimeEdit* edit = nullptr;
     };
+    void addDates();
     void addTarget(const QString& presentName, bool intoNew);
     TimeRow addTime(const QString& name, const QString& text, const QString& toolTip);
     void addArea();
@@ -59,6 +62,7 @@ private:
 
     QFormLayout* m_form = nullptr;
     QComboBox* m_target = nullptr;
+    QComboBox* m_dates = nullptr;
     TimeRow m_at;
     TimeRow m_since;
     TimeRow m_until;
