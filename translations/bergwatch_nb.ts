@@ -836,6 +836,38 @@
         <source>Corner of the no-fly area</source>
         <translation>Hjørne i flyforbudsområdet</translation>
     </message>
+    <message>
+        <source>South</source>
+        <translation>Sør</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>West</source>
+        <translation>Vest</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Øst</translation>
+    </message>
+    <message>
+        <source>Start at</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Not before</source>
+        <translation>Ikke før</translation>
+    </message>
+    <message>
+        <source>Not after</source>
+        <translation>Ikke etter</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origo</translation>
+    </message>
 </context>
 <context>
     <name>FileNames</name>
@@ -2043,8 +2075,8 @@
         <translation>%1 flyforbudsområder (en UAV starter eller lander i dem, eller høydene er feil)</translation>
     </message>
     <message>
-        <source>Line %1: %2 is read month first, which nothing in the file tells. Write dates as 2021-05-02 if the day comes first.</source>
-        <translation>Linje %1: %2 leses med måneden først, noe ingenting i filen sier. Skriv datoer som 2021-05-02 hvis dagen kommer først.</translation>
+        <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
+        <translation>Linje %1: %2 leses med måneden først, noe ingenting i filen sier. Velg under Datoer hvis dagen kommer først.</translation>
     </message>
 </context>
 <context>
@@ -6541,6 +6573,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Rejected rows (first %1 of %2)</source>
         <translation>Avviste rader (de første %1 av %2)</translation>
     </message>
+    <message>
+        <source>Velocities are not known exactly, so the observer becomes the Kalman filter.</source>
+        <translation>Hastighetene er ikke nøyaktig kjent, så observatøren blir Kalman-filteret.</translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportOptionsView</name>
@@ -6659,6 +6695,26 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Time in which a drift that was known is known no more. 0: never.</source>
         <translation>Tiden som går før en kjent drift ikke er kjent lenger. 0: aldri.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Month first: 12/31/2021</source>
+        <translation>Måneden først: 12/31/2021</translation>
+    </message>
+    <message>
+        <source>Day first: 31/12/2021</source>
+        <translation>Dagen først: 31/12/2021</translation>
+    </message>
+    <message>
+        <source>How dates such as 05/02/2021 are meant.</source>
+        <translation>Hvordan datoer som 05/02/2021 er ment.</translation>
+    </message>
+    <message>
+        <source>Dat&amp;es</source>
+        <translation>Dato&amp;er</translation>
     </message>
 </context>
 <context>
