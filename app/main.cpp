@@ -10,6 +10,7 @@
 #include <QCommandLineParser>
 #include <QFile>
 #include <QHashSeed>
+#include <QIcon>
 #include <QRegularExpression>
 #include <QTextStream>
 
@@ -221,6 +222,8 @@ int main(int argc, char* argv[])
     std::setlocale(LC_NUMERIC, "C"); // which the constructor set to the user's; files are in C
     QApplication::setApplicationName(u"bergwatch"_s);
     QApplication::setApplicationVersion(QStringLiteral(BERGWATCH_VERSION));
+    QApplication::setDesktopFileName(u"org.bergwatch.bergwatch"_s);
+    QApplication::setWindowIcon(QIcon(u":/icon/bergwatch.svg"_s));
     berg::installLanguage({});
 
     const Options options;
@@ -235,7 +238,7 @@ int main(int argc, char* argv[])
     parser.addOptions({options.pictures, options.force, options.size, options.theme,
                        options.screenshot, options.at, options.config});
     parser.addPositionalArgument(Main::tr("file"),
-                                 Main::tr("A run (.bergrun) or a scenario (.berg)."));
+                                 Main::tr("A scenario (.berg), run (.bergrun) or study (.bergstudy)."));
     if (!parser.parse(QApplication::arguments())) {
         print(stderr, parser.errorText());
         return kWrongUsage;

@@ -4028,10 +4028,6 @@
         <translation>fil</translation>
     </message>
     <message>
-        <source>A run (.bergrun) or a scenario (.berg).</source>
-        <translation>En tur (.bergrun) eller et scenario (.berg).</translation>
-    </message>
-    <message>
         <source>Name one run or scenario file; %1 were named.</source>
         <translation>Oppgi én tur- eller scenariofil; %1 ble oppgitt.</translation>
     </message>
@@ -4074,6 +4070,10 @@
     <message>
         <source>The command &quot;export&quot; writes plans and flights as files, maps, charts and briefs: see &quot;bergwatch export --help&quot;.</source>
         <translation>Kommandoen «export» skriver planer og flyginger som filer, kart, diagrammer og flygeark: se «bergwatch export --help».</translation>
+    </message>
+    <message>
+        <source>A scenario (.berg), run (.bergrun) or study (.bergstudy).</source>
+        <translation>Et scenario (.berg), en kjøring (.bergrun) eller en studie (.bergstudy).</translation>
     </message>
 </context>
 <context>
