@@ -237,8 +237,8 @@ int main(int argc, char* argv[])
     const QCommandLineOption version = parser.addVersionOption();
     parser.addOptions({options.pictures, options.force, options.size, options.theme,
                        options.screenshot, options.at, options.config});
-    parser.addPositionalArgument(Main::tr("file"),
-                                 Main::tr("A scenario (.berg), run (.bergrun) or study (.bergstudy)."));
+    parser.addPositionalArgument(
+        Main::tr("file"), Main::tr("A scenario (.berg), run (.bergrun) or study (.bergstudy)."));
     if (!parser.parse(QApplication::arguments())) {
         print(stderr, parser.errorText());
         return kWrongUsage;
