@@ -104,8 +104,9 @@ private:
             entries.places[k] = places[place];
             const std::size_t end = places[(place + 1) % places.size()];
             const std::size_t n = cycle.size();
-            const std::size_t steps = (end + n - places[place] - 1) % n + 1; // the whole when alone
-            entries.waiting += waiting(uav(k), cycle, places[place], steps);
+            const std::size_t steps = (end + n - places[place]) % n;
+            const bool alone = m_uavs.size() == 1;
+            entries.waiting += waiting(uav(k), cycle, places[place], alone ? n : steps);
         }
         return entries;
     }
