@@ -78,8 +78,10 @@ void limitMemory([[maybe_unused]] const std::optional<std::int64_t>& most_bytes)
 
 CbcFrame answerTo(const CbcFrame& request)
 {
-    if (request.kind == CbcFrameKind::Partition)
+    if (request.kind == CbcFrameKind::Partition) {
+        limitMemory(SolveOptions().memoryLimit_bytes);
         return cbcFrame(bestPartition(cbcPartitionOf(request)));
+    }
     CbcProblem asked = cbcProblemOf(request);
     limitMemory(asked.options.memoryLimit_bytes);
     asked.options.onProgress = [](const SolveProgress& progress) { say(cbcFrame(progress)); };
@@ -103,11 +105,11 @@ int main(int argc, char* argv[])
         endWithTheAsker();
         say(answerTo(request));
     } catch (const Error& error) {
-        say(cbcFailure(std::string(error.what()).substr(error.subject().size() + 2)));
+        say(cbcFrame(CbcFailure{std::string(error.what()).substr(error.subject().size() + 2)}));
     } catch (const std::bad_alloc&) {
-        say(cbcFailure("CBC has run out of memory"));
+        say(cbcFrame(CbcFailure{"CBC has run out of memory", true}));
     } catch (const std::exception& fault) {
-        say(cbcFailure(fault.what()));
+        say(cbcFrame(CbcFailure{fault.what()}));
     }
     _exit(0); // not through destructors: another thread waits for the asker
 }

@@ -7,6 +7,8 @@
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/flight_card.h"
 
+#include <utility>
+
 namespace berg {
 
 RunEnd::RunEnd(WindowContext& context, const Docks& docks, ResultFiles& results)
@@ -36,10 +38,12 @@ void RunEnd::setTheme(const Theme& theme)
 void RunEnd::showEnd()
 {
     const bool isFinished = workspace().record().now.phase == RunPhase::Finished;
-    m_isClosed = m_isClosed && isFinished;
+    const bool isOther = std::exchange(m_generation, workspace().record().now.generation) !=
+                         workspace().record().now.generation;
+    m_isClosed = m_isClosed && isFinished && !isOther;
     if (!isFinished || m_isClosed || workspace().lookedAt_s())
         m_card->hide();
-    else if (m_card->isHidden())
+    else if (m_card->isHidden() || isOther)
         tell();
 }
 

@@ -25,7 +25,8 @@ private:
     void tell();
 
     FlightCard* m_card;
-    bool m_isClosed = false; ///< by the user, for this run
+    bool m_isClosed = false;        ///< by the user, for this run
+    std::uint64_t m_generation = 0; ///< the run that is told of
 };
 
 } // namespace berg

@@ -70,6 +70,8 @@ void StudyFlights::use(const StudySetting& setting)
         workspace().setPolicy(setting.policy);
         if (setting.tau)
             workspace().setTau(*setting.tau);
+        if (!workspace().mayIntervene())
+            return; // refused, and told so
     } else {
         workspace().document().edit(text, [&](Scenario& scenario) {
             scenario.planner.policy = setting.policy;

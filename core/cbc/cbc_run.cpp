@@ -84,6 +84,15 @@ void CbcRun::report() const
         m_watch.report(m_best, m_bestObjective, m_bound);
 }
 
+void CbcRun::reportNowAndThen()
+{
+    constexpr double kEvery_s = 0.1;
+    if (m_stopwatch.elapsed_s() < m_reported_s + kEvery_s)
+        return;
+    report();
+    m_reported_s = m_stopwatch.elapsed_s();
+}
+
 void CbcRun::rethrow() const
 {
     if (m_failure)

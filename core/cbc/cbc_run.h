@@ -53,6 +53,8 @@ public:
 
     /** Reports incumbent and bound to the caller. */
     void report() const;
+    /** The same at most ten times a second: who asked knows the bound whenever it ends. */
+    void reportNowAndThen();
 
     /** Runs the body of a callback. What it throws may not pass through COIN: it ends the solve. */
     template <typename Body>
@@ -75,6 +77,7 @@ private:
     double m_scale;
     SolveWatch m_watch;
     Stopwatch m_stopwatch;
+    double m_reported_s = 0;
     const CbcModel* m_main = nullptr;
     VisitOrder m_best;
     double m_bestObjective = 0;

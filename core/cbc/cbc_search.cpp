@@ -55,7 +55,10 @@ public:
             // Only then the bound is that of all open nodes.
             if (which == treeStatus && !stopping)
                 m_run->raiseBound(model_->getBestPossibleObjValue());
-            m_run->guard([this] { harvestFrom(*m_run, *model_); });
+            m_run->guard([this] {
+                harvestFrom(*m_run, *model_);
+                m_run->reportNowAndThen();
+            });
         }
         return stopping ? stop : noAction;
     }

@@ -96,12 +96,20 @@ std::vector<double> sightingsOf(const DescribedPlan& described, std::size_t iceb
     return times_s;
 }
 
-/** A UAV whose plan sees nothing but what it searches for is sent by it all the same: it has the
- * nearest of what it may have and no other UAV's plan begins with. */
-void giveToEach(std::vector<int>& owner, std::span<const CoverageModel> models,
-                const PlanRequest& request, std::span<const CoveragePlan> plans)
+/** A UAV whose plan sees nothing but what it searches for has the nearest iceberg that it may have,
+ * with which no other UAV's plan begins and which is not the only one of another: so it is sent by
+ * its plan, unless there are too few icebergs. */
+void assignToEach(std::vector<int>& owner, std::span<const CoverageModel> models,
+                  const PlanRequest& request, std::span<const CoveragePlan> plans)
 {
     std::vector<bool> isFirst(owner.size(), false);
+    std::vector<int> count(plans.size(), 0);
+    for (const int uav : owner)
+        if (uav >= 0)
+            ++count[static_cast<std::size_t>(uav)];
+    const auto mayLose = [&](int uav) {
+        return uav < 0 || count[static_cast<std::size_t>(uav)] > 1;
+    };
     for (std::size_t u = 0; u < plans.size(); ++u)
         if (const int iceberg = firstIceberg(plans[u]); iceberg >= 0)
             isFirst[static_cast<std::size_t>(models[u].icebergAt(iceberg))] = true;
@@ -111,14 +119,18 @@ void giveToEach(std::vector<int>& owner, std::span<const CoverageModel> models,
         bool hasOne = plans[u].empty();
         for (std::size_t k = 0; k < owner.size(); ++k) {
             hasOne = hasOne || (owner[k] == static_cast<int>(u) && own.available[k]);
-            if (own.available[k] && !isFirst[k] &&
+            if (own.available[k] && !isFirst[k] && mayLose(owner[k]) &&
                 (nearest < 0 || own.distance_m(0, static_cast<Eigen::Index>(k) + 1) <
                                     own.distance_m(0, nearest + 1)))
                 nearest = static_cast<int>(k);
         }
         if (hasOne || nearest < 0)
             continue;
-        owner[static_cast<std::size_t>(nearest)] = static_cast<int>(u);
+        int& uav = owner[static_cast<std::size_t>(nearest)];
+        if (uav >= 0)
+            --count[static_cast<std::size_t>(uav)];
+        uav = static_cast<int>(u);
+        ++count[u];
         isFirst[static_cast<std::size_t>(nearest)] = true;
     }
 }
@@ -144,7 +156,7 @@ std::vector<int> owners(std::span<const CoverageModel> models, const PlanRequest
     for (std::size_t u = 0; u < plans.size(); ++u)
         if (const int iceberg = firstIceberg(plans[u]); iceberg >= 0)
             owner[static_cast<std::size_t>(models[u].icebergAt(iceberg))] = static_cast<int>(u);
-    giveToEach(owner, models, request, plans);
+    assignToEach(owner, models, request, plans);
     return owner;
 }
 

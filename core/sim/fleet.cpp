@@ -137,18 +137,20 @@ void Fleet::keepApart(int uav)
     me.deviateTo(m_separation.command_radps(uav, me.guard(), me.pose(), wish));
 }
 
-void Fleet::setTarget(int uav, Errand errand, bool mayGoOn)
+void Fleet::setTarget(int uav, Errand errand, bool mayGoOn, bool keepsSearch)
 {
     Autopilot& me = m_autopilots[toIndex(uav)];
     const Errand* now = me.errand();
     if (mayGoOn && errand.target >= 0 && !errand.aim && now != nullptr &&
         now->target == errand.target && now->members == errand.members && !now->aim) {
-        if (me.mode() != FlightMode::Search) // another UAV may have left it its search
+        // Another UAV may have left it its search.
+        if (me.mode() != FlightMode::Search && !(keepsSearch && m_observer.isLeftToPlan()))
             beginOrEndSearch(uav);
         return;
     }
     me.setTarget(std::move(errand), m_observer);
-    beginOrEndSearch(uav);
+    if (!keepsSearch || !m_observer.isLeftToPlan())
+        beginOrEndSearch(uav);
     // Home, when there is something to be visited, but not in this sortie.
     if (me.target() < 0 && me.mode() != FlightMode::Search && me.guard().uav().sortie &&
         nearest(m_observer, me.pose().position_m,

@@ -47,8 +47,9 @@ public:
 
     /** One step: `poses` as for `Simulation::advanceStep`. */
     void advance(std::span<const DubinsState> poses);
-    /** `mayGoOn`: a UAV that is on a leg to it already flies on. */
-    void setTarget(int uav, Errand errand, bool mayGoOn);
+    /** `mayGoOn`: a UAV that is on a leg to it already flies on. `keepsSearch`: what is
+     * searched for by plan stays so, although this target has no aim. */
+    void setTarget(int uav, Errand errand, bool mayGoOn, bool keepsSearch);
     void setReached(int uav);
     /** After the turn-around, as soon as there is something to fly to. */
     [[nodiscard]] bool takeOffWhenDue(int uav);

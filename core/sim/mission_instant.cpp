@@ -91,7 +91,7 @@ private:
                     m_world.planReason(plan.uav) != PlanReason::Intervention)
                     m_world.requestPlan();
                 m_world.setTarget(plan.uav, plan.target, firstAim(plan),
-                                  clusterWith(plan.clusters, plan.target));
+                                  clusterWith(plan.clusters, plan.target), keepsSearch(plan));
                 ++m_plan;
             } else {
                 return;

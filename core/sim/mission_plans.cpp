@@ -172,7 +172,7 @@ void Mission::putInForce(Round plans)
 void Mission::tell(PlanEvent plan)
 {
     m_simulation.setTarget(plan.uav, plan.target, firstAim(plan),
-                           clusterWith(plan.clusters, plan.target));
+                           clusterWith(plan.clusters, plan.target), keepsSearch(plan));
     if (!plan.interim)
         note({.kind = EventKind::Planned,
               .iceberg = plan.target,

@@ -61,6 +61,7 @@ public:
     /** What it searches for, and what has been given up, is lost, and looked for where the plan
      * leads. */
     void leaveToPlan(int uav);
+    [[nodiscard]] bool isLeftToPlan() const { return m_isLeftToPlan; }
     /** No plan searches any more: what was left to it is given up. */
     void takeFromPlan(int uav, StepReport& report);
     /** For now: every new plan compares again. */

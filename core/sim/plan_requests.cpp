@@ -41,11 +41,14 @@ std::vector<SearchPlace> placesOf(const Simulation& simulation, int uav, int ice
         return {};
     const Autopilot& me = fleet.autopilot(uav);
     double view_m = me.sensor().fov_m.minCoeff();
-    for (const Autopilot& other : fleet.autopilots()) // all are to know them by the same numbers
+    double seen = 1;
+    for (const Autopilot& other : fleet.autopilots()) { // all have the same places: of the weakest
         view_m = std::min(view_m, other.sensor().fov_m.minCoeff());
+        seen = std::min(seen, chanceSeen(other, simulation.world().observer()));
+    }
     std::vector<SearchPlace> places = search->path.likeliestPlaces(kHalf * view_m, kMost);
     for (SearchPlace& place : places)
-        place.chance *= chanceSeen(me, simulation.world().observer());
+        place.chance *= seen;
     return places;
 }
 

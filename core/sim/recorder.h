@@ -44,6 +44,13 @@ struct PlanEvent
                                       ///< missions that keep a record
 };
 
+/** Whether it goes on with a search by plan: while the next plan is made, and where it orders the
+ * places itself but its first leg has been overtaken. */
+[[nodiscard]] inline bool keepsSearch(const PlanEvent& plan)
+{
+    return plan.interim || (plan.source == AnswerSource::Coverage && plan.target >= 0);
+}
+
 /** Whether it is one of `Metrics::replans`: not interim, and of several UAVs the first. */
 [[nodiscard]] inline bool isReplan(const PlanEvent& plan)
 {

@@ -61,10 +61,10 @@ public:
      * The UAV is to fly to this iceberg from here; -1: none available, circle the last one reached.
      * With an aim: along it until something comes into view. With members of a cluster, the iceberg
      * one of them: to the middle of the circle round their estimates, reached when all of them are
-     * at once.
+     * at once. `keepsSearch`: see `keepsSearch(PlanEvent)`.
      */
     void setTarget(int uav, int iceberg, const std::optional<AimedLeg>& aim = std::nullopt,
-                   std::span<const int> members = {});
+                   std::span<const int> members = {}, bool keepsSearch = false);
 
     /**
      * Advances one dt. Must not be called while a plan is needed or when finished. `poses`: where

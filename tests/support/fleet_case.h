@@ -126,6 +126,7 @@ inline FleetFlight flownFleet(const Scenario& s)
     FleetFlight flight;
     Mission mission(s, {.workLimit = 3'000, .record = false});
     std::vector<double> since_s(s.uavs.size());
+    std::vector<int> visits(s.uavs.size());
     std::vector<double> tookOff_s(s.uavs.size());
     std::vector<double> due_s(s.uavs.size());
     std::size_t told = 0;
@@ -164,11 +165,14 @@ inline FleetFlight flownFleet(const Scenario& s)
                                         s.uavs[toIndex(event.uav)].spec.endurance_s
                                     ? 1
                                     : 0;
-            if (event.kind == EventKind::Reached || event.kind == EventKind::HomeBound)
+            if (event.kind == EventKind::HomeBound)
                 since_s[toIndex(event.uav)] = event.time_s;
         }
-        for (int a = 0; a < count; ++a)
+        for (int a = 0; a < count; ++a) {
+            if (std::exchange(visits[toIndex(a)], mission.visits(a)) != mission.visits(a))
+                since_s[toIndex(a)] = world.time_s();
             flight.longest_s = std::max(flight.longest_s, world.time_s() - since_s[toIndex(a)]);
+        }
     }
     flight.zeta_m2s = mission.metrics().zeta_m2s;
     flight.visits = mission.metrics().visits;

@@ -71,7 +71,6 @@ private:
         feature["properties"] = std::move(properties);
         if (!m_features.empty())
             m_features += ",\n";
-        // Names may hold bytes that are not UTF-8 when they come from elsewhere than a file.
         m_features += jsonText(feature);
     }
 

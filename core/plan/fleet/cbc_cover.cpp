@@ -62,7 +62,7 @@ FleetCover bestCoverByCbc(const FleetOrders& orders, double slack, std::int64_t 
         if (!answer)
             return cover;
         if (answer->kind == CbcFrameKind::Failure)
-            throw Error(ErrorCode::SolverFailed, "cbc", cbcFailureOf(*answer));
+            throw Error(ErrorCode::SolverFailed, "cbc", cbcFailureOf(*answer).words);
         const CbcChoice choice = cbcChoiceOf(*answer, partition);
         cover.plan = planOf(orders, slack, choice.columns);
         // A choice that is no plan would prove nothing.

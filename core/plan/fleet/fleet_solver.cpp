@@ -101,7 +101,23 @@ public:
         m_search.descend();
 
         const std::int64_t before = m_effort.work;
-        const FleetBoundResult result = improveFleetBound(
+        FleetBoundResult result;
+        try {
+            result = bound(cover, before);
+            m_search.take(result.plan);
+            acceptBound(result.bound);
+        } catch (const Error& error) { // of a cover by another program: plan and bound stay
+            if (error.code() != ErrorCode::SolverFailed)
+                throw;
+            m_failure = error.what();
+        }
+        return outcome(result, before + result.work);
+    }
+
+private:
+    FleetBoundResult bound(CoverFunction cover, std::int64_t before)
+    {
+        return improveFleetBound(
             m_costs, m_search.best(),
             {.gap = m_options.gap,
              .workLimit = m_limit - before,
@@ -115,12 +131,8 @@ public:
                  },
              .suggest = [this](std::int64_t work,
                                std::int64_t most) { return suggest(work, most); }});
-        m_search.take(result.plan);
-        acceptBound(result.bound);
-        return outcome(result, before + result.work);
     }
 
-private:
     /** Remembers the reason. */
     bool cut()
     {
@@ -179,7 +191,8 @@ private:
         SolveOutcome outcome{.status = SolveStatus::Feasible,
                              .plan = m_search.best(),
                              .work = work,
-                             .hintUsed = !m_options.hint.empty()};
+                             .hintUsed = !m_options.hint.empty(),
+                             .detail = m_failure};
         if (m_bound > 0)
             outcome.bound = boundOnObjective();
         const double cost = m_costs.total(outcome.plan);
@@ -189,6 +202,8 @@ private:
             outcome.reason = StopReason::GapReached;
         else if (m_cut)
             outcome.reason = *m_cut;
+        else if (!m_failure.empty())
+            outcome.reason = StopReason::Unable;
         else if (result.memoryOut)
             outcome.reason = StopReason::MemoryLimit;
         else if (m_options.workLimit && *m_options.workLimit <= m_own)
@@ -207,6 +222,7 @@ private:
     FleetSearch m_search;
     std::optional<std::int64_t> m_searched; ///< work of the first annealing, once it is done
     std::optional<StopReason> m_cut;
+    std::string m_failure;  ///< of the cover
     double m_objective = 0; ///< of the best plan
     double m_bound = 0;     ///< on the cost, not on the objective
 };

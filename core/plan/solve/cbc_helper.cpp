@@ -55,7 +55,8 @@ int started(const std::filesystem::path& program, int socket)
 std::filesystem::path cbcHelperPath()
 {
     std::error_code error;
-    if (const char* named = std::getenv("BERGWATCH_CBC")) {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing here sets the environment
+    if (const char* named = std::getenv("BERGWATCH_CBC"); named != nullptr && *named != 0) {
         if (access(named, X_OK) == 0)
             return named;
         throw Error(ErrorCode::Unsupported, "planner.backend", {IssueId::CbcMissing, {named}});
@@ -63,7 +64,7 @@ std::filesystem::path cbcHelperPath()
     const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", error);
     for (std::filesystem::path folder = own.parent_path(); folder != folder.root_path();
          folder = folder.parent_path()) {
-        const std::filesystem::path program = folder / "libexec/bergwatch/bergwatch-cbc";
+        std::filesystem::path program = folder / "libexec/bergwatch/bergwatch-cbc";
         if (access(program.c_str(), X_OK) == 0)
             return program;
     }
@@ -98,7 +99,7 @@ CbcHelper::~CbcHelper()
     }
 }
 
-bool CbcHelper::send(std::string_view bytes, const CbcCut& cut)
+bool CbcHelper::send(std::string_view bytes, const CbcCut& cut) const
 {
     while (!bytes.empty()) {
         if (cut())
@@ -153,7 +154,7 @@ std::string CbcHelper::howItEnded()
             m_process = -1;
             if (WIFSIGNALED(status))
                 return std::string("it was ended by signal ") + std::to_string(WTERMSIG(status)) +
-                       " (" + strsignal(WTERMSIG(status)) + ')';
+                       " (" + sigdescr_np(WTERMSIG(status)) + ')';
             return "it ended with exit code " + std::to_string(WEXITSTATUS(status));
         }
         poll(nullptr, 0, kAskEvery_ms);

@@ -8,7 +8,7 @@
 
 namespace berg {
 
-/** Asked about every 10 ms; true once the helper is not to go on. */
+/** Asked about every 10 ms; true once the helper must end. */
 using CbcCut = std::function<bool()>;
 
 /**
@@ -32,7 +32,7 @@ public:
     CbcHelper(const CbcHelper&) = delete;
     CbcHelper& operator=(const CbcHelper&) = delete;
 
-    /** Hands it the request after both have told their version; false when cut. */
+    /** Sends it the request; both tell their version first. False when cut. */
     [[nodiscard]] bool ask(const CbcFrame& request, const CbcCut& cut);
     /**
      * What it says next; none when cut. Throws `CbcWireFault` when it ended, was killed or says
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] std::optional<CbcFrame> answer(const CbcCut& cut);
 
 private:
-    [[nodiscard]] bool send(std::string_view bytes, const CbcCut& cut);
+    [[nodiscard]] bool send(std::string_view bytes, const CbcCut& cut) const;
     /** In words: a signal or an exit code. */
     [[nodiscard]] std::string howItEnded();
 

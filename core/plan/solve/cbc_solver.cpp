@@ -39,13 +39,16 @@ public:
 private:
     [[nodiscard]] SolveOutcome answered()
     {
-        const auto isCancelled = [this] { return m_asked.options.stop.stop_requested(); };
+        const CbcCut cut = [this] { return m_asked.options.stop.stop_requested() || isOverdue(); };
         CbcHelper helper;
-        if (!helper.ask(cbcFrame(m_asked), isCancelled))
-            return ended(StopReason::Cancelled, "CBC: stopped before it began");
-        while (const std::optional<CbcFrame> frame = helper.answer(isCancelled)) {
-            if (frame->kind == CbcFrameKind::Failure)
-                return unable(cbcFailureOf(*frame));
+        if (!helper.ask(cbcFrame(m_asked), cut))
+            return stopped();
+        while (const std::optional<CbcFrame> frame = helper.answer(cut)) {
+            if (frame->kind == CbcFrameKind::Failure) {
+                const CbcFailure failure = cbcFailureOf(*frame);
+                return unable(failure.words,
+                              failure.isOutOfMemory ? StopReason::MemoryLimit : StopReason::Unable);
+            }
             if (frame->kind != CbcFrameKind::Progress)
                 return cbcOutcomeOf(*frame, m_asked.problem);
             const SolveProgress progress = cbcProgressOf(*frame, m_asked.problem);
@@ -54,7 +57,21 @@ private:
             if (!progress.plan.empty())
                 m_watch.report(progress.plan.front(), progress.objective, progress.bound);
         }
-        return ended(StopReason::Cancelled, "CBC: stopped");
+        return stopped();
+    }
+
+    /** It ends at the time limit by itself, unless it is stuck. */
+    [[nodiscard]] bool isOverdue() const
+    {
+        constexpr double kGrace_s = 1;
+        const std::optional<double> limit_s = m_asked.options.timeLimit_s;
+        return limit_s && m_clock.elapsed_s() > *limit_s + kGrace_s;
+    }
+
+    [[nodiscard]] SolveOutcome stopped()
+    {
+        const bool isCancelled = m_asked.options.stop.stop_requested();
+        return ended(isCancelled ? StopReason::Cancelled : StopReason::TimeLimit, "CBC: stopped");
     }
 
     void takePlan(const FleetPlan& plan)
@@ -73,14 +90,16 @@ private:
     }
 
     /** It ended without an answer: what it told until then, if that is an order. */
-    [[nodiscard]] SolveOutcome unable(const std::string& why)
+    [[nodiscard]] SolveOutcome unable(const std::string& why,
+                                      StopReason reason = StopReason::Unable)
     {
-        if (m_known.plan.empty())
+        if (m_known.plan.empty() && reason == StopReason::Unable)
             throw Error(ErrorCode::SolverFailed, "cbc", why);
-        return ended(StopReason::Unable, why);
+        return ended(reason, why);
     }
 
     const CbcProblem& m_asked;
+    Stopwatch m_clock;
     SolveWatch m_watch;
     SolveOutcome m_known;
 };

@@ -96,6 +96,7 @@ public:
         text = m_rest.substr(0, count);
         m_rest.remove_prefix(count);
     }
+    /** `last`: of its enum; one appended to that is named here too. */
     template <typename Choice>
     void takeUpTo(Choice last, Choice& value)
     {
@@ -159,18 +160,20 @@ void requireCbcHello(const CbcFrame& frame)
     reader.end();
 }
 
-CbcFrame cbcFailure(const std::string& words)
+CbcFrame cbcFrame(const CbcFailure& failure)
 {
-    return PayloadWriter().add(words).frame(CbcFrameKind::Failure);
+    PayloadWriter writer;
+    return writer.add(failure.words).add(failure.isOutOfMemory).frame(CbcFrameKind::Failure);
 }
 
-std::string cbcFailureOf(const CbcFrame& frame)
+CbcFailure cbcFailureOf(const CbcFrame& frame)
 {
     PayloadReader reader(frame, CbcFrameKind::Failure);
-    std::string words;
-    reader.take(words);
+    CbcFailure failure;
+    reader.take(failure.words);
+    reader.take(failure.isOutOfMemory);
     reader.end();
-    return words;
+    return failure;
 }
 
 CbcFrame cbcFrame(const CbcProblem& problem)

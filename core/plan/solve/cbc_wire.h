@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-// What the programs say to each other that use COIN-OR CBC and that is it: `bergwatch-cbc` solves
-// one request and ends. Frames of kind, length and payload over a socket, numbers as this machine
-// has them.
+// How other programs ask `bergwatch-cbc`, which solves one request with COIN-OR CBC and ends:
+// frames of kind, length and payload over a socket, numbers as this machine has them.
 
 namespace berg {
 
@@ -26,7 +25,7 @@ enum class CbcFrameKind : std::uint32_t
     Progress,
     Outcome,
     Chosen,
-    Failure ///< why there is no answer, in words
+    Failure ///< `CbcFailure`, in place of an answer
 };
 
 struct CbcFrame
@@ -50,6 +49,13 @@ struct CbcProblem
     SolveOptions options = {};
 };
 
+/** Why there is no answer. */
+struct CbcFailure
+{
+    std::string words = {};
+    bool isOutOfMemory = false;
+};
+
 /** Binary columns, each in some of the rows, so that each row is in just one chosen column. */
 struct CbcPartition
 {
@@ -66,7 +72,7 @@ struct CbcChoice
 };
 
 [[nodiscard]] CbcFrame cbcHello();
-[[nodiscard]] CbcFrame cbcFailure(const std::string& words);
+[[nodiscard]] CbcFrame cbcFrame(const CbcFailure& failure);
 [[nodiscard]] CbcFrame cbcFrame(const CbcProblem& problem);
 [[nodiscard]] CbcFrame cbcFrame(const CbcPartition& partition);
 [[nodiscard]] CbcFrame cbcFrame(const SolveProgress& progress);
@@ -75,7 +81,7 @@ struct CbcChoice
 
 // The way back throws `CbcWireFault` for what is not of that kind, too short, too long or no value.
 void requireCbcHello(const CbcFrame& frame);
-[[nodiscard]] std::string cbcFailureOf(const CbcFrame& frame);
+[[nodiscard]] CbcFailure cbcFailureOf(const CbcFrame& frame);
 [[nodiscard]] CbcProblem cbcProblemOf(const CbcFrame& frame);
 [[nodiscard]] CbcPartition cbcPartitionOf(const CbcFrame& frame);
 /** The plan is an order of the problem. */

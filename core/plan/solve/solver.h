@@ -61,7 +61,7 @@ struct SolveOptions
 {
     std::optional<double> timeLimit_s;     ///< elapsed time; a run cut by it may not repeat
     std::optional<std::int64_t> workLimit; ///< back end's own unit (nodes, arcs); repeats
-    /** About what a solve may use at its peak; none = no limit. CBC does not know it. */
+    /** About what a solve may use at its peak; none = no limit. CBC ends when it is far beyond. */
     std::optional<std::int64_t> memoryLimit_bytes = 1'500'000'000;
     double gap = 0; ///< stop when the relative gap is at most this
     /** Warm start. Of one UAV ignored when not a valid order; of several what is valid of it

@@ -9,12 +9,13 @@
 namespace berg {
 namespace {
 
-constexpr std::size_t kFewest = 40; // in sight: fewer are symbols, however near they are
-constexpr double kDense_px = 20;    // spacing below which symbols become dots
-constexpr double kOpen_px = 23;     // and above which dots become symbols
-constexpr double kVeryDense_px = 7; // dots are all over each other
-constexpr double kCover_px = 8;     // dots as near as that are counted together
-constexpr double kCoverFar_px = 20; // where there are only numbers
+constexpr std::size_t kFewest = 40;      // in sight: fewer are symbols, however near they are
+constexpr std::size_t kFewestAfter = 35; // once they are dots
+constexpr double kDense_px = 20;         // spacing below which symbols become dots
+constexpr double kOpen_px = 23;          // and above which dots become symbols
+constexpr double kVeryDense_px = 7;      // dots are all over each other
+constexpr double kCover_px = 8;          // dots as near as that are counted together
+constexpr double kCoverFar_px = 20;      // where there are only numbers
 constexpr int kLeastCount = 3;
 
 /** Numbers of things by the square of the screen that they are in. */
@@ -136,8 +137,8 @@ MapDensity densityOf(const MapPicture& picture, const MapViewTransform& view, co
     for (const MapIceberg& iceberg : picture.icebergs)
         if (const QPointF at = view.toPixel(iceberg.position_m); shown.contains(at))
             places.push_back(at);
-    density.isDense =
-        places.size() >= kFewest && areCloserThan(wasDense ? kOpen_px : kDense_px, places);
+    density.isDense = places.size() >= (wasDense ? kFewestAfter : kFewest) &&
+                      areCloserThan(wasDense ? kOpen_px : kDense_px, places);
     if (!density.isDense)
         return density;
     const bool isVeryDense = areCloserThan(kVeryDense_px, places);

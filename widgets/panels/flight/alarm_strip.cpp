@@ -190,7 +190,6 @@ void AlarmStrip::setTheme(const Theme& theme)
 
 void AlarmStrip::showState(bool inFlight, std::optional<double> lookBack_s, const QString& fault)
 {
-    m_inFlight = inFlight;
     m_lookBack_s = inFlight ? lookBack_s : std::nullopt;
     m_fault = inFlight ? QString() : fault;
     fillState();

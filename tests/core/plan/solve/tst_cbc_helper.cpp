@@ -1,8 +1,11 @@
 #include "core/plan/fleet/cbc_cover.h"
+#include "core/plan/fleet/fleet_solver.h"
 #include "core/plan/solve/cbc_helper.h"
 #include "core/plan/solve/cbc_solver.h"
+#include "core/plan/solve/exact_solver.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/cbc_checks.h"
+#include "tests/support/fleet_problems.h"
 
 #include <QFile>
 #include <QProcess>
@@ -117,7 +120,8 @@ private slots:
             "exec sleep 20",
             "another version of Bergwatch");
         row("answers before the greeting",
-            "printf '" + printed(cbcFailure("x")) + "' >&0; exec sleep 20", "another kind");
+            "printf '" + printed(cbcFrame(CbcFailure{"x"})) + "' >&0; exec sleep 20",
+            "another kind");
         row("an order of another problem",
             hello + "printf '" + printed(cbcFrame(none)) + "' >&0; exec sleep 20",
             "none of the problem's");
@@ -126,8 +130,8 @@ private slots:
                     "sleep 20",
             "no message");
         row("says why not",
-            hello + "printf '" + printed(cbcFailure("out of memory")) + "' >&0; exec sleep 20",
-            "cbc: out of memory");
+            hello + "printf '" + printed(cbcFrame(CbcFailure{"no pivot"})) + "' >&0; exec sleep 20",
+            "cbc: no pivot");
     }
     void faults()
     {
@@ -172,6 +176,57 @@ private slots:
         QCOMPARE(outcome.plan, options.hint);
     }
 
+    void stuckOnesEndAfterTheTimeLimit()
+    {
+        const FakeHelper fake("exec sleep 1000");
+        SolveOptions options = withHint(small());
+        options.timeLimit_s = 0.1;
+        const SolveOutcome outcome = CbcSolver(Formulation::Printed).solve(small(), options);
+        QCOMPARE(outcome.reason, StopReason::TimeLimit);
+        QCOMPARE(outcome.plan, options.hint);
+    }
+
+    void outOfMemoryIsALimit()
+    {
+        const FakeHelper fake("printf '" + printed(cbcHello()) +
+                              printed(cbcFrame(CbcFailure{"full", true})) + "' >&0; exec sleep 20");
+        const SolveOutcome outcome = CbcSolver(Formulation::Printed).solve(small(), {});
+        QCOMPARE(outcome.status, SolveStatus::None);
+        QCOMPARE(outcome.reason, StopReason::MemoryLimit);
+    }
+
+    /** Branching goes on for seconds after the best order is found; the bound is told meanwhile. */
+    void theBoundOfAStoppedSolveIsKept()
+    {
+        const TvpProblem problem = endless();
+        SolveOptions options;
+        options.hint = ExactSolver().solve(problem, {}).plan;
+        std::stop_source stop;
+        options.stop = stop.get_token();
+        int reports = 0;
+        std::optional<double> first;
+        options.onProgress = [&](const SolveProgress& progress) {
+            first = first ? first : progress.bound;
+            if (++reports == 5)
+                stop.request_stop();
+        };
+        const SolveOutcome outcome = CbcSolver(Formulation::Printed).solve(problem, options);
+        QCOMPARE(outcome.reason, StopReason::Cancelled);
+        QVERIFY(first && outcome.bound && *outcome.bound >= *first);
+        QVERIFY(reports >= 5);
+    }
+
+    void aFleetKeepsItsPlanWhenTheHelperDies()
+    {
+        const FakeHelper fake("kill -9 $$");
+        const FleetProblem problem = randomFleet(35, 2, 8, 1);
+        const SolveOutcome outcome = solveFleet(problem, Backend::Cbc, {});
+        QCOMPARE(outcome.status, SolveStatus::Feasible);
+        QCOMPARE(outcome.reason, StopReason::Unable);
+        QVERIFY(isFleetPlan(problem, outcome.plan));
+        QVERIFY2(outcome.detail.find("signal 9") != std::string::npos, outcome.detail.c_str());
+    }
+
     void byHandItSaysWhatItIsFor()
     {
         QProcess process;
@@ -199,6 +254,39 @@ private slots:
         QCOMPARE(read.plan, progress.plan);
         QCOMPARE(read.objective, progress.objective);
         QCOMPARE(read.bound, progress.bound);
+    }
+
+    void otherAnswersReadBack()
+    {
+        const CbcPartition asked{
+            .rows = 2, .columns = {{0}, {1}, {0, 1}}, .costs = {1, 2, 2.5}, .slack = 9};
+        const CbcPartition read = cbcPartitionOf(cbcFrame(asked));
+        QCOMPARE(read.rows, asked.rows);
+        QCOMPARE(read.columns, asked.columns);
+        QCOMPARE(read.costs, asked.costs);
+        QCOMPARE(read.slack, asked.slack);
+        const CbcChoice choice =
+            cbcChoiceOf(cbcFrame(CbcChoice{.complete = true, .columns = {2}}), asked);
+        QVERIFY(choice.complete);
+        QCOMPARE(choice.columns, std::vector{2});
+        QVERIFY_EXCEPTION_THROWN(
+            static_cast<void>(cbcChoiceOf(cbcFrame(CbcChoice{.columns = {3}}), asked)),
+            CbcWireFault);
+        const SolveOutcome outcome{.status = SolveStatus::Feasible,
+                                   .reason = StopReason::WorkLimit,
+                                   .plan = {{3, 1, 2, 6, 5, 4}},
+                                   .bound = -7.5,
+                                   .work = 12,
+                                   .hintUsed = true,
+                                   .detail = "CBC"};
+        const SolveOutcome told = cbcOutcomeOf(cbcFrame(outcome), small());
+        QCOMPARE(told.status, outcome.status);
+        QCOMPARE(told.reason, outcome.reason);
+        QCOMPARE(told.plan, outcome.plan);
+        QCOMPARE(told.bound, outcome.bound);
+        QCOMPARE(told.work, outcome.work);
+        QCOMPARE(told.hintUsed, outcome.hintUsed);
+        QCOMPARE(told.detail, outcome.detail);
     }
 
     void problemsReadBack()
@@ -233,7 +321,7 @@ private slots:
             CbcFrame changed = whole;
             changed.payload[place] = static_cast<char>(changed.payload[place] ^ 0xff);
             try {
-                static_cast<void>(cbcProblemOf(changed));
+                QVERIFY(validate(cbcProblemOf(changed).problem).empty());
             } catch (const CbcWireFault&) {
                 ++refused;
             }
