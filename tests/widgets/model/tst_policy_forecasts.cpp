@@ -84,6 +84,8 @@ private slots:
     {
         Scenario scenario = shortFlight(2);
         scenario.observer.model = ObserverModel::Kalman;
+        scenario.duration_s /= 2; // coverage takes long under sanitizers
+        scenario.icebergs.resize(4);
         for (Iceberg& iceberg : scenario.icebergs)
             iceberg.velocitySd_mps = 0.3;
         constexpr int kFlights = 3;
