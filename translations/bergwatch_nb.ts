@@ -4290,12 +4290,12 @@
         <translation>Sikkerhetsavstand</translation>
     </message>
     <message>
-        <source>Icebergs without room, number of them</source>
-        <translation>Isfjell uten plass, antallet av dem</translation>
+        <source>Icebergs close together: dots, or how many</source>
+        <translation>Isfjell tett sammen: prikker, eller hvor mange</translation>
     </message>
     <message>
-        <source>Without room</source>
-        <translation>Uten plass</translation>
+        <source>Close together</source>
+        <translation>Tett sammen</translation>
     </message>
 </context>
 <context>

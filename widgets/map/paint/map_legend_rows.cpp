@@ -278,8 +278,8 @@ std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& sty
     addFleetRows(rows, picture, theme);
     addPathRows(rows, picture, theme);
     addPlaceRows(rows, picture, theme);
-    rows.add(scale.showsDots, MapLegend::tr("Icebergs without room, number of them"),
-             MapLegend::tr("Without room"), [&theme](QPainter& p, const QRectF& r) {
+    rows.add(scale.showsDots, MapLegend::tr("Icebergs close together: dots, or how many"),
+             MapLegend::tr("Close together"), [&theme](QPainter& p, const QRectF& r) {
                  drawIcebergDot(p, r.center() - QPointF(11, 0), theme.sigma.at(0.4), false, theme);
                  drawIcebergCount(p, r.center() + QPointF(7, 0), 4, theme.sigma.at(0.4), theme);
              });
