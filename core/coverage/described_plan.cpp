@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace berg {
@@ -40,6 +41,27 @@ double firstSighting_s(const UavRequest& request, const std::vector<CoverageSigh
     return first_s;
 }
 
+/** Of places of lost icebergs the first time that each is in view. */
+void addSearches(DescribedPlan& described, const CoverageModel& model, const UavRequest& request,
+                 std::span<const int> ids, std::vector<CoverageView> views)
+{
+    std::ranges::stable_sort(views, {}, &CoverageView::enter_s);
+    for (const CoverageView& view : views) {
+        if (!model.isSearched(view.iceberg) ||
+            std::ranges::find(described.searched, view.iceberg) != described.searched.end())
+            continue;
+        const auto iceberg = static_cast<std::size_t>(model.icebergAt(view.iceberg));
+        const double time_s = request.picture->time_s + view.enter_s;
+        described.searched.push_back(view.iceberg);
+        described.outlook.searches.push_back(
+            {.iceberg = ids[iceberg],
+             .place_m =
+                 request.picture->tracks[iceberg].estimate_m(time_s) + model.offset_m(view.iceberg),
+             .time_s = time_s,
+             .chance = model.chanceAt(model.start(), view.iceberg)});
+    }
+}
+
 /** What a leg goes to; of a hold what comes after it, or was before it. */
 int icebergOf(const CoveragePlan& plan, std::size_t leg)
 {
@@ -57,13 +79,14 @@ DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
     DescribedPlan described;
     std::vector<CoverageSighting> all;
     std::vector<CoverageSighting> onLeg;
+    std::vector<CoverageView> views;
     CoverageState state = model.start();
     for (std::size_t k = 0; k < plan.size(); ++k) {
         CoverageLeg leg = plan[k];
         const CoverageModel::Course course = model.course(state, leg);
         onLeg.clear();
         const double stay_s = leg.isHold() ? 0 : std::exchange(leg.stay_s, 0);
-        model.fly(state, leg, &onLeg);
+        model.fly(state, leg, &onLeg, &views);
         const int iceberg = model.icebergAt(icebergOf(plan, k));
         described.legs.push_back({.iceberg = ids[static_cast<std::size_t>(iceberg)],
                                   .turn_rad = course.turn.turn_rad,
@@ -74,10 +97,11 @@ DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
         if (leg.isHold())
             described.legs.back().end_s = request.picture->time_s + state.time_s;
         if (stay_s > 0)
-            model.fly(state, holdOf(stay_s), &onLeg);
+            model.fly(state, holdOf(stay_s), &onLeg, &views);
         all.insert(all.end(), onLeg.begin(), onLeg.end());
     }
     orderBySighting(described, request, std::move(all));
+    addSearches(described, model, request, ids, std::move(views));
     described.outlook.until_s = request.picture->time_s + model.horizon().length_s;
     state.time_s = model.horizon().length_s; // until then nothing else is seen
     described.outlook.zeta_m2s = model.costSoFar_m2s(state);
@@ -160,12 +184,32 @@ std::vector<int> owners(std::span<const CoverageModel> models, const PlanRequest
     return owner;
 }
 
+/** Leaves each place to the UAV that has it in view first. */
+void shareSearches(std::vector<DescribedPlan>& described)
+{
+    std::map<int, double> first_s;
+    for (const DescribedPlan& plan : described)
+        for (std::size_t k = 0; k < plan.searched.size(); ++k) {
+            const double time_s = plan.outlook.searches[k].time_s;
+            const auto known = first_s.emplace(plan.searched[k], time_s).first;
+            known->second = std::min(known->second, time_s);
+        }
+    for (DescribedPlan& plan : described) {
+        std::vector<PlannedSearch> own;
+        for (std::size_t k = 0; k < plan.searched.size(); ++k)
+            if (plan.outlook.searches[k].time_s <= first_s[plan.searched[k]])
+                own.push_back(plan.outlook.searches[k]);
+        plan.outlook.searches = std::move(own);
+    }
+}
+
 template <typename IsOwn>
 UavAnswer answerOf(DescribedPlan described, std::span<const double> sightings_s,
                    const PlanRequest& request, const IsOwn& isOwn)
 {
     UavAnswer answer{.legs = std::move(described.legs),
-                     .outlook = AimedOutlook{.until_s = described.outlook.until_s}};
+                     .outlook = AimedOutlook{.until_s = described.outlook.until_s,
+                                             .searches = std::move(described.outlook.searches)}};
     for (const int node : described.nodes) {
         const auto k = static_cast<std::size_t>(node - 1);
         if (!isOwn(k))
@@ -201,6 +245,7 @@ std::vector<UavAnswer> describeFleet(std::span<const CoverageModel> models,
         described.push_back(describe(models[u], own, request.ids, plans[u]));
         sightings_s.push_back(sightingsOf(described[u], request.ids.size()));
     }
+    shareSearches(described);
     const std::vector<int> owner = owners(models, request, plans, sightings_s);
     std::vector<UavAnswer> answers;
     for (std::size_t u = 0; u < models.size(); ++u) {

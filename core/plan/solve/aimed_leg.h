@@ -22,6 +22,16 @@ struct AimedLeg
     bool operator==(const AimedLeg&) const = default;
 };
 
+/** A place where a lost iceberg may be comes into view. */
+struct PlannedSearch
+{
+    int iceberg = -1; ///< id
+    Point place_m = Point::Zero();
+    double time_s = 0;
+    double chance = 0; ///< that it is found there, as far as is known when the plan is made
+    bool operator==(const PlannedSearch&) const = default;
+};
+
 /** What a plan with aim points is predicted to come to, flown to the end of the prediction. */
 struct AimedOutlook
 {
@@ -30,6 +40,7 @@ struct AimedOutlook
     /** When the first ones of the plan's order are seen, ascending; the plan does not see the rest.
      */
     std::vector<double> sightings_s;
+    std::vector<PlannedSearch> searches; ///< ascending by time, each place once
     bool operator==(const AimedOutlook&) const = default;
 };
 

@@ -211,6 +211,43 @@ private slots:
         QVERIFY(model.sigma_m2(second, 0) > first_m2);
     }
 
+    /** Where the plan looks for a lost one is told with its time and chance. */
+    void searchesAreTold()
+    {
+        const Scenario scenario = oneAhead();
+        PlanRequest request = planRequest(Simulation(scenario));
+        FlightPicture picture = *request.uavs[0].picture;
+        picture.tracks[0].status = TrackStatus::Lost;
+        picture.places = {
+            {{.offset_m = {0, 600}, .chance = 0.5}, {.offset_m = {0, -600}, .chance = 0.25}}, {}};
+        request.uavs[0].picture = std::make_shared<const FlightPicture>(picture);
+        request.uavs[0].available[0] = false;
+        const std::vector<CoverageModel> models(2, CoverageModel(picture, {.length_s = 300}));
+        const CoveragePlan plan{{.iceberg = 2}, {.iceberg = 0}, {.iceberg = 2}, {.iceberg = 1}};
+        const AimedOutlook alone = describe(models[0], request.uavs[0], request.ids, plan).outlook;
+        QCOMPARE(alone.searches.size(), std::size_t{2});
+        QCOMPARE(alone.searches[0].chance, 0.25);
+        QCOMPARE(alone.searches[1].chance, 0.5);
+        for (const PlannedSearch& search : alone.searches) {
+            QCOMPARE(search.iceberg, 0);
+            const double offset_m = search.chance > 0.3 ? 600 : -600;
+            const Point there_m = picture.tracks[0].estimate_m(search.time_s);
+            QVERIFY((search.place_m - there_m - Point(0, offset_m)).norm() < 1e-9);
+        }
+        CoverageState state = models[0].start();
+        QVERIFY(models[0].fly(state, plan[0]));
+        QVERIFY(std::abs(alone.searches[0].time_s - state.time_s) < 1e-6);
+        QVERIFY(alone.searches[1].time_s > alone.searches[0].time_s + 30);
+        // Of two UAVs the first one there has it.
+        request.uavs.push_back(request.uavs[0]);
+        const std::vector<UavAnswer> answers =
+            describeFleet(models, request, std::vector<CoveragePlan>{plan, {{.iceberg = 0}}});
+        QCOMPARE(answers[0].outlook->searches.size(), std::size_t{1});
+        QCOMPARE(answers[0].outlook->searches[0].chance, 0.25);
+        QCOMPARE(answers[1].outlook->searches.size(), std::size_t{1});
+        QCOMPARE(answers[1].outlook->searches[0].chance, 0.5);
+    }
+
     /** Of several UAVs the place that another one has in view is told empty or not, once. */
     void othersSearchToo()
     {
