@@ -170,8 +170,7 @@ void Fleet::noteHomeward(int uav)
     m_observer.cameras().point(uav, autopilot(uav).pose(), autopilot(uav).mode());
     leaveSearch(uav);
     // What it was to visit is left to the others.
-    m_report.add({.kind = EventKind::HomeBound, .uav = uav},
-                 count() > 1 ? PlanReason::Fleet : PlanReason::None);
+    m_report.add({.kind = EventKind::HomeBound, .uav = uav}, PlanReason::Fleet);
 }
 
 /** Of a UAV that is not planned any more: the nearest one that may search goes on with it, else

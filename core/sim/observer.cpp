@@ -105,17 +105,18 @@ void Observer::observe(double dt_s, StepReport& report)
         watchEstimates(report);
     if (!m_area_m.empty() && isSecond)
         watchArea(report);
-    m_sigmaSum_m2 = 0;
+    double sigmaSum_m2 = 0;
     for (std::size_t i = 0; i < m_tracks.size(); ++i) {
         const std::int64_t age = m_world.age(static_cast<int>(i));
         if (age < 0)
             continue;
         Track& track = m_tracks[i];
         if (!isFiltered && !track.inView)
-            track.unseen(age == 0 ? 0 : dt_s);
+            track.grow(age == 0 ? 0 : dt_s);
         if (!track.left)
-            m_sigmaSum_m2 += track.sigma_m2;
+            sigmaSum_m2 += track.sigma_m2;
     }
+    m_sigmaSum_m2 = sigmaSum_m2;
 }
 
 void Observer::lookAround(StepReport& report)
@@ -404,9 +405,6 @@ bool isReachedUnseen(const Observer& observer, int iceberg)
 
 bool isReachedByOther(const Observer& observer, int uav, int iceberg)
 {
-    if (observer.cameras().count() == 1 ||
-        (!observer.cameras().reachRadius_m() && !observer.track(iceberg).inView))
-        return false;
     for (int other = 0; other < observer.cameras().count(); ++other)
         if (other != uav && isReached(observer, other, iceberg))
             return true;

@@ -11,9 +11,8 @@ namespace {
 /** A sighting later than predicted by this is overdue. */
 constexpr double kOverdue_s = 2;
 
-bool targetReached(int uav, const Fleet& fleet)
+bool targetReached(int uav, const Errand& errand, const Fleet& fleet)
 {
-    const Errand& errand = *fleet.autopilot(uav).errand();
     if (errand.members.empty())
         return isReached(fleet.observer(), uav, errand.target);
     return std::ranges::all_of(
@@ -21,9 +20,8 @@ bool targetReached(int uav, const Fleet& fleet)
 }
 
 /** Whether another UAV has come to one of those it is sent to. */
-bool isSeenByOther(int uav, const Fleet& fleet)
+bool isSeenByOther(int uav, const Errand& errand, const Fleet& fleet)
 {
-    const Errand& errand = *fleet.autopilot(uav).errand();
     const auto isSeen = [&](int iceberg) {
         return isReachedByOther(fleet.observer(), uav, iceberg);
     };
@@ -106,17 +104,18 @@ bool PlanTrigger::isTargetOfUnplanned(int iceberg, const Fleet& fleet) const
 void PlanTrigger::update(Fleet& fleet)
 {
     bool needed = false;
-    const bool mayBeAlone = m_plansIdleAlone && hasTargets(fleet);
     for (int uav = 0; uav < fleet.count(); ++uav) {
         const PlanReason reason = reasonOf(uav, fleet);
         m_reasons[toIndex(uav)] = reason;
+        if (reason == PlanReason::None)
+            continue; // as in nearly every step
         const bool ofOneAlone = reason == PlanReason::OutOfView ||
                                 (isAlone(uav) && (reason == PlanReason::TargetReached ||
                                                   reason == PlanReason::SeenByOther));
-        if (mayBeAlone && ofOneAlone)
+        if (ofOneAlone && m_plansIdleAlone && hasTargets(fleet))
             m_isAlone[toIndex(uav)] = true;
         else
-            needed = needed || reason != PlanReason::None;
+            needed = true;
     }
     for (int uav = 0; needed && uav < fleet.count(); ++uav) {
         m_isAlone[toIndex(uav)] = false;
@@ -135,20 +134,21 @@ PlanReason PlanTrigger::reasonOf(int uav, Fleet& fleet) const
         return fleet.takeOffWhenDue(uav) ? PlanReason::TakeOff : PlanReason::None;
     if (const PlanReason trigger = fleet.report().trigger; trigger != PlanReason::None)
         return trigger;
-    if (me.target() < 0) {
+    const Errand* errand = me.errand();
+    if (errand == nullptr || errand->target < 0) {
         if (!fleet.observer().newlyAppeared().empty())
             return PlanReason::Appeared;
         return somethingForIdle(uav, fleet) ? PlanReason::OutOfView : PlanReason::None;
     }
-    if (me.errand()->aim && me.mode() != FlightMode::Search)
+    if (errand->aim && me.mode() != FlightMode::Search)
         return reasonOfAim(uav, fleet);
-    if (targetReached(uav, fleet)) {
+    if (targetReached(uav, *errand, fleet)) {
         fleet.setReached(uav);
         return PlanReason::TargetReached;
     }
     if (!fleet.observer().newlyAppeared().empty())
         return PlanReason::Appeared;
-    return isSeenByOther(uav, fleet) ? PlanReason::SeenByOther : PlanReason::None;
+    return isSeenByOther(uav, *errand, fleet) ? PlanReason::SeenByOther : PlanReason::None;
 }
 
 PlanReason PlanTrigger::reasonOfAim(int uav, Fleet& fleet) const

@@ -129,11 +129,6 @@ struct Track
         sigma_m2 = 0;
         inView = true;
     }
-    void unseen(double dt_s)
-    {
-        grow(dt_s);
-        inView = false;
-    }
     [[nodiscard]] DriftProcess process() const
     {
         return {.q_m2ps = q_m2ps,

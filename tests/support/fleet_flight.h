@@ -93,7 +93,7 @@ public:
         const bool isNew = look();
         for (Track& track : m_tracks) {
             if (!track.inView)
-                track.unseen(m_dt_s);
+                track.grow(m_dt_s);
             m_zeta_m2s += track.sigma_m2 * m_dt_s;
         }
         return isNew || isOverdue;

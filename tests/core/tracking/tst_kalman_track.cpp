@@ -74,7 +74,7 @@ private slots:
                 track.seen(true_m, time_s);
                 filter.measured(true_m, 0, time_s);
             } else {
-                track.unseen(0.1);
+                track.grow(0.1);
             }
             COMPARE_NEAR(filter.sigma_m2, track.sigma_m2, 1e-9);
             COMPARE_NEAR((filter.estimate_m(time_s) - track.estimate_m(time_s)).norm(), 0, 1e-9);
