@@ -10,13 +10,13 @@ using namespace berg;
 
 namespace {
 
-constexpr int kPatience_ms = 60'000; // against a slow machine; nothing is measured
+constexpr int kPatience_ms = 240'000; // against a slow machine; nothing is measured
 
 /** Few icebergs and a short flight: every policy in a moment. */
 Scenario shortFlight(int seed)
 {
-    Scenario scenario = randomScenario(seed, {.icebergs = 4});
-    scenario.duration_s = 200;
+    Scenario scenario = randomScenario(seed, {.icebergs = 3});
+    scenario.duration_s = 120;
     return scenario;
 }
 
@@ -84,16 +84,14 @@ private slots:
     {
         Scenario scenario = shortFlight(2);
         scenario.observer.model = ObserverModel::Kalman;
-        scenario.duration_s /= 2; // coverage takes long under sanitizers
-        scenario.icebergs.resize(4);
         for (Iceberg& iceberg : scenario.icebergs)
             iceberg.velocitySd_mps = 0.3;
         constexpr int kFlights = 3;
-        PolicyForecasts runner(nullptr, 10 * kPatience_ms, kFlights);
+        PolicyForecasts runner(nullptr, kPatience_ms, kFlights);
         runner.setScenario(scenario);
         QVERIFY(completes(runner));
         QVERIFY(!runner.isDrawn());
-        QVERIFY(QTest::qWaitFor([&] { return runner.isDrawn(); }, 4 * kPatience_ms));
+        QVERIFY(QTest::qWaitFor([&] { return runner.isDrawn(); }, kPatience_ms));
         for (const auto& [policy, forecast] : runner.forecasts()) {
             QVERIFY(forecast.metrics == forecastOf(scenario, policy));
             QCOMPARE(forecast.drawn_m2s.size(), std::size_t{kFlights});
@@ -159,7 +157,7 @@ private slots:
     /** What takes too long is given up, and the next one tried. */
     void thereIsALimit()
     {
-        PolicyForecasts runner(nullptr, 500);
+        PolicyForecasts runner(nullptr, 2000);
         runner.setScenario(hugeField());
         QVERIFY(completes(runner));
         for (const PolicyKind policy :
