@@ -7,6 +7,7 @@
 #include "widgets/map/picture/footprint.h"
 #include "widgets/map/picture/route_colours.h"
 #include "widgets/theme/palette.h"
+#include "widgets/words/plan_text.h"
 
 #include <Eigen/Geometry>
 
@@ -145,6 +146,22 @@ void paintSearch(const MapPaint& p, std::size_t uav)
     drawDirectionMark(p.painter, QLineF(path[0], path[1]), colour, 10);
 }
 
+/** Where the plan looks for lost icebergs: a ring with the chance of finding one there. */
+void paintSearchPlaces(const MapPaint& p, const MapRoute& route, const QColor& colour)
+{
+    const QFontMetricsF metrics(p.theme.small());
+    p.painter.setFont(p.theme.small());
+    for (const MapSearchPlace& place : route.searchPlaces) {
+        const QPointF centre = p.layout.view.toPixel(place.position_m);
+        drawSearchPlace(p.painter, centre, colour);
+        const QString text = chanceText(place.chance, p.style.locale);
+        const QRectF box(centre + QPointF(kSearchPlace_px + 2, -metrics.height() / 2),
+                         QSizeF(metrics.horizontalAdvance(text) + 1, metrics.height()));
+        drawHaloText(p.painter, box, Qt::AlignLeft | Qt::AlignVCenter, text, p.theme.ink,
+                     p.theme.sea);
+    }
+}
+
 void paintPlan(const MapPaint& p, std::size_t uav)
 {
     const MapRoute& route = p.picture.routes[uav];
@@ -172,6 +189,7 @@ void paintPlan(const MapPaint& p, std::size_t uav)
         p.painter.drawPolyline(legs[k]);
         drawDirectionMark(p.painter, longestPiece(legs[k]), colours.plan, isNext ? 13 : 10);
     }
+    paintSearchPlaces(p, route, colours.plan);
     paintHeadingMarks(p, uav, colours.uav);
 }
 

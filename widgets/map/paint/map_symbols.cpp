@@ -316,6 +316,13 @@ void drawPin(QPainter& painter, const QPointF& tip, const QColor& colour, const 
     painter.drawEllipse(QPointF(0, -9), 1.8, 1.8);
 }
 
+void drawSearchPlace(QPainter& painter, const QPointF& centre, const QColor& colour)
+{
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colour, 1.6, Qt::DotLine, Qt::RoundCap));
+    painter.drawEllipse(centre, kSearchPlace_px, kSearchPlace_px);
+}
+
 QPen searchPen(const QColor& uav)
 {
     return {uav, 1.6, Qt::DashDotLine, Qt::FlatCap, Qt::MiterJoin};

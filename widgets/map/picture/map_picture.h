@@ -103,6 +103,13 @@ struct MapPath
     std::optional<Point> aim_m; ///< none: a hold
 };
 
+/** Where a lost iceberg may be, when it comes into view there. */
+struct MapSearchPlace
+{
+    Point position_m = Point::Zero();
+    double chance = 0; ///< of finding it there
+};
+
 /** What one UAV has flown and is going to fly. */
 struct MapRoute
 {
@@ -117,6 +124,7 @@ struct MapRoute
     /** The point of no return and, before it, how the plan gets there from the place before; empty:
      * there is none. */
     std::vector<Point> toNoReturn_m;
+    std::vector<MapSearchPlace> searchPlaces; ///< on legs of the plan
     std::vector<Point> search_m; ///< corners flown to find a lost iceberg; empty: no search
     SweptPointer swept; ///< round and between them the UAV has seen the water; null: none is shown
     std::vector<MapTrackPoint> track;

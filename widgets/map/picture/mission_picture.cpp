@@ -241,6 +241,16 @@ std::vector<MapPath> mapPaths(const std::vector<AimedPath>& paths)
     return drawn;
 }
 
+std::vector<MapSearchPlace> searchPlacesOf(const PlanEvent& plan, double time_s)
+{
+    std::vector<MapSearchPlace> places;
+    if (plan.outlook)
+        for (const PlannedSearch& search : plan.outlook->searches)
+            if (search.time_s > time_s)
+                places.push_back({.position_m = search.place_m, .chance = search.chance});
+    return places;
+}
+
 MapUav uavOf(const FlightRecord& record, std::size_t uav)
 {
     const UavState& state = record.shown().world.uavs[uav];
@@ -280,6 +290,7 @@ MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<
         route.plan = placesOf(plan->order, shown);
         route.thisSortie = plan->thisSortie;
         route.planPaths = mapPaths(pathsAhead(record.shown(), place));
+        route.searchPlaces = searchPlacesOf(*plan, record.shown().time_s);
     }
     if (const std::optional<ShownChange> change = record.changeShown(place)) {
         route.formerPlan = placesOf(change->change.before, shown);

@@ -116,6 +116,7 @@ std::vector<MapRoute> routesFor(const Scenario& scenario, const MapPicture& pict
 void forgetPlaces(MapRoute& route)
 {
     route.planPaths.clear();
+    route.searchPlaces.clear();
     route.formerPaths.clear();
     route.planCorners.clear();
     route.toNoReturn_m.clear();

@@ -175,7 +175,7 @@ QString PlanModel::text(int row, Column column) const
     case Number:
         return fixedText(line(row).number, 0, m_locale);
     case Name:
-        return planned.name;
+        return planned.searches.empty() ? planned.name : tr("%1 (search)").arg(planned.name);
     case Leg:
         // Planned as one point with the one above: there is no way between the two.
         return planned.leg_m > 0 ? distanceText(planned.leg_m, m_locale) : noFigure();
@@ -237,9 +237,13 @@ QString PlanModel::toolTip(int row, Column column) const
     const PlanRow& planned = line(row).row;
     if (column == Name) {
         const QString name = tr("%1 (id %2)").arg(planned.name, QString::fromStdString(planned.id));
+        if (!planned.searches.empty())
+            return name + u'\n' + searchesText(planned.searches);
         return planned.isAssigned ? name + u'\n' + tr("Assigned to %1").arg(uavOf(row).row.name)
                                   : name;
     }
+    if (column == Chance && !planned.searches.empty())
+        return searchesText(planned.searches);
     if (!planned.isSeen && column != Sigma)
         return tr("The plan ends before this iceberg is seen.");
     if (column != Sigma && column != ArrivalSigma)
@@ -249,6 +253,16 @@ QString PlanModel::toolTip(int row, Column column) const
         .arg(significantText(planned.sigma_m2, 3, m_locale),
              significantText(std::sqrt(planned.sigma_m2), 3, m_locale),
              significantText(planned.arrivalSigma_m2, 3, m_locale));
+}
+
+QString PlanModel::searchesText(const std::vector<PlannedSearch>& searches) const
+{
+    QStringList places;
+    for (const PlannedSearch& search : searches)
+        places << tr("%1 (%2)", "time and chance")
+                      .arg(arrivalText(search.time_s), chanceText(search.chance, m_locale));
+    return tr("Lost: searched for %1", "times and chances of finding it")
+        .arg(places.join(u", "_s));
 }
 
 QVariant PlanModel::data(const QModelIndex& index, int role) const

@@ -101,6 +101,7 @@ private:
     [[nodiscard]] QString text(int row, Column column) const;
     [[nodiscard]] QString uavText(const PlanLine& line, Column column) const;
     [[nodiscard]] QString toolTip(int row, Column column) const;
+    [[nodiscard]] QString searchesText(const std::vector<PlannedSearch>& searches) const;
     [[nodiscard]] QString uavToolTip(const PlanLine& line) const;
     [[nodiscard]] const PlanLine& uavOf(int row) const;
 

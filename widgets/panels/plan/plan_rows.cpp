@@ -62,6 +62,19 @@ void leaveForNextSortie(std::vector<PlanRow>& rows, const PlanEvent& plan)
     }
 }
 
+/** Of a lost iceberg: where it may be, at times from now, and the chance that one of them shows it.
+ */
+void addSearches(PlanRow& row, int iceberg, const MissionSnapshot& now, const PlanEvent& plan)
+{
+    for (const PlannedSearch& search : plan.outlook->searches) {
+        if (search.iceberg != iceberg || search.time_s <= now.time_s)
+            continue;
+        row.searches.push_back(search);
+        row.searches.back().time_s -= now.time_s;
+        row.chance = row.chance.value_or(0) + search.chance; // it is at one of them
+    }
+}
+
 std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan)
 {
     const std::vector<AimedPath> paths = pathsAhead(now, plan.uav);
@@ -79,6 +92,7 @@ std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan
         row.leg_m = path_m - std::exchange(before_m, path_m);
         row.arrival_s = std::max(0.0, sightings_s[k] - now.time_s);
         row.arrivalSigma_m2 = track.sigmaAfter_m2(row.arrival_s);
+        addSearches(row, iceberg, now, plan);
     }
     return rows;
 }

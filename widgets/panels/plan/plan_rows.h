@@ -19,6 +19,7 @@ struct PlanRow
     double sigma_m2 = 0;               ///< now
     double arrivalSigma_m2 = 0;        ///< when the UAV is there, unless it is seen on the way
     std::optional<double> chance = {}; ///< of being in view on arrival; none: depends on the aim
+    std::vector<PlannedSearch> searches = {}; ///< places where the lost iceberg is looked for
     bool isSeen = true;      ///< false: the plan ends before, legs and arrivals are not known
     bool isAssigned = false; ///< of several UAVs this one alone is to visit it
     bool operator==(const PlanRow&) const = default;

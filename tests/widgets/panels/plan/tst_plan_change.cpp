@@ -1,8 +1,10 @@
+#include "core/scenario/presets.h"
 #include "tests/support/approx.h"
 #include "tests/support/scenario_builder.h"
 #include "widgets/map/picture/mission_picture.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/model/workspace.h"
+#include "widgets/panels/plan/plan_model.h"
 #include "widgets/panels/plan/plan_rows.h"
 
 #include <QtTest>
@@ -138,6 +140,55 @@ private slots:
             planSections(desk.record().now, desk.record().scenario).front().rows;
         COMPARE_NEAR(later[0].arrival_s, rows[0].arrival_s - 60, 1e-9);
         COMPARE_NEAR(later[0].leg_m, rows[0].leg_m - 60 * 22, 3);
+    }
+
+    /** Legs that search for lost icebergs are told in the list and drawn, with times and chances. */
+    void searchesAreShown()
+    {
+        Scenario scenario = randomScenario(1, {.icebergs = 6});
+        scenario.planner.policy = PolicyKind::Coverage;
+        scenario.observer.model = ObserverModel::Kalman;
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.velocitySd_mps = 0.8;
+        Desk desk;
+        desk.open(scenario);
+        const auto searches = [&] { return desk.record().now.plan->outlook->searches; };
+        QVERIFY(searches().empty() && desk.picture().routes[0].searchPlaces.empty());
+        for (int time_s = 20; searches().empty() && time_s < 1000; time_s += 20)
+            desk.flyTo(time_s);
+        QVERIFY(!searches().empty());
+        const MissionSnapshot& now = desk.record().now;
+        const std::vector<PlanSection> sections = planSections(now, scenario);
+        std::size_t told = 0;
+        for (const PlanRow& row : sections.front().rows) {
+            if (row.searches.empty())
+                continue;
+            double chance = 0;
+            for (const PlannedSearch& search : row.searches) {
+                const auto iceberg = static_cast<std::size_t>(search.iceberg);
+                QCOMPARE(now.icebergs[iceberg].id, row.id);
+                QVERIFY(now.world.tracks[iceberg].status == TrackStatus::Lost);
+                QVERIFY(search.time_s > 0 && now.time_s + search.time_s <= 1000);
+                chance += search.chance;
+            }
+            COMPARE_NEAR(*row.chance, chance, 1e-12);
+            QVERIFY(chance > 0 && chance <= 1);
+            told += row.searches.size();
+        }
+        QCOMPARE(told, searches().size());
+        QCOMPARE(desk.picture().routes[0].searchPlaces.size(), searches().size());
+
+        PlanModel model(QLocale::c());
+        model.setPlan(sections);
+        QVERIFY(model.mayMiss());
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const bool isSearch =
+                !sections.front().rows[static_cast<std::size_t>(row)].searches.empty();
+            const QModelIndex name = model.index(row, PlanModel::Name);
+            QCOMPARE(name.data().toString().endsWith(u"(search)"_s), isSearch);
+            QCOMPARE(name.data(Qt::ToolTipRole).toString().contains(u"searched for in"_s),
+                     isSearch);
+        }
     }
 
     /** The judgement of a long run ends before it does. */
