@@ -4297,6 +4297,14 @@
         <source>Close together</source>
         <translation>Tett sammen</translation>
     </message>
+    <message>
+        <source>Place to search, chance of finding</source>
+        <translation>Sted å lete, sjanse for funn</translation>
+    </message>
+    <message>
+        <source>Place to search</source>
+        <translation>Sted å lete</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -7611,6 +7619,20 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Chance that the iceberg is in view when the UAV is over its estimate</source>
         <translation>Sjansen for at isfjellet er i synsfeltet når dronen er over dets estimat</translation>
+    </message>
+    <message>
+        <source>%1 (search)</source>
+        <translation>%1 (søk)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>time and chance</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Lost: searched for %1</source>
+        <comment>times and chances of finding it</comment>
+        <translation>Mistet: letes etter %1</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@ struct UavOrder
     std::vector<int> icebergs;              ///< indices in visiting order
     std::vector<std::vector<int>> clusters; ///< visited as one; all in `icebergs`, in sequence
     std::vector<AimedLeg> legs; ///< how it is flown to begin with; empty: straight to each
+    std::vector<PlannedSearch> searches = {}; ///< for lost icebergs, on the legs
 };
 
 /** A way through an order with turns. */

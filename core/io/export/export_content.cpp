@@ -164,6 +164,8 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
         const bool home = !uav.visits.empty() && uav.visits.back().iceberg < 0;
         FlyablePath path = flyOrder(scene, order, home);
         uav.isAimed = !order.legs.empty();
+        if (uav.isAimed)
+            uav.searches = std::move(order.searches);
         if (!home)
             endOverTheLastIceberg(path);
         uav.track = std::move(path.track);
@@ -245,6 +247,17 @@ ExportPlan planOf(const ExportSource& source)
             .fellBack = source.plan.fellBack};
 }
 
+/** It is at one of the places at most. */
+std::optional<double> chanceToFind(const std::vector<PlannedSearch>& searches, int iceberg,
+                                   double now_s)
+{
+    std::optional<double> chance;
+    for (const PlannedSearch& search : searches)
+        if (search.iceberg == iceberg && search.time_s > now_s)
+            chance = chance.value_or(0) + search.chance;
+    return chance;
+}
+
 } // namespace
 
 ExportContent exportContent(const ExportSource& source, const ExportOptions& options)
@@ -299,8 +312,10 @@ std::vector<NoFlyArea> closedAreas(const ExportContent& content)
 std::optional<double> chanceInView(const ExportContent& content, const ExportUav& uav,
                                    const Visit& visit, int iceberg)
 {
-    if (content.what == ExportWhat::Track || uav.isAimed)
+    if (content.what == ExportWhat::Track)
         return std::nullopt;
+    if (uav.isAimed)
+        return chanceToFind(uav.searches, iceberg, content.now_s);
     const ExportIceberg& now = content.icebergs.at(static_cast<std::size_t>(iceberg));
     const SensorSpec sensor{.fov_m = uav.uav.fov_m, .shape = content.scenario->fovShape};
     return chanceInView(sensor, std::sqrt(now.sigmaAfter_m2(visit.time_s - content.now_s)),

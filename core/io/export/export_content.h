@@ -66,14 +66,15 @@ struct ExportUav
     Uav uav;             ///< as the way begins: place, heading, altitude and speed chosen
     double start_s = 0;  ///< when it begins
     Point home_m = Point::Zero();
-    double reach_m = 0;                 ///< acceptance radius wanted over a single iceberg
-    bool reachChosen = false;           ///< by the options: the same over clusters
-    bool isAimed = false;               ///< flown with aims: past the estimates, not over them
-    double circle_m = 0;                ///< radius of the tightest circle over ground
-    std::size_t laterSorties = 0;       ///< icebergs of the order that are left for them
-    std::vector<Visit> visits = {};     ///< to come or made, in order; home is iceberg -1
-    std::vector<TrackPoint> track = {}; ///< of `Path` and `Track`
-    double flown_m = 0;                 ///< through the air until now
+    double reach_m = 0;       ///< acceptance radius wanted over a single iceberg
+    bool reachChosen = false; ///< by the options: the same over clusters
+    bool isAimed = false;     ///< flown with aims: past the estimates, not over them
+    std::vector<PlannedSearch> searches = {}; ///< for lost icebergs, on the aimed legs
+    double circle_m = 0;                      ///< radius of the tightest circle over ground
+    std::size_t laterSorties = 0;             ///< icebergs of the order that are left for them
+    std::vector<Visit> visits = {};           ///< to come or made, in order; home is iceberg -1
+    std::vector<TrackPoint> track = {};       ///< of `Path` and `Track`
+    double flown_m = 0;                       ///< through the air until now
 };
 
 enum class IcebergState
@@ -154,8 +155,9 @@ struct ExportContent
 
 /**
  * Chance that an iceberg of a planned visit is in view when the UAV is over its estimate
- * (`chanceInView`; of a cluster, as far out as its farthest member). None where the UAV does not
- * fly over it, or has done so.
+ * (`chanceInView`; of a cluster, as far out as its farthest member); of a lost one that legs with
+ * aims search for, that one of the places shows it. None where the UAV does not fly over it, or has
+ * done so.
  */
 [[nodiscard]] std::optional<double> chanceInView(const ExportContent& content, const ExportUav& uav,
                                                  const Visit& visit, int iceberg);

@@ -93,6 +93,8 @@ UavOrder presentOrder(const ExportSource& source, std::size_t row)
     if (!simulation.uav(uav).isPlanned())
         return {};
     UavOrder order{.icebergs = plan->order, .clusters = plan->clusters, .legs = plan->legs};
+    if (plan->outlook)
+        order.searches = plan->outlook->searches;
     if (!order.legs.empty() && simulation.uav(uav).aim)
         order.legs.front() = *simulation.uav(uav).aim; // what is left of its turn
     for (AimedLeg& leg : order.legs) {

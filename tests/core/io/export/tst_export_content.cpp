@@ -130,6 +130,39 @@ private slots:
         }
     }
 
+    /** Of a lost one it is the chance that one of the places shows it where the plan looks. */
+    void chanceOfSearchesIsTold()
+    {
+        Scenario scenario = randomScenario(1, {.icebergs = 6});
+        scenario.planner.policy = PolicyKind::Coverage;
+        scenario.observer.model = ObserverModel::Kalman;
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.velocitySd_mps = 0.8;
+        Mission mission(scenario, {.workLimit = 20'000});
+        const auto searches = [&] {
+            const PlanEvent* plan = lastPlanOf(mission.plans(), 0);
+            return plan != nullptr && plan->outlook ? plan->outlook->searches
+                                                    : std::vector<PlannedSearch>{};
+        };
+        for (int time_s = 20; searches().empty() && time_s < 1000; time_s += 20)
+            mission.advance(time_s);
+        QVERIFY(!searches().empty());
+        const PlanAnswer none;
+        const ExportContent content = exportContent(
+            {.scenario = scenario, .plan = none, .mission = &mission}, {.what = ExportWhat::Path});
+        const ExportUav uav = only(content);
+        const std::vector<PlannedSearch> planned = searches();
+        const PlannedSearch first = planned.front();
+        double chance = 0;
+        for (const PlannedSearch& search : planned)
+            chance += search.iceberg == first.iceberg ? search.chance : 0;
+        const Visit visit{.iceberg = first.iceberg, .time_s = first.time_s};
+        COMPARE_NEAR(chanceInView(content, uav, visit, first.iceberg).value(), chance, 1e-12);
+        for (int other = 0; other < 6; ++other)
+            if (std::ranges::find(planned, other, &PlannedSearch::iceberg) == planned.end())
+                QVERIFY(!chanceInView(content, uav, visit, other));
+    }
+
     /** In view, 300 m before the middle, the next leg begins. */
     void pathReachesEachIceberg()
     {
