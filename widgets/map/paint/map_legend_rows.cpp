@@ -199,11 +199,10 @@ void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme)
         picture.anyRoute([](const MapRoute& route) { return !route.search_m.empty(); }),
         MapLegend::tr("Search pattern"), MapLegend::tr("Search"),
         [colours](QPainter& p, const QRectF& r) { drawLineSwatch(p, r, searchPen(colours.uav)); });
-    rows.add(picture.anyRoute([](const MapRoute& route) { return !route.searchPlaces.empty(); }),
-             MapLegend::tr("Place to search, chance of finding"), MapLegend::tr("Place to search"),
-             [colours](QPainter& p, const QRectF& r) {
-                 drawSearchPlace(p, r.center(), colours.plan);
-             });
+    rows.add(
+        picture.anyRoute([](const MapRoute& route) { return !route.searchPlaces.empty(); }),
+        MapLegend::tr("Place to search, chance of finding"), MapLegend::tr("Place to search"),
+        [colours](QPainter& p, const QRectF& r) { drawSearchPlace(p, r.center(), colours.plan); });
     rows.add(std::any_of(picture.clusters.begin(), picture.clusters.end(),
                          [](const std::vector<int>& members) { return members.size() > 1; }),
              MapLegend::tr("Planned as one point"), MapLegend::tr("One point"),

@@ -261,8 +261,7 @@ QString PlanModel::searchesText(const std::vector<PlannedSearch>& searches) cons
     for (const PlannedSearch& search : searches)
         places << tr("%1 (%2)", "time and chance")
                       .arg(arrivalText(search.time_s), chanceText(search.chance, m_locale));
-    return tr("Lost: searched for %1", "times and chances of finding it")
-        .arg(places.join(u", "_s));
+    return tr("Lost: searched for %1", "times and chances of finding it").arg(places.join(u", "_s));
 }
 
 QVariant PlanModel::data(const QModelIndex& index, int role) const

@@ -142,7 +142,8 @@ private slots:
         COMPARE_NEAR(later[0].leg_m, rows[0].leg_m - 60 * 22, 3);
     }
 
-    /** Legs that search for lost icebergs are told in the list and drawn, with times and chances. */
+    /** Legs that search for lost icebergs are told in the list and drawn, with times and chances.
+     */
     void searchesAreShown()
     {
         Scenario scenario = randomScenario(1, {.icebergs = 6});
