@@ -128,6 +128,10 @@ private:
         iceberg.sigma0_m2 = m_random.uniform(1, 100);
         if (oneIn(3))
             iceberg.velocitySd_mps = m_random.uniform(0, 0.4);
+        if (oneIn(4)) {
+            iceberg.velocitySpread_mps = m_random.uniform(0.05, 0.3);
+            iceberg.velocityTime_s = m_random.uniform(600, 36'000);
+        }
         if (oneIn(6))
             iceberg.observed_s = m_random.uniform(0, 2000);
         if (oneIn(6))

@@ -43,14 +43,17 @@ Point headingOn(const Point& course, const Point& wind_mps, double airspeed_mps)
     return Eigen::Rotation2Dd(std::asin(across)) * course;
 }
 
+/** Small aircraft that crab along their legs. */
 void paintHeadingMarks(const MapPaint& p, std::size_t uav, const QColor& colour)
 {
-    for (const QLineF& mark : headingMarks(p.picture, p.layout, uav))
-        for (const QPen& pen : {QPen(p.theme.sea, 3.6, Qt::SolidLine, Qt::RoundCap),
-                                QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap)}) {
-            p.painter.setPen(pen);
-            p.painter.drawLine(mark);
-        }
+    constexpr double kSize = 0.7; // of a UAV
+    for (const QLineF& mark : headingMarks(p.picture, p.layout, uav)) {
+        p.painter.save();
+        p.painter.translate(mark.p1());
+        p.painter.scale(kSize, kSize);
+        drawUav(p.painter, {}, std::atan2(-mark.dy(), mark.dx()), colour, p.theme);
+        p.painter.restore();
+    }
 }
 
 /** Legs end when their iceberg comes into view; their lines point on at these. */

@@ -23,8 +23,8 @@ void paintSearches(const MapPaint& p);
 void paintPlans(const MapPaint& p);
 
 /**
- * In wind: short lines from the middle of the first legs along the heading that they are flown
- * with, heading = course + asin(-w_n / U). Legs without room for one have none.
+ * In wind: where small aircraft are drawn, from the middle of the first legs along the heading that
+ * they are flown with, heading = course + asin(-w_n / U). Legs without room for one have none.
  */
 [[nodiscard]] std::vector<QLineF> headingMarks(const MapPicture& picture, const MapLayout& layout,
                                                std::size_t uav);
