@@ -1,6 +1,7 @@
 #include "core/base/angles.h"
 #include "core/io/export/export_content.h"
 #include "core/io/export/plan_csv.h"
+#include "core/scenario/presets.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/mission_builder.h"
