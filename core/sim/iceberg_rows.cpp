@@ -17,14 +17,6 @@ std::vector<IcebergSample> icebergsOf(const Simulation& now)
     return icebergs;
 }
 
-void IcebergRows::Courses::startAt(const Simulation& keyframe)
-{
-    step = keyframe.step();
-    icebergs.clear();
-    for (int i = 0; i < keyframe.icebergCount(); ++i)
-        icebergs.push_back(courseOf(keyframe, i));
-}
-
 /** Step by step, as the simulation does, so that the last bit is the same. */
 void IcebergRows::Courses::advanceTo(std::int64_t until, double dt_s)
 {
@@ -67,60 +59,69 @@ std::span<const IcebergRows::Change> IcebergRows::changesOf(std::size_t row) con
     return std::span(m_changes).subspan(first, m_rows[row].changes - first);
 }
 
-void IcebergRows::add(const Simulation& now, std::span<const Simulation> keyframes)
+void IcebergRows::add(const Simulation& now, bool whole)
 {
-    require(!keyframes.empty(), "IcebergRows: no keyframe yet");
-    Row row{.step = now.step(), .keyframe = keyframes.size() - 1};
-    const bool isFirst = m_rows.empty() || m_rows.back().keyframe != row.keyframe;
-    if (isFirst)
-        m_last.startAt(keyframes.back());
-    m_last.advanceTo(row.step, now.world().dt_s());
-    if (now.icebergCount() > keyframes.back().icebergCount()) {
-        if (isFirst || static_cast<std::size_t>(now.icebergCount()) > m_last.icebergs.size())
-            m_added.push_back(now.world());
-        row.added = static_cast<int>(m_added.size()) - 1;
-    }
-    m_last.icebergs.resize(static_cast<std::size_t>(now.icebergCount()));
+    const auto count = static_cast<std::size_t>(now.icebergCount());
+    if (!m_rows.empty() && count > m_last.icebergs.size())
+        m_added.push_back(now.world());
+    const bool isWhole = whole || m_rows.empty();
+    if (!isWhole)
+        m_last.advanceTo(now.step(), now.world().dt_s());
+    m_last.step = now.step();
+    m_last.icebergs.resize(count);
     for (int i = 0; i < now.icebergCount(); ++i) {
         Course& foretold = m_last.icebergs[toIndex(i)];
         const Course is = courseOf(now, i);
-        if (is.sigma_m2 == foretold.sigma_m2 && is.inView == foretold.inView &&
+        if (!isWhole && is.sigma_m2 == foretold.sigma_m2 && is.inView == foretold.inView &&
             is.active == foretold.active && is.q_m2ps == foretold.q_m2ps)
             continue;
         foretold = is;
-        m_changes.push_back({.iceberg = i, .course = is});
+        if (!isWhole)
+            m_changes.push_back({.iceberg = i, .course = is});
     }
-    row.changes = m_changes.size();
-    m_rows.push_back(row);
+    if (isWhole)
+        m_whole.push_back(m_last);
+    m_rows.push_back(
+        {.step = now.step(), .whole = m_whole.size() - 1, .changes = m_changes.size()});
 }
 
-/** On from the row read last where that is before it and of the same keyframe, else from the
- * keyframe. */
+/** As late as there is one until then, with all icebergs of the row. */
+const World& IcebergReader::worldBefore(std::int64_t step) const
+{
+    const auto keyframe = std::ranges::upper_bound(m_keyframes, step, {}, &Simulation::step);
+    require(keyframe != m_keyframes.begin(), "IcebergReader: no keyframe before the row");
+    const World& world = std::prev(keyframe)->world();
+    if (toIndex(world.icebergCount()) == m_courses.icebergs.size())
+        return world;
+    const auto added = std::ranges::upper_bound(m_rows.m_added, step, {}, &World::step);
+    require(added != m_rows.m_added.begin(), "IcebergReader: icebergs from nowhere");
+    return *std::prev(added);
+}
+
+/** On from the row read last where both are read from one whole row, else from that. */
 void IcebergReader::goTo(std::size_t row)
 {
     const std::vector<IcebergRows::Row>& rows = m_rows.m_rows;
-    const std::size_t keyframe = rows[row].keyframe;
-    const bool continues = m_next > 0 && m_next <= row && rows[m_next - 1].keyframe == keyframe;
-    if (!continues) {
+    const std::size_t whole = rows[row].whole;
+    const std::int64_t step = rows[row].step;
+    if (m_next == 0 || m_next > row || rows[m_next - 1].whole != whole) {
         m_next = static_cast<std::size_t>(
-            std::ranges::lower_bound(rows, keyframe, {}, &IcebergRows::Row::keyframe) -
-            rows.begin());
-        m_courses.startAt(m_keyframes[keyframe]);
-        m_world.reset();
+            std::ranges::lower_bound(rows, whole, {}, &IcebergRows::Row::whole) - rows.begin());
+        m_courses = m_rows.m_whole[whole];
     }
     for (; m_next <= row; ++m_next) {
-        m_courses.advanceTo(rows[m_next].step, m_keyframes[keyframe].world().dt_s());
+        m_courses.advanceTo(rows[m_next].step, m_keyframes.front().world().dt_s());
         for (const IcebergRows::Change& change : m_rows.changesOf(m_next)) {
             m_courses.icebergs.resize(
                 std::max(m_courses.icebergs.size(), toIndex(change.iceberg) + 1));
             m_courses.icebergs[toIndex(change.iceberg)] = change.course;
         }
     }
-    const int added = rows[row].added;
-    if (!m_world || added != m_added)
-        m_world = added < 0 ? m_keyframes[keyframe].world() : m_rows.m_added[toIndex(added)];
-    m_added = added;
-    m_world->goTo(rows[row].step);
+    const World& before = worldBefore(step);
+    if (!m_world || m_world->step() > step || m_world->step() < before.step() ||
+        m_world->icebergCount() != before.icebergCount())
+        m_world = before;
+    m_world->goTo(step);
 }
 
 std::vector<IcebergSample> IcebergReader::at(std::size_t row)

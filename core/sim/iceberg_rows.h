@@ -20,14 +20,14 @@ struct IcebergSample
 [[nodiscard]] std::vector<IcebergSample> icebergsOf(const Simulation& now);
 
 /**
- * The icebergs at every sample of a flight, bit for bit and in little room: from keyframe to
- * keyframe sigmas grow and places drift, and only what does something else is kept.
+ * The icebergs at every sample of a flight, bit for bit and in little room: from one row that is
+ * whole to the next sigmas grow and places drift, and only what does something else is kept.
  */
 class IcebergRows
 {
 public:
-    /** The next row; `keyframes` are those of the flight so far, at least one. */
-    void add(const Simulation& now, std::span<const Simulation> keyframes);
+    /** The next row; `whole`: those after it are read from it on. The first one is. */
+    void add(const Simulation& now, bool whole);
     [[nodiscard]] std::size_t size() const { return m_rows.size(); }
 
 private:
@@ -54,9 +54,8 @@ private:
     struct Row
     {
         std::int64_t step = 0;
-        std::size_t keyframe = 0; ///< the last one until then
-        std::size_t changes = 0;  ///< where its own end
-        int added = -1;           ///< which world has the icebergs that the keyframe has not
+        std::size_t whole = 0;   ///< which of `m_whole` it is read from
+        std::size_t changes = 0; ///< where its own end
     };
     /** All icebergs, from row to row. */
     struct Courses
@@ -64,7 +63,6 @@ private:
         std::int64_t step = 0;
         std::vector<Course> icebergs;
 
-        void startAt(const Simulation& keyframe);
         void advanceTo(std::int64_t until, double dt_s);
     };
 
@@ -73,11 +71,15 @@ private:
 
     std::vector<Row> m_rows;
     std::vector<Change> m_changes;
-    std::vector<World> m_added; ///< at the first row after icebergs were added in flight
-    Courses m_last;             ///< at the last row
+    std::vector<Courses> m_whole; ///< at the rows that are
+    std::vector<World> m_added;   ///< at the first row after icebergs were added in flight
+    Courses m_last;               ///< at the last row
 };
 
-/** Reads the rows; one after another costs least. Borrows rows and keyframes. */
+/**
+ * Reads the rows; one after another costs least. Borrows rows and keyframes, of which there may be
+ * any, the start among them: places are found from the last one before a row.
+ */
 class IcebergReader
 {
 public:
@@ -90,13 +92,13 @@ public:
 
 private:
     void goTo(std::size_t row);
+    [[nodiscard]] const World& worldBefore(std::int64_t step) const;
 
     const IcebergRows& m_rows;
     std::span<const Simulation> m_keyframes;
     std::size_t m_next = 0; ///< the row after the one read last; 0: none yet
     IcebergRows::Courses m_courses;
     std::optional<World> m_world;
-    int m_added = -1; ///< as of the row read last
 };
 
 } // namespace berg

@@ -1,6 +1,7 @@
 #include "core/sim/recorder.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -62,11 +63,32 @@ double weightedSum_m2(const Simulation& simulation)
 
 } // namespace
 
+/** The power of two that makes it few enough, so that those kept before have those kept after. */
+void Recorder::keep(const Simulation& keyframe)
+{
+    if (!m_keyframes.empty() && (m_keyframeCount - 1) % m_stride != 0)
+        m_keyframes.pop_back(); // was kept as the last one
+    m_keyframes.push_back(keyframe);
+    m_wholeRowDue = true;
+    ++m_keyframeCount;
+    m_keyframeTracks += toIndex(keyframe.icebergCount());
+    const std::size_t stride = std::bit_ceil(m_keyframeTracks / kMostKeyframeTracks + 1);
+    if (stride == m_stride)
+        return;
+    const std::size_t last = m_keyframes.size() - 1;
+    std::size_t i = 0;
+    std::erase_if(m_keyframes, [&](const Simulation&) {
+        const std::size_t at = i++;
+        return at * m_stride % stride != 0 && at != last;
+    });
+    m_stride = stride;
+}
+
 void Recorder::record(const Simulation& simulation)
 {
     const bool last = simulation.finished();
     if (last || simulation.step() % m_keyframeSteps == 0)
-        m_keyframes.push_back(simulation);
+        keep(simulation);
     if (!last && simulation.step() % m_sampleSteps != 0)
         return;
     const WorldState state = simulation.state();
@@ -81,7 +103,7 @@ void Recorder::record(const Simulation& simulation)
         return;
     }
     m_samples.push_back(std::move(sample));
-    m_rows.add(simulation, m_keyframes);
+    m_rows.add(simulation, std::exchange(m_wholeRowDue, false));
 }
 
 void Recorder::handOn(SampleSink sink)

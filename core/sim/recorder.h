@@ -93,11 +93,16 @@ using SampleSink = std::function<void(const Sample&, std::span<const IcebergSamp
 /**
  * History of a mission: samples at a fixed interval (and at the last step), the state of every
  * iceberg at each of them, keyframes. Row `i` of icebergs belongs to sample `i`; an iceberg added
- * in flight has no entry in the rows before.
+ * in flight has no entry in the rows before. Keyframes are bounded:
+ * whenever they hold more than `kMostKeyframeTracks`, every other one goes, so that a flight twice
+ * as long is looked back at with twice the time between them.
  */
 class Recorder
 {
 public:
+    /** Icebergs of all keyframes but the last: about 60 MB, or 15 MB of a file. */
+    static constexpr std::size_t kMostKeyframeTracks = 100'000;
+
     /** `interval_s` between samples, `keyframe_s` between keyframes; both rounded to steps. */
     Recorder(double interval_s, double keyframe_s, double dt_s);
 
@@ -115,12 +120,19 @@ public:
     }
     /** Until the next sample is recorded. */
     [[nodiscard]] IcebergReader reader() const { return {m_rows, m_keyframes}; }
-    /** From each of them the mission can be flown on, bit for bit; a plan may be due at once. */
+    /** From each of them the mission can be flown on, bit for bit; a plan may be due at once. The
+     * first and the last that was due are always among them. */
     [[nodiscard]] const std::vector<Simulation>& keyframes() const { return m_keyframes; }
 
 private:
+    void keep(const Simulation& keyframe);
+
     std::int64_t m_sampleSteps;
     std::int64_t m_keyframeSteps;
+    std::size_t m_keyframeCount = 0; ///< of all that were due
+    std::size_t m_keyframeTracks = 0;
+    std::size_t m_stride = 1;  ///< of each so many the first is kept
+    bool m_wholeRowDue = true; ///< a keyframe was due since the last row
     std::vector<Sample> m_samples;
     IcebergRows m_rows;
     std::vector<Simulation> m_keyframes;

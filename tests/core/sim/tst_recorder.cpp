@@ -222,6 +222,40 @@ private slots:
         QVERIFY(keyframes[3].state() == simulation.state()); // the end, between two keyframes
     }
 
+    /** The same end, rows and places of a flight with 251 keyframes of 1000 icebergs, of which one
+     * in four stays. */
+    void keyframesAreBounded()
+    {
+        Scenario scenario = twoIcebergs(250);
+        for (int i = 2; i < 1000; ++i)
+            addIceberg(scenario, 100.0 * i, 4000).velocity_mps = {0.1, 0.2};
+        Simulation simulation(scenario);
+        Recorder recorder(0.5, 1, scenario.dt_s);
+        std::vector<std::vector<IcebergSample>> states;
+        std::vector<std::size_t> counts;
+        recordAll(simulation, recorder, [&](Simulation& s) {
+            counts.push_back(recorder.keyframes().size() * toIndex(s.icebergCount()));
+            if (s.step() == 1234)
+                s.addIceberg({.id = "added", .position_m = {900, 900}});
+            if (s.step() % 365 == 0)
+                states.push_back(icebergsOf(s));
+        });
+        QVERIFY(std::ranges::max(counts) <= Recorder::kMostKeyframeTracks + 2 * 1001);
+        const std::vector<Simulation>& keyframes = recorder.keyframes();
+        QCOMPARE(keyframes.size(), std::size_t{64});
+        for (std::size_t i = 0; i + 1 < keyframes.size(); ++i)
+            QCOMPARE(keyframes[i].step(), static_cast<std::int64_t>(40 * i));
+        QCOMPARE(keyframes.back().step(), std::int64_t{2500});
+        IcebergReader reader = recorder.reader();
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            const std::vector<IcebergSample> read = reader.at(73 * (i + 1));
+            QVERIFY(std::ranges::equal(read, states[i], {}, &IcebergSample::truth_m,
+                                       &IcebergSample::truth_m));
+            QVERIFY(std::ranges::equal(read, states[i], {}, &IcebergSample::sigma_m2,
+                                       &IcebergSample::sigma_m2));
+        }
+    }
+
     /** An end that is due anyway is kept once. */
     void endIsKeptOnce()
     {
