@@ -73,10 +73,10 @@ SampleSink FlightFiles::sink()
 
 void FlightFiles::add(const Mission& mission)
 {
-    m_events = eventsCsv(mission);
-    m_run = runToJson(runOf(mission));
-    m_set.add(m_prefix + "events.csv", m_events);
-    m_set.add(m_prefix + "run.bergrun", m_run);
+    StagedFile& events = m_set.add(m_prefix + "events.csv");
+    writeEvents(mission, [&events](std::string_view piece) { events.append(piece); });
+    StagedFile& run = m_set.add(m_prefix + "run.bergrun");
+    writeRun(runOf(mission), [&run](std::string_view piece) { run.append(piece); });
 }
 
 } // namespace berg::cli

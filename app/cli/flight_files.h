@@ -27,7 +27,8 @@ private:
 
 /**
  * The files of a flight. Its tables are written while it is flown, so that memory does not grow
- * with its length; they take their places with the others, at the end.
+ * with its length; they take their places with the others, at the end. Those are written in
+ * pieces as well.
  */
 class FlightFiles
 {
@@ -49,8 +50,6 @@ private:
     SampleTables m_tables;
     std::string m_prefix;
     std::string m_rows;
-    std::string m_events;
-    std::string m_run;
     FileSet m_set;
     StagedFile& m_trajectory;
     StagedFile& m_sigma;

@@ -3,6 +3,7 @@
 #include "core/io/files/run_keyframe.h"
 #include "core/io/files/scenario_parts.h"
 #include "core/io/text/atomic_file.h"
+#include "core/io/text/file_set.h"
 #include "core/scenario/checks.h"
 #include "core/scenario/validate.h"
 
@@ -91,15 +92,6 @@ std::string metricsText(const Metrics& metrics)
     object.add("replans", metrics.replans);
     object.add("flown_m", metrics.flown_m);
     return object.inLine();
-}
-
-template <class Entry>
-std::string listText(const std::vector<Entry>& entries, std::string (*text)(const Entry&))
-{
-    std::vector<std::string> texts;
-    texts.reserve(entries.size());
-    std::transform(entries.begin(), entries.end(), std::back_inserter(texts), text);
-    return jsonLines(texts, 1);
 }
 
 MissionOptions readOptions(const Json& value, const std::string& path, Faults& faults)
@@ -410,19 +402,30 @@ RunFile readRun(ObjectReader& run)
 
 } // namespace
 
+void writeRun(const RunFile& run, const TextSink& put)
+{
+    JsonObject head;
+    head.add("format", kFormat);
+    head.add("version", 1);
+    head.addText("scenario", scenarioText(run.scenario, 1));
+    head.addText("options", optionsText(run.options));
+    head.add("flown_until_s", run.flownUntil_s);
+    const std::string members = head.inLines(0);
+    put(std::string_view(members).substr(0, members.size() - 2)); // without the end of the object
+    put(",\n \"interventions\": ");
+    putJsonLines(put, run.interventions, 1, interventionText);
+    put(",\n \"plans\": ");
+    putJsonLines(put, run.plans, 1, planText);
+    put(",\n \"metrics\": " + metricsText(run.metrics) + ",\n \"keyframes\": ");
+    putJsonLines(put, run.keyframes, 1, keyframeText);
+    put("\n}\n");
+}
+
 std::string runToJson(const RunFile& run)
 {
-    JsonObject object;
-    object.add("format", kFormat);
-    object.add("version", 1);
-    object.addText("scenario", scenarioText(run.scenario, 1));
-    object.addText("options", optionsText(run.options));
-    object.add("flown_until_s", run.flownUntil_s);
-    object.addText("interventions", listText(run.interventions, interventionText));
-    object.addText("plans", listText(run.plans, planText));
-    object.addText("metrics", metricsText(run.metrics));
-    object.addText("keyframes", listText(run.keyframes, keyframeText));
-    return object.inLines(0) + '\n';
+    std::string text;
+    writeRun(run, [&text](std::string_view piece) { text += piece; });
+    return text;
 }
 
 RunFile runFromJson(std::string_view text, const std::string& subject, const std::stop_token& stop)
@@ -443,7 +446,10 @@ RunFile loadRun(const std::string& path, const std::stop_token& stop)
 
 void saveRun(const RunFile& run, const std::string& path)
 {
-    writeFileAtomically(path, runToJson(run));
+    FileSet file;
+    StagedFile& staged = file.add(path);
+    writeRun(run, [&staged](std::string_view piece) { staged.append(piece); });
+    file.write();
 }
 
 std::string formatOf(std::string_view text, const std::string& subject, const std::stop_token& stop)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/text/text_sink.h"
 #include "core/sim/mission.h"
 
 #include <functional>
@@ -36,10 +37,12 @@ struct RunFile
 };
 
 /**
- * The run flown so far. Keyframes of very long runs are thinned evenly, so that the file stays
- * readable; the last one is always kept.
+ * The run flown so far. Of very long runs there are keyframes at longer intervals (`Recorder`), so
+ * that the file stays readable; the last one is always kept.
  */
 [[nodiscard]] RunFile runOf(const Mission& mission);
+/** The file in pieces: no more of it is in memory than one of them. */
+void writeRun(const RunFile& run, const TextSink& put);
 [[nodiscard]] std::string runToJson(const RunFile& run);
 /** Errors as for `scenarioFromJson`. */
 [[nodiscard]] RunFile runFromJson(std::string_view text, const std::string& subject,

@@ -294,12 +294,13 @@ std::string zetaCsv(const Mission& mission)
     return text;
 }
 
-std::string eventsCsv(const Mission& mission)
+void writeEvents(const Mission& mission, const TextSink& put)
 {
     const std::vector<std::string> ids = idFields(std::span(mission.icebergs()));
     const std::vector<std::string> uavs = idFields(std::span(mission.scenario().uavs));
-    std::string text = "time_s,event,uav,iceberg,detail\n";
+    put("time_s,event,uav,iceberg,detail\n");
     for (const MissionEvent& event : mission.events()) {
+        std::string text;
         add(text, event.time_s, ',');
         text += eventName(event.kind);
         text += ',';
@@ -309,7 +310,14 @@ std::string eventsCsv(const Mission& mission)
         if (event.iceberg >= 0)
             text += ids.at(static_cast<std::size_t>(event.iceberg));
         text += ',' + csvField(eventDetail(event, mission)) + '\n';
+        put(text);
     }
+}
+
+std::string eventsCsv(const Mission& mission)
+{
+    std::string text;
+    writeEvents(mission, [&text](std::string_view piece) { text += piece; });
     return text;
 }
 

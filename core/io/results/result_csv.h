@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/geodesy.h"
+#include "core/io/text/text_sink.h"
 #include "core/sim/visits.h"
 
 #include <span>
@@ -25,6 +26,8 @@ namespace berg {
 [[nodiscard]] std::string sigmaCsv(const Mission& mission);
 /** `time_s,event,uav,iceberg,detail` */
 [[nodiscard]] std::string eventsCsv(const Mission& mission);
+/** The same, a row at a time. */
+void writeEvents(const Mission& mission, const TextSink& put);
 /** `time_s,sigma_sum_m2,zeta_m2s`, and `weighted_sigma_sum_m2` where there is an asset */
 [[nodiscard]] std::string zetaCsv(const Mission& mission);
 

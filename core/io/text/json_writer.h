@@ -4,6 +4,7 @@
 // texts, others as trees of the library; numbers and texts are written by the same functions.
 
 #include "core/base/geometry.h"
+#include "core/io/text/text_sink.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -41,6 +42,20 @@ namespace berg {
 [[nodiscard]] std::string jsonArray(const std::vector<std::string>& entries);
 /** Each entry on its own line, one blank further in than `indent`. */
 [[nodiscard]] std::string jsonLines(const std::vector<std::string>& entries, int indent);
+
+/** The same in pieces, each entry made by `text` when its turn comes. */
+template <class Entry>
+void putJsonLines(const TextSink& put, const std::vector<Entry>& entries, int indent,
+                  std::string (*text)(const Entry&))
+{
+    const std::string line = '\n' + std::string(static_cast<std::size_t>(indent), ' ');
+    const char* before = "[";
+    for (const Entry& entry : entries) {
+        put(before + line + ' ' + text(entry));
+        before = ",";
+    }
+    put(entries.empty() ? "[]" : line + ']');
+}
 
 template <class T>
 [[nodiscard]] std::string jsonArrayOf(const std::vector<T>& values)
