@@ -194,11 +194,12 @@ void addExamples(CLI::App& app)
         {"validate", "validate *.berg"},
         {"import", "import sightings.csv --output field.berg --map id=name"},
         {"completion", "completion bash > bergwatch-cli.bash"}};
-    app.footer("Environment:\n  " + std::string(kReadLimitsVariable) + "=N" +
-               std::string(kHelpColumn - 25, ' ') +
-               "Every limit of reading (64 MiB, ten times a file and 50 MB of memory, 10 000 000 "
-               "values, 1 000 000 rows) times N, from 1 to 1000. Fixed are what a scenario may hold, "
-               "and the 1 000 000 missions of a study");
+    app.footer(
+        "Environment:\n  " + std::string(kReadLimitsVariable) + "=N" +
+        std::string(kHelpColumn - 25, ' ') +
+        "Every limit of reading (64 MiB, ten times a file and 50 MB of memory, 10 000 000 "
+        "values, 1 000 000 rows) times N, from 1 to 1000. Fixed are what a scenario may hold, "
+        "and the 1 000 000 missions of a study");
     for (CLI::App* command : app.get_subcommands({}))
         for (const auto& [name, lines] : kExamples)
             if (command->get_name() == name)
