@@ -4077,6 +4077,14 @@
     </message>
 </context>
 <context>
+    <name>ManualText</name>
+    <message>
+        <source>en</source>
+        <comment>folder of the manual in this language</comment>
+        <translation>nb</translation>
+    </message>
+</context>
+<context>
     <name>MapLayoutText</name>
     <message>
         <source>lost</source>
@@ -6829,6 +6837,61 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
+    <name>berg::ManualWindow</name>
+    <message>
+        <source>Bergwatch manual</source>
+        <translation>Håndbok for Bergwatch</translation>
+    </message>
+    <message>
+        <source>Contents of the manual</source>
+        <translation>Innholdet i håndboken</translation>
+    </message>
+    <message>
+        <source>Text of the manual</source>
+        <translation>Håndbokens tekst</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Tilbake</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Frem</translation>
+    </message>
+    <message>
+        <source>Larger text</source>
+        <translation>Større tekst</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>Mindre tekst</translation>
+    </message>
+    <message>
+        <source>Search the manual (Ctrl+F)</source>
+        <translation>Søk i håndboken (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Søk i håndboken</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Forrige</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Neste</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Ikke funnet</translation>
+    </message>
+    <message>
+        <source>Lines found: %1</source>
+        <translation>Linjer funnet: %1</translation>
+    </message>
+</context>
+<context>
     <name>berg::MapView</name>
     <message>
         <source>Delete iceberg</source>
@@ -7395,6 +7458,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>&amp;Analyse</source>
         <translation>&amp;Analyser</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Håndbok</translation>
     </message>
 </context>
 <context>

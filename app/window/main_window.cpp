@@ -8,6 +8,7 @@
 #include "app/window/flight_controls.h"
 #include "app/window/flight_panels.h"
 #include "app/window/flight_view.h"
+#include "app/window/manual_help.h"
 #include "app/window/map_links.h"
 #include "app/window/menus.h"
 #include "app/window/planner_view.h"
@@ -69,6 +70,7 @@ struct MainWindow::Parts
     MapLinks mapLinks;
     AppearanceChoice appearance;
     PreferenceMenus preferences;
+    ManualHelp manual;
     Menus menus;
     ContextMenus contextMenus;
 };
@@ -95,6 +97,7 @@ MainWindow::Parts::Parts(WindowContext& context)
     , mapLinks(context, docks)
     , appearance(context)
     , preferences(context, appearance)
+    , manual(context)
     , menus(context, {.files = files,
                       .results = results,
                       .sightings = sightings,
@@ -108,7 +111,8 @@ MainWindow::Parts::Parts(WindowContext& context)
                       .solveTimes = solveTimes,
                       .flightView = flightView,
                       .flight = flight,
-                      .preferences = preferences})
+                      .preferences = preferences,
+                      .manual = manual})
     , contextMenus(context, docks, menus.shared())
 {
 }

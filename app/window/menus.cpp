@@ -5,6 +5,7 @@
 #include "app/window/docks.h"
 #include "app/window/flight_controls.h"
 #include "app/window/flight_view.h"
+#include "app/window/manual_help.h"
 #include "app/window/map_links.h"
 #include "app/window/panels.h"
 #include "app/window/preference_menus.h"
@@ -352,6 +353,8 @@ void Menus::buildLookBackActions(QMenu& menu)
 void Menus::buildHelpMenu()
 {
     QMenu& menu = addMenu(tr("&Help"));
+    add(menu, {"manualAction", tr("&Manual"), QKeySequence::HelpContents, std::nullopt},
+        [this] { m_targets.manual.open(); });
     add(menu, {"shortcutsAction", tr("&Shortcuts"), Qt::Key_Question, std::nullopt},
         [this] { showShortcuts(); });
     add(menu, {"tourAction", tr("&Tour"), {}, std::nullopt},

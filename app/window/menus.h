@@ -16,6 +16,7 @@ class ChecksView;
 class Docks;
 class FlightControls;
 class FlightView;
+class ManualHelp;
 class MapLinks;
 class PreferenceMenus;
 class ResultFiles;
@@ -44,6 +45,7 @@ struct MenuTargets
     FlightView& flightView;
     FlightControls& flight;
     PreferenceMenus& preferences;
+    ManualHelp& manual;
 };
 
 /** Actions that are in a context menu or the tool bar as well. */

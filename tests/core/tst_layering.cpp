@@ -62,6 +62,7 @@ const std::vector<Module> kRooms{
     {"widgets/map/view",
      {"widgets/theme", "widgets/words", "widgets/model", "widgets/map/picture", "widgets/map/land",
       "widgets/map/paint"}},
+    {"widgets/manual", {"widgets/theme"}},
     {"widgets/charts", {"widgets/theme", "widgets/words", "widgets/model", "widgets/map/picture"}},
     {"widgets/panels/fields",
      {"widgets/theme", "widgets/words", "widgets/model", "widgets/map/picture",

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/window/window_part.h"
+
+#include <QPointer>
+
+class QWidget;
+
+namespace berg {
+
+class ManualWindow;
+
+/** F1: the manual, at the place that tells of what has the focus; in dialogs too. */
+class ManualHelp : public WindowPart
+{
+    Q_OBJECT
+
+public:
+    explicit ManualHelp(WindowContext& context);
+
+    void open();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QPointer<ManualWindow> m_manual; ///< the last one opened
+};
+
+} // namespace berg

@@ -1,0 +1,254 @@
+#include "tests/support/panel_test.h"
+#include "widgets/manual/manual_places.h"
+#include "widgets/manual/manual_window.h"
+
+#include <QAction>
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTextBrowser>
+#include <QTreeWidget>
+#include <QtTest>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using Kind = MarkdownBlock::Kind;
+
+namespace {
+
+const QStringList kLanguages{u"en"_s, u"nb"_s};
+
+/** What all languages have alike: kinds, ids, codes, pictures, sizes of tables and the links. */
+QStringList frameOf(const ManualChapter& chapter)
+{
+    QStringList frame;
+    for (const MarkdownBlock& block : chapter.blocks) {
+        QString line =
+            u"%1 %2 %3 %4"_s.arg(int(block.kind)).arg(block.level).arg(block.id, block.info);
+        if (block.kind == Kind::Code)
+            line += block.text;
+        for (const QStringList& row : block.rows)
+            line += u" %1"_s.arg(row.size());
+        frame << line + linksOf(block.text).join(u' ');
+    }
+    return frame;
+}
+
+/** All links, also those in tables. */
+QStringList allLinks(const ManualChapter& chapter)
+{
+    QStringList links;
+    for (const MarkdownBlock& block : chapter.blocks) {
+        links << linksOf(block.text);
+        for (const QStringList& row : block.rows)
+            for (const QString& cell : row)
+                links << linksOf(cell);
+    }
+    return links;
+}
+
+/** Whether there is such a place; of a chapter in hand where it names none. */
+bool leads(const Manual& manual, const ManualChapter& from, const QString& link)
+{
+    const ManualChapter* chapter = link.startsWith(u'#') ? &from : manual.chapterAt(link);
+    return chapter != nullptr &&
+           (!link.contains(u'#') || chapter->hasAnchor(link.section(u'#', 1)));
+}
+
+} // namespace
+
+/** The manual: its chapters in all languages, what links lead to, search, and its window. */
+class TestManual : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void blocksAreRead()
+    {
+        const std::vector<MarkdownBlock> blocks = markdownBlocks(
+            u"# T {#t}\ntwo\nlines\n\n- a\n  b\n1. c\n> F = x\n\n| a | b |\n|---|---|\n| 1 | 2 |\n"
+            "```sh\n# x\n```\n![P](p.png)\n"_s);
+        QCOMPARE(blocks.size(), 8U);
+        QCOMPARE(blocks[0].id, u"t"_s);
+        QCOMPARE(blocks[1].text, u"two lines"_s);
+        QCOMPARE(blocks[2].text, u"a b"_s);
+        QVERIFY(blocks[3].kind == Kind::Numbered && blocks[4].kind == Kind::Formula);
+        QCOMPARE(blocks[5].rows, (std::vector<QStringList>{{u"a"_s, u"b"_s}, {u"1"_s, u"2"_s}}));
+        QCOMPARE(blocks[6].text, u"# x\n"_s);
+        QCOMPARE(blocks[7].info, u"p.png"_s);
+    }
+
+    void marksBecomeHtml_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("html");
+        QTest::addColumn<QString>("plain");
+        QTest::newRow("bold") << u"a **b** c"_s << u"a <b>b</b> c"_s << u"a b c"_s;
+        QTest::newRow("italic") << u"*a* 2 * 3"_s << u"<i>a</i> 2 * 3"_s << u"a 2 * 3"_s;
+        QTest::newRow("code") << u"`a < *b*`"_s << u"<code>a &lt; *b*</code>"_s << u"a < b"_s;
+        QTest::newRow("index") << u"σ<sub>i</sub> < 2"_s << u"σ<sub>i</sub> &lt; 2"_s
+                               << u"σi < 2"_s;
+        QTest::newRow("link") << u"[a](b.md#c)"_s << u"<a href=\"b.html#c\">a</a>"_s << u"a"_s;
+    }
+
+    void marksBecomeHtml()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, html);
+        QFETCH(QString, plain);
+        QCOMPARE(markdownHtml(markdownBlocks(text), false), u"<p>%1</p>\n"_s.arg(html));
+        QCOMPARE(plainText(text), plain);
+    }
+
+    void filesAreTheChapters()
+    {
+        QStringList expected;
+        for (const char* name : kManualChapters)
+            expected << QLatin1String(name) + u".md"_s;
+        expected.sort();
+        for (const QString& language : kLanguages)
+            QCOMPARE(QDir(QStringLiteral(BERG_SOURCE_DIR "/resources/manual/") + language)
+                         .entryList({u"*.md"_s}, QDir::Files, QDir::Name),
+                     expected);
+    }
+
+    void languagesHaveTheSameFrame()
+    {
+        const Manual english = readManual(u"en"_s);
+        const Manual norwegian = readManual(u"nb"_s);
+        for (std::size_t i = 0; i < english.chapters.size(); ++i) {
+            const QStringList a = frameOf(english.chapters[i]);
+            const QStringList b = frameOf(norwegian.chapters[i]);
+            for (qsizetype k = 0; k < std::min(a.size(), b.size()); ++k)
+                QVERIFY2(a[k] == b[k],
+                         qPrintable(english.chapters[i].name + u": "_s + a[k] + u" | "_s + b[k]));
+            QCOMPARE(b.size(), a.size());
+        }
+    }
+
+    void everyLinkLeadsSomewhere()
+    {
+        for (const QString& language : kLanguages) {
+            const Manual manual = readManual(language);
+            for (const ManualChapter& chapter : manual.chapters) {
+                QCOMPARE(chapter.blocks.front().level, 1);
+                for (const QString& link : allLinks(chapter))
+                    QVERIFY2(leads(manual, chapter, link),
+                             qPrintable(language + u' ' + chapter.name + u": "_s + link));
+            }
+            QVERIFY(!leads(manual, manual.chapters.front(), u"window.md#nowhere"_s));
+            QVERIFY(!leads(manual, manual.chapters.front(), u"nowhere.md"_s));
+        }
+    }
+
+    void headingsHaveIdsOfTheirOwn()
+    {
+        for (const ManualChapter& chapter : readManual(u"en"_s).chapters) {
+            QStringList ids;
+            for (const MarkdownBlock& block : chapter.blocks)
+                if (block.kind == Kind::Heading)
+                    ids << block.id;
+            QVERIFY2(!ids.contains(QString()), qPrintable(chapter.name));
+            QCOMPARE(ids.removeDuplicates(), 0);
+        }
+    }
+
+    void placesAreInTheManual()
+    {
+        const Manual manual = readManual(u"en"_s);
+        for (const ManualPlace& known : kManualPlaces) {
+            const QString place = QLatin1String(known.place);
+            QVERIFY2(leads(manual, manual.chapters.front(), place), known.place);
+            QWidget outer;
+            outer.setObjectName(QLatin1String(known.widget));
+            const QWidget inner(&outer);
+            QCOMPARE(manualPlaceOf(&inner), place);
+        }
+        const QWidget nowhere;
+        QCOMPARE(manualPlaceOf(&nowhere), u"start"_s);
+        QCOMPARE(manualPlaceOf(nullptr), u"start"_s);
+    }
+
+    void searchFindsLinesWithAllTheWords()
+    {
+        const Manual manual = readManual(u"en"_s);
+        const std::vector<ManualHit> hits = manual.search(u"GRAND export survey"_s);
+        QCOMPARE(hits.size(), 1U);
+        QVERIFY(hits[0].place.startsWith(u"start.html#block-"_s));
+        QCOMPARE(hits[0].heading, u"The same from the command line"_s);
+        QCOMPARE(hits[0].line, u"bergwatch-cli export grand-banks-12.berg --output survey.plan"_s);
+        QVERIFY(manual.search(u"xyzzy"_s).empty());
+        QVERIFY(manual.search(u"  "_s).empty());
+    }
+
+    void windowShowsPlacesAndGoesBack()
+    {
+        ManualWindow window(nullptr);
+        window.show();
+        const auto& text = test::child<QTextBrowser>(window, u"manualText"_s);
+        const auto& list = test::child<QTreeWidget>(window, u"manualList"_s);
+        QCOMPARE(list.topLevelItemCount(), int(kManualChapters.size()));
+        window.showPlace(u"window#plan"_s);
+        QCOMPARE(window.place(), u"window#plan"_s);
+        QVERIFY(list.currentItem() != nullptr);
+        QCOMPARE(list.currentItem()->text(0), u"Plan"_s);
+        QVERIFY(text.toPlainText().contains(u"The order of each UAV"_s));
+        window.showPlace(u"start"_s);
+        QCOMPARE(list.currentItem()->text(0), u"First flight"_s);
+        test::child<QAction>(window, u"manualBack"_s).trigger();
+        QCOMPARE(window.place(), u"window#plan"_s);
+        test::child<QAction>(window, u"manualForward"_s).trigger();
+        QCOMPARE(window.place(), u"start"_s);
+        const int size = text.font().pointSize();
+        test::child<QAction>(window, u"manualLarger"_s).trigger();
+        QCOMPARE(text.font().pointSize(), size + 1);
+    }
+
+    void windowListsWhatIsSearchedFor()
+    {
+        ManualWindow window(nullptr);
+        window.show();
+        window.showPlace(u"start"_s);
+        auto& field = test::child<QLineEdit>(window, u"manualSearch"_s);
+        const auto& list = test::child<QTreeWidget>(window, u"manualList"_s);
+        const auto& text = test::child<QTextBrowser>(window, u"manualText"_s);
+        const auto& found = test::child<QLabel>(window, u"manualFound"_s);
+        field.setText(u"acknowledge"_s);
+        QCOMPARE(list.topLevelItemCount(), 1);
+        QCOMPARE(list.topLevelItem(0)->text(0), u"Alarms"_s);
+        QVERIFY(list.topLevelItem(0)->child(0)->text(0).contains(u"Acknowledge takes"_s));
+        QTest::keyClick(&field, Qt::Key_Return);
+        QVERIFY(window.place().startsWith(u"window#block-"_s));
+        QCOMPARE(text.extraSelections().size(), 1);
+        field.setText(u"xyzzy"_s);
+        QCOMPARE(list.topLevelItemCount(), 0);
+        QCOMPARE(found.text(), u"Not found"_s);
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QTest::keyClick(&field, Qt::Key_Escape);
+        QCOMPARE(list.topLevelItemCount(), int(kManualChapters.size()));
+    }
+
+    /** From the last line to the first, and back. */
+    void stepsGoRound()
+    {
+        ManualWindow window(nullptr);
+        window.show();
+        auto& field = test::child<QLineEdit>(window, u"manualSearch"_s);
+        const auto& list = test::child<QTreeWidget>(window, u"manualList"_s);
+        field.setText(u"zeta"_s);
+        auto& next = test::child<QAction>(window, u"manualNext"_s);
+        next.trigger();
+        const QTreeWidgetItem* first = list.currentItem();
+        QCOMPARE(first, list.topLevelItem(0)->child(0));
+        test::child<QAction>(window, u"manualPrevious"_s).trigger();
+        QVERIFY(list.currentItem() != first);
+        next.trigger();
+        QCOMPARE(list.currentItem(), first);
+    }
+};
+
+QTEST_MAIN(TestManual)
+#include "tst_manual.moc"
