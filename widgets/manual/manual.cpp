@@ -32,6 +32,35 @@ QStringList linesOf(const MarkdownBlock& block)
     return lines;
 }
 
+std::vector<MarkdownBlock> blocksOf(const QString& path)
+{
+    QFile file(u":/manual/"_s + path);
+    require(file.open(QIODevice::ReadOnly), "readManual: chapters are part of the program");
+    return markdownBlocks(QString::fromUtf8(file.readAll()));
+}
+
+/** The tables of the page about scenario files, which the chapter has in its own words as far as it
+ * has. */
+void fillTables(std::vector<MarkdownBlock>& blocks)
+{
+    std::vector<MarkdownBlock> page = blocksOf(u"scenarios/README.md"_s);
+    std::erase_if(page, [](const MarkdownBlock& block) { return block.rows.empty(); });
+    auto source = page.begin();
+    for (MarkdownBlock& block : blocks) {
+        if (block.rows.empty() || source == page.end())
+            continue;
+        std::vector<QStringList> rows{block.rows.front()};
+        for (auto row = source->rows.begin() + 1; row != source->rows.end(); ++row) {
+            const auto own =
+                std::find_if(block.rows.begin(), block.rows.end(),
+                             [&](const auto& one) { return one.front() == row->front(); });
+            rows.push_back(own == block.rows.end() ? *row : *own);
+        }
+        block.rows = std::move(rows);
+        ++source;
+    }
+}
+
 } // namespace
 
 QString ManualChapter::title() const
@@ -97,10 +126,11 @@ Manual readManual(const QString& language)
 {
     Manual manual;
     for (const char* name : kManualChapters) {
-        QFile file(u":/manual/%1/%2.md"_s.arg(language, QLatin1String(name)));
-        require(file.open(QIODevice::ReadOnly), "readManual: chapters are part of the program");
-        manual.chapters.push_back({.name = QLatin1String(name),
-                                   .blocks = markdownBlocks(QString::fromUtf8(file.readAll()))});
+        const QString chapter = QLatin1String(name);
+        manual.chapters.push_back(
+            {.name = chapter, .blocks = blocksOf(u"%1/%2.md"_s.arg(language, chapter))});
+        if (chapter == u"fields"_s)
+            fillTables(manual.chapters.back().blocks);
     }
     return manual;
 }

@@ -155,6 +155,40 @@ private slots:
         }
     }
 
+    /** Each row of the page about scenario files, in both languages; numbers need no translation.
+     */
+    void fieldsAreThoseOfScenarioFiles()
+    {
+        QFile file(QStringLiteral(BERG_SOURCE_DIR "/resources/scenarios/README.md"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        std::vector<QStringList> page;
+        for (const MarkdownBlock& block : markdownBlocks(QString::fromUtf8(file.readAll())))
+            if (!block.rows.empty() && page.empty())
+                page = block.rows;
+        QVERIFY(page.size() > 30);
+        const auto tablesOf = [](const QString& language) {
+            const Manual manual = readManual(language);
+            std::vector<std::vector<QStringList>> tables;
+            for (const MarkdownBlock& block : manual.chapterAt(u"fields"_s)->blocks)
+                if (!block.rows.empty())
+                    tables.push_back(block.rows);
+            return tables;
+        };
+        const auto english = tablesOf(u"en"_s);
+        const auto norwegian = tablesOf(u"nb"_s);
+        QCOMPARE(english.size(), 2U);
+        QCOMPARE(english[0].size(), page.size());
+        QVERIFY(english[1].size() > 50);
+        for (std::size_t i = 1; i < page.size(); ++i) {
+            QCOMPARE(english[0][i], page[i]);
+            QCOMPARE(norwegian[0][i].front(), page[i].front());
+            QVERIFY2(
+                norwegian[0][i][2] != page[i][2] || !page[i][2].contains(u' ') ||
+                    page[i].front().startsWith(u"planner."_s),
+                qPrintable(u"resources/manual/nb/fields.md lacks a row: "_s + page[i].front()));
+        }
+    }
+
     void placesAreInTheManual()
     {
         const Manual manual = readManual(u"en"_s);
@@ -175,7 +209,7 @@ private slots:
     {
         const Manual manual = readManual(u"en"_s);
         const std::vector<ManualHit> hits = manual.search(u"GRAND export survey"_s);
-        QCOMPARE(hits.size(), 1U);
+        QCOMPARE(hits.size(), 2U); // and again where it fails
         QVERIFY(hits[0].place.startsWith(u"start.html#block-"_s));
         QCOMPARE(hits[0].heading, u"The same from the command line"_s);
         QCOMPARE(hits[0].line, u"bergwatch-cli export grand-banks-12.berg --output survey.plan"_s);

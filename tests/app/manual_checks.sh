@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Every command of the manual, in its order, as a reader would type it:
+#   manual_checks.sh CLI SOURCE_DIR WORK_DIR WINDOW_PROGRAM|none WITH_CBC
+# Blocks of ```sh are run in one folder, with the programs on the PATH and the examples of the sources in
+# place of the installed ones. A block has to end with 0, or with N where it begins with ```sh exit=N. Without
+# the window's program its blocks, and those that paint, are left out; without CBC those that verify. The Norwegian has the same blocks (tst_manual).
+source "$(dirname "$0")/cli_support.sh"
+window=${4#none}
+with_cbc=$5
+bin=$work/bin
+mkdir "$bin" flown
+ln -s "$cli" "$bin/bergwatch-cli"
+[ -z "$window" ] || ln -s "$window" "$bin/bergwatch"
+cp -r "$source_dir/resources/scenarios" "$work/scenarios"
+export PATH=$bin:$PATH QT_QPA_PLATFORM=offscreen
+cd flown || exit 1
+
+# blocks FILE: writes each block to block-K.sh and prints a line "K EXIT" for each.
+blocks() {
+    awk '
+        /^```sh/ { ++k; wanted = match($0, /exit=[0-9]+/) ? substr($0, RSTART + 5, RLENGTH - 5) : 0
+                   file = "../block-" k ".sh"; printf "" > file; print k, wanted; inside = 1; next }
+        /^```/ { if (inside) close(file); inside = 0; next }
+        inside { gsub("/usr/share/bergwatch/scenarios", "../scenarios"); print > file }' "$1"
+}
+
+# In the order of the manual.
+chapters=$(tr '\n' ' ' <"$source_dir/widgets/manual/manual.h" |
+    sed 's/.*kManualChapters{\([^}]*\)}.*/\1/' | grep -o '[a-z]*')
+for chapter in $chapters; do
+    blocks "$source_dir/resources/manual/en/$chapter.md" >../list.txt
+    while read -r k wanted; do
+        if [ -z "$window" ] && grep -Eq '^bergwatch |format brief' "../block-$k.sh"; then
+            continue
+        fi
+        if [ "$with_cbc" != ON ] && grep -q -e --verify "../block-$k.sh"; then
+            continue
+        fi
+        check "$chapter, block $k" exits "$wanted" bash -e "../block-$k.sh" </dev/null
+    done <../list.txt
+done
+check "there are commands" test "$checks" -ge 15
+check "the import has three icebergs" \
+    python3 -c 'import json; assert len(json.load(open("survey.berg"))["icebergs"]) == 3'
+if [ -n "$window" ]; then
+    check "the brief is a PDF" grep -q '^%PDF' brief.pdf
+    check "the picture is there" test -s pictures/map.png
+fi
+
+all_checked
