@@ -4,6 +4,7 @@
 #include "app/pictures.h"
 #include "app/window/window_run.h"
 #include "core/base/error.h"
+#include "widgets/manual/manual_pages.h"
 #include "widgets/words/error_text.h"
 
 #include <QApplication>
@@ -89,6 +90,11 @@ struct Options
         Main::tr("file")};
     QCommandLineOption at{u"at"_s, Main::tr("Fly until this time before the screenshot."),
                           Main::tr("seconds"), u"0"_s};
+    QCommandLineOption manual{
+        u"manual"_s,
+        Main::tr(
+            "Write the manual as web pages and as PDF into <folder>, with the pictures there."),
+        Main::tr("folder")};
     QCommandLineOption config{
         u"config"_s, Main::tr("Keep settings in <file> in place of your own."), Main::tr("file")};
 };
@@ -178,6 +184,19 @@ void makePictures(const Request& request)
         print(stdout, path);
 }
 
+void makeManual(const QString& folder, bool force)
+{
+    std::vector<std::string> names;
+    for (const QString& name : berg::manualFileNames())
+        names.push_back(name.toStdString());
+    checkOutputs({},
+                 berg::cli::outputsIn("--manual", QFile::encodeName(folder).toStdString(),
+                                      std::vector<std::string_view>(names.begin(), names.end())),
+                 force);
+    for (const QString& path : berg::writeManual(folder))
+        print(stdout, path);
+}
+
 void checkScreenshot(const berg::WindowOptions& window, bool force)
 {
     checkOutputs(
@@ -236,7 +255,7 @@ int main(int argc, char* argv[])
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     parser.addOptions({options.pictures, options.force, options.size, options.theme,
-                       options.screenshot, options.at, options.config});
+                       options.screenshot, options.at, options.manual, options.config});
     parser.addPositionalArgument(
         Main::tr("file"), Main::tr("A scenario (.berg), run (.bergrun) or study (.bergstudy)."));
     if (!parser.parse(QApplication::arguments())) {
@@ -251,6 +270,9 @@ int main(int argc, char* argv[])
         print(stdout, parser.helpText());
         return kDone;
     }
+    if (parser.isSet(options.manual))
+        return exitCodeOf(
+            [&] { makeManual(parser.value(options.manual), parser.isSet(options.force)); });
     if (!parser.isSet(options.pictures)) {
         QString fault;
         const berg::WindowOptions window = windowOptionsOf(parser, options, fault);

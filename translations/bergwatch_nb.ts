@@ -4075,6 +4075,21 @@
         <source>A scenario (.berg), run (.bergrun) or study (.bergstudy).</source>
         <translation>Et scenario (.berg), en kjøring (.bergrun) eller en studie (.bergstudy).</translation>
     </message>
+    <message>
+        <source>Write the manual as web pages and as PDF into &lt;folder&gt;, with the pictures there.</source>
+        <translation>Skriv håndboken som nettsider og som PDF i &lt;folder&gt;, med bildene der.</translation>
+    </message>
+</context>
+<context>
+    <name>ManualPages</name>
+    <message>
+        <source>Contents</source>
+        <translation>Innhold</translation>
+    </message>
+    <message>
+        <source>The Bergwatch manual</source>
+        <translation>Håndbok for Bergwatch</translation>
+    </message>
 </context>
 <context>
     <name>ManualText</name>

@@ -32,6 +32,16 @@ QStringList linesOf(const MarkdownBlock& block)
     return lines;
 }
 
+/** As one types it: "tau" finds τ too. */
+QString typed(QString text)
+{
+    const std::array<std::pair<QChar, const char*>, 4> letters{
+        {{u'σ', "sigma"}, {u'τ', "tau"}, {u'ζ', "zeta"}, {u'μ', "mu"}}};
+    for (const auto& [letter, name] : letters)
+        text.replace(letter, QLatin1String(name));
+    return text;
+}
+
 std::vector<MarkdownBlock> blocksOf(const QString& path)
 {
     QFile file(u":/manual/"_s + path);
@@ -95,7 +105,7 @@ const ManualChapter* Manual::chapterAt(const QString& place) const
 
 std::vector<ManualHit> Manual::search(const QString& words) const
 {
-    const QStringList wanted = words.split(u' ', Qt::SkipEmptyParts);
+    const QStringList wanted = typed(words).split(u' ', Qt::SkipEmptyParts);
     std::vector<ManualHit> hits;
     if (wanted.isEmpty())
         return hits;
@@ -107,7 +117,7 @@ std::vector<ManualHit> Manual::search(const QString& words) const
                 heading = plainText(block.text);
             for (const QString& line : linesOf(block))
                 if (std::all_of(wanted.begin(), wanted.end(), [&](const QString& word) {
-                        return line.contains(word, Qt::CaseInsensitive);
+                        return typed(line).contains(word, Qt::CaseInsensitive);
                     }))
                     hits.push_back({.place = u"%1.html#block-%2"_s.arg(chapter.name).arg(i),
                                     .heading = heading,

@@ -25,7 +25,7 @@ namespace {
 constexpr QSize kSize_px{1080, 760};
 constexpr int kList_px = 300;
 constexpr int kPlaceRole = Qt::UserRole;
-constexpr double kLine = 0.25; ///< of tables, between background and text
+constexpr double kShade = 0.08; ///< of code and heads of tables, between background and text
 
 /** Pages are made when they are asked for; pictures are files. */
 class Pages : public QTextBrowser
@@ -271,12 +271,9 @@ void ManualWindow::setLooks()
 {
     const QColor text = palette().color(QPalette::Text);
     const QColor base = palette().color(QPalette::Base);
-    const auto between = [&](double share) { return mixed(base, text, share).name(); };
     m_text->document()->setDefaultStyleSheet(
-        u"table { border-collapse: collapse; border-color: %1; } "
-        "pre { background-color: %2; } th { background-color: %2; } "
-        "a { color: %3; }"_s.arg(between(kLine), between(0.08),
-                                 palette().color(QPalette::Link).name()));
+        u"pre, th { background-color: %1; } pre { white-space: pre-wrap; } a { color: %2; }"_s.arg(
+            mixed(base, text, kShade).name(), palette().color(QPalette::Link).name()));
 }
 
 void ManualWindow::changeEvent(QEvent* event)

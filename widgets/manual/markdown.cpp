@@ -84,7 +84,7 @@ QString inlineHtml(const QString& text)
 
 QString tableHtml(const MarkdownBlock& block)
 {
-    QString html = u"<table border=\"1\" cellspacing=\"0\" cellpadding=\"4\">\n"_s;
+    QString html = u"<table border=\"0\" cellspacing=\"0\" cellpadding=\"4\">\n"_s;
     for (std::size_t row = 0; row < block.rows.size(); ++row) {
         const QString tag = row == 0 ? u"th"_s : u"td"_s;
         html += u"<tr>"_s;

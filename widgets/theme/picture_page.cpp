@@ -21,12 +21,17 @@ namespace {
 constexpr double kPictureScale = 2; // device pixels of a PNG for each of the layout
 constexpr int kLayout_dpi = 96;
 
-void paintPage(const PicturePage& page, QPaintDevice& device)
+void paintPage(const PicturePage& page, QPainter& painter)
 {
-    QPainter painter(&device);
     painter.setRenderHint(QPainter::Antialiasing); // `render` of widgets takes the painter's hints
     painter.fillRect(QRect(QPoint(0, 0), page.size_px), Qt::white); // an SVG has no ground
     page.paint(painter);
+}
+
+void paintPage(const PicturePage& page, QPaintDevice& device)
+{
+    QPainter painter(&device);
+    paintPage(page, painter);
 }
 
 void paintSvg(const PicturePage& page, QBuffer& buffer)
@@ -61,18 +66,6 @@ void compact(QByteArray& svg)
         if (!line.isEmpty() && !line.startsWith("font-family=\"")) // texts have fonts of their own
             kept += line + '\n';
     svg = kept;
-}
-
-void paintPdf(const PicturePage& page, QBuffer& buffer)
-{
-    constexpr double kPoints = 72.0 / kLayout_dpi;
-    QPdfWriter pdf(&buffer);
-    pdf.setResolution(kLayout_dpi);
-    pdf.setPageSize(QPageSize(QSizeF(page.size_px) * kPoints, QPageSize::Point));
-    pdf.setPageMargins({});
-    pdf.setTitle(page.title);
-    pdf.setCreator(u"Bergwatch"_s);
-    paintPage(page, pdf);
 }
 
 /** Moves what the table at the end of a PDF says of objects behind `from` by `by` bytes. */
@@ -112,6 +105,31 @@ void removeDate(QByteArray& pdf)
 
 } // namespace
 
+std::string pdfFile(const PdfPages& pages)
+{
+    constexpr double kPoints = 72.0 / kLayout_dpi;
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter pdf(&buffer);
+        pdf.setResolution(kLayout_dpi);
+        pdf.setPageSize(QPageSize(QSizeF(pages.size_px) * kPoints, QPageSize::Point));
+        pdf.setPageMargins({});
+        pdf.setTitle(pages.title);
+        pdf.setCreator(u"Bergwatch"_s);
+        QPainter painter(&pdf);
+        for (int page = 0; page < pages.count; ++page) {
+            if (page > 0)
+                pdf.newPage();
+            pages.paint(painter, page);
+        }
+    }
+    buffer.close();
+    removeDate(bytes);
+    return bytes.toStdString();
+}
+
 QImage pictureImage(const PicturePage& page, double scale)
 {
     QImage image((QSizeF(page.size_px) * scale).toSize(), QImage::Format_RGB32);
@@ -123,6 +141,11 @@ QImage pictureImage(const PicturePage& page, double scale)
 
 std::string pictureFile(const PicturePage& page, const QString& ending)
 {
+    if (ending == u"pdf"_s)
+        return pdfFile({.size_px = page.size_px,
+                        .title = page.title,
+                        .count = 1,
+                        .paint = [&page](QPainter& painter, int) { paintPage(page, painter); }});
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
@@ -131,10 +154,6 @@ std::string pictureFile(const PicturePage& page, const QString& ending)
         buffer.close();
         removeUnwritable(bytes);
         compact(bytes);
-    } else if (ending == u"pdf"_s) {
-        paintPdf(page, buffer);
-        buffer.close();
-        removeDate(bytes);
     } else {
         pictureImage(page, kPictureScale).save(&buffer, "PNG");
     }

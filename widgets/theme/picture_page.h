@@ -24,6 +24,18 @@ struct PicturePage
     std::function<void(QPainter&)> paint; ///< within `size_px`, on white
 };
 
+/** Pages of one size. */
+struct PdfPages
+{
+    QSize size_px; ///< of the layout, at 96 to the inch
+    QString title;
+    int count = 0;
+    std::function<void(QPainter&, int)> paint; ///< the page of that number, from 0
+};
+
+/** The pages as a PDF; the same pages, the same bytes. */
+[[nodiscard]] std::string pdfFile(const PdfPages& pages);
+
 /** `scale` pixels for each of the layout. */
 [[nodiscard]] QImage pictureImage(const PicturePage& page, double scale);
 

@@ -1,4 +1,5 @@
 #include "tests/support/panel_test.h"
+#include "widgets/manual/manual_pages.h"
 #include "widgets/manual/manual_places.h"
 #include "widgets/manual/manual_window.h"
 
@@ -6,6 +7,8 @@
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
+#include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QTextBrowser>
 #include <QTreeWidget>
 #include <QtTest>
@@ -213,6 +216,7 @@ private slots:
         QVERIFY(hits[0].place.startsWith(u"start.html#block-"_s));
         QCOMPARE(hits[0].heading, u"The same from the command line"_s);
         QCOMPARE(hits[0].line, u"bergwatch-cli export grand-banks-12.berg --output survey.plan"_s);
+        QCOMPARE(manual.search(u"drag the slider tau"_s).size(), 1U); // "Trade-off τ"
         QVERIFY(manual.search(u"xyzzy"_s).empty());
         QVERIFY(manual.search(u"  "_s).empty());
     }
@@ -263,6 +267,42 @@ private slots:
         QVERIFY(QTest::qWaitForWindowActive(&window));
         QTest::keyClick(&field, Qt::Key_Escape);
         QCOMPARE(list.topLevelItemCount(), int(kManualChapters.size()));
+    }
+
+    /** Web pages whose links all lead somewhere, and a PDF; the same bytes each time. */
+    void pagesAreWritten()
+    {
+        const QTemporaryDir folder;
+        QImage(64, 32, QImage::Format_RGB32).save(folder.filePath(u"window.png"_s));
+        const QStringList paths = writeManual(folder.path());
+        const auto textOf = [&](const QString& name) {
+            QFile file(folder.filePath(name));
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        QCOMPARE(paths.size(), manualFileNames().size());
+        const QByteArray pdf = textOf(u"manual.pdf"_s);
+        QVERIFY(pdf.startsWith("%PDF"));
+        QVERIFY(textOf(u"start.html"_s).contains("<img src=\"window.png\""));
+        QVERIFY(!textOf(u"window.html"_s).contains("<img")); // zeta.png is not there
+        static const QRegularExpression link(u"href=\"([^\"#]*)(?:#([^\"]*))?\""_s);
+        int links = 0;
+        for (const QString& path : paths) {
+            const QString name = QFileInfo(path).fileName();
+            const QString text = QString::fromUtf8(textOf(name));
+            for (auto it = link.globalMatch(text); name != u"manual.pdf"_s && it.hasNext();
+                 ++links) {
+                const QRegularExpressionMatch match = it.next();
+                const QByteArray target =
+                    textOf(match.captured(1).isEmpty() ? name : match.captured(1));
+                QVERIFY2(!target.isEmpty(), qPrintable(name + u": "_s + match.captured(0)));
+                if (!match.captured(2).isEmpty())
+                    QVERIFY2(target.contains("<a name=\"" + match.captured(2).toUtf8() + '"'),
+                             qPrintable(name + u": "_s + match.captured(0)));
+            }
+        }
+        QVERIFY(links > 200);
+        writeManual(folder.path());
+        QVERIFY(textOf(u"manual.pdf"_s) == pdf);
     }
 
     /** From the last line to the first, and back. */
