@@ -42,15 +42,22 @@ void printNotes(const ExportFormat& format, const ExportContent& content)
         tell("note: " + word(noteText(note)));
 }
 
-/** Of `source`, with what the user should know told. Options that cannot be met are wrong usage. */
-std::vector<ExportFile> exported(const ExportSource& source, const ExportArguments& arguments,
-                                 const ExportFormat& format)
+/** Adds what is made of `source` to the set and tells what the user should know. Options that
+ * cannot be met are wrong usage. */
+void addExported(FileSet& set, const ExportSource& source, const ExportArguments& arguments,
+                 const ExportFormat& format)
 try {
     const ExportContent content = reading([&] { return exportContent(source, arguments.options); });
-    std::vector<ExportFile> files = reading(
-        [&] { return exportFiles(format, content, arguments.outputFile, arguments.painter); });
+    if (format.pieces != nullptr) {
+        StagedFile& file = set.add(arguments.outputFile);
+        format.pieces(content, [&file](std::string_view piece) { file.append(piece); });
+    } else {
+        for (const ExportFile& file : reading([&] {
+                 return exportFiles(format, content, arguments.outputFile, arguments.painter);
+             }))
+            set.add(file.path).append(file.content);
+    }
     printNotes(format, content);
-    return files;
 } catch (const Error& error) {
     if (error.code() != ErrorCode::InvalidInput)
         throw;
@@ -72,8 +79,8 @@ void checkOutputs(const ExportArguments& arguments, const ExportFormat& format,
     checkFiles(files);
 }
 
-std::vector<ExportFile> filesOf(const ExportArguments& arguments, const ExportFormat& format,
-                                const std::stop_token& stop)
+void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat& format,
+              const std::stop_token& stop)
 {
     const std::string text = reading([&] { return readFile(arguments.file); });
     const auto planned = [&stop](const Scenario& scenario) {
@@ -87,7 +94,8 @@ std::vector<ExportFile> filesOf(const ExportArguments& arguments, const ExportFo
         checkOutputs(arguments, format, scenario);
         printWarnings(arguments.file, validate(scenario));
         const PlanAnswer plan = planned(scenario);
-        return exported({.scenario = scenario, .plan = plan}, arguments, format);
+        addExported(set, {.scenario = scenario, .plan = plan}, arguments, format);
+        return;
     }
     const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
     checkOutputs(arguments, format, run.scenario);
@@ -95,8 +103,8 @@ std::vector<ExportFile> filesOf(const ExportArguments& arguments, const ExportFo
     if (stop.stop_requested())
         throw Interrupted{};
     const PlanAnswer plan = planned(run.scenario);
-    return exported({.scenario = run.scenario, .plan = plan, .mission = &mission}, arguments,
-                    format);
+    addExported(set, {.scenario = run.scenario, .plan = plan, .mission = &mission}, arguments,
+                format);
 }
 
 /** That of --format, else the first one whose files end as --output does. */
@@ -133,10 +141,11 @@ int exportFile(const ExportArguments& arguments, const std::stop_token& stop)
     const ExportFormat& format = chosenFormat(arguments);
     if (format.holds.painted && !arguments.painter)
         return handOver(arguments);
-    const std::vector<ExportFile> files = filesOf(arguments, format, stop);
+    FileSet set;
+    addFiles(set, arguments, format, stop);
     if (stop.stop_requested())
         throw Interrupted{};
-    writeFileSet(files);
+    set.write();
     return kDone;
 }
 

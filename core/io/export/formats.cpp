@@ -24,12 +24,20 @@ std::string csv(const ExportContent& content)
 }
 
 /** A table of a flight. */
-template <std::string (*Table)(const Mission&)>
-std::string flightTable(const ExportContent& content)
+template <void (*Write)(const Mission&, const TextSink&)>
+void flightPieces(const ExportContent& content, const TextSink& put)
 {
     if (content.mission == nullptr)
         throw Error(ErrorCode::InvalidInput, "format", {IssueId::NothingFlown});
-    return Table(*content.mission);
+    Write(*content.mission, put);
+}
+
+template <void (*Write)(const Mission&, const TextSink&)>
+std::string flightTable(const ExportContent& content)
+{
+    std::string text;
+    flightPieces<Write>(content, [&text](std::string_view piece) { text += piece; });
+    return text;
 }
 
 constexpr ExportHolds kMissionHolds{.order = true, .mission = true, .radii = true};
@@ -63,11 +71,11 @@ constexpr std::array kFormats{
                  {.order = true, .path = true, .fleet = true},
                  csv},
     ExportFormat{"sigma-csv", "csv", "spreadsheets: sigma of every iceberg over time",
-                 kFlightTableHolds, flightTable<sigmaCsv>},
+                 kFlightTableHolds, flightTable<writeSigma>, flightPieces<writeSigma>},
     ExportFormat{"decisions-csv", "csv", "spreadsheets: plans, visits and what else happened",
-                 kFlightTableHolds, flightTable<eventsCsv>},
+                 kFlightTableHolds, flightTable<writeEvents>, flightPieces<writeEvents>},
     ExportFormat{"zeta-csv", "csv", "spreadsheets: zeta over time", kFlightTableHolds,
-                 flightTable<zetaCsv>},
+                 flightTable<writeZeta>, flightPieces<writeZeta>},
     ExportFormat{"gpx",
                  "gpx",
                  "chart plotters, Garmin devices, GPSBabel",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/export/export_content.h"
+#include "core/io/text/text_sink.h"
 
 #include <span>
 #include <string>
@@ -31,6 +32,8 @@ struct ExportFormat
     std::string_view reader;    ///< the tool it is meant for
     ExportHolds holds;
     std::string (*text)(const ExportContent&); ///< of one UAV unless it holds a fleet; may be null
+    /** The same in pieces, for what may be longer than memory; null: at once. */
+    void (*pieces)(const ExportContent&, const TextSink&) = nullptr;
 
     /**
      * One file of it. Throws as `exportContent`, and `Error{InvalidInput}` when there are more UAVs

@@ -263,6 +263,17 @@ void SampleTables::addZeta(std::string& text, const Sample& sample) const
         add(text, sample.weightedSum_m2, '\n');
 }
 
+namespace {
+
+std::string collected(void (*write)(const Mission&, const TextSink&), const Mission& mission)
+{
+    std::string text;
+    write(mission, [&text](std::string_view piece) { text += piece; });
+    return text;
+}
+
+} // namespace
+
 std::string trajectoryCsv(const Mission& mission)
 {
     const SampleTables tables = tablesOf(mission);
@@ -274,24 +285,30 @@ std::string trajectoryCsv(const Mission& mission)
     return text;
 }
 
-std::string sigmaCsv(const Mission& mission)
+void writeSigma(const Mission& mission, const TextSink& put)
 {
     const SampleTables tables = tablesOf(mission);
     const Recorder& recorder = mission.recorder();
-    std::string text = tables.sigmaHeader();
+    put(tables.sigmaHeader());
+    std::string text;
     IcebergReader rows = recorder.reader();
-    for (std::size_t row = 0; row < recorder.samples().size(); ++row)
+    for (std::size_t row = 0; row < recorder.samples().size(); ++row) {
         tables.addSigma(text, recorder.samples()[row], rows.at(row));
-    return text;
+        put(text);
+        text.clear();
+    }
 }
 
-std::string zetaCsv(const Mission& mission)
+void writeZeta(const Mission& mission, const TextSink& put)
 {
     const SampleTables tables = tablesOf(mission);
-    std::string text = tables.zetaHeader();
-    for (const Sample& sample : mission.recorder().samples())
+    put(tables.zetaHeader());
+    std::string text;
+    for (const Sample& sample : mission.recorder().samples()) {
         tables.addZeta(text, sample);
-    return text;
+        put(text);
+        text.clear();
+    }
 }
 
 void writeEvents(const Mission& mission, const TextSink& put)
@@ -314,11 +331,19 @@ void writeEvents(const Mission& mission, const TextSink& put)
     }
 }
 
+std::string sigmaCsv(const Mission& mission)
+{
+    return collected(writeSigma, mission);
+}
+
+std::string zetaCsv(const Mission& mission)
+{
+    return collected(writeZeta, mission);
+}
+
 std::string eventsCsv(const Mission& mission)
 {
-    std::string text;
-    writeEvents(mission, [&text](std::string_view piece) { text += piece; });
-    return text;
+    return collected(writeEvents, mission);
 }
 
 } // namespace berg

@@ -26,10 +26,13 @@ namespace berg {
 [[nodiscard]] std::string sigmaCsv(const Mission& mission);
 /** `time_s,event,uav,iceberg,detail` */
 [[nodiscard]] std::string eventsCsv(const Mission& mission);
-/** The same, a row at a time. */
-void writeEvents(const Mission& mission, const TextSink& put);
 /** `time_s,sigma_sum_m2,zeta_m2s`, and `weighted_sigma_sum_m2` where there is an asset */
 [[nodiscard]] std::string zetaCsv(const Mission& mission);
+
+// The same in pieces.
+void writeSigma(const Mission& mission, const TextSink& put);
+void writeEvents(const Mission& mission, const TextSink& put);
+void writeZeta(const Mission& mission, const TextSink& put);
 
 /** Rows of the tables of a flight's samples, for whoever writes them as they come. */
 class SampleTables

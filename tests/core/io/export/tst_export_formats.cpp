@@ -61,7 +61,8 @@ private slots:
             QCOMPARE(findExportFormat(row.id), &row);
             QVERIFY(!row.extension.empty() && !row.reader.empty());
             QCOMPARE(row.text == nullptr, row.holds.painted);
-            QVERIFY(!row.holds.painted || row.holds.fleet); // a page shows all UAVs
+            QVERIFY(row.pieces == nullptr || row.holds.fleet); // one file
+            QVERIFY(!row.holds.painted || row.holds.fleet);    // a page shows all UAVs
         }
         QCOMPARE(ids.join(u' '), QStringLiteral("plan wpl geojson csv sigma-csv decisions-csv "
                                                 "zeta-csv gpx kml kmz czml brief map-pdf map-svg "
