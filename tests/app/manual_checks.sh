@@ -39,6 +39,40 @@ for chapter in $chapters; do
         check "$chapter, block $k" exits "$wanted" bash -e "../block-$k.sh" </dev/null
     done <../list.txt
 done
+# What the text names is there: options, policies, formats.
+{
+    for command in solve plan curve simulate sweep study export import benchmark validate; do
+        bergwatch-cli help "$command"
+    done
+    bergwatch-cli --help
+    [ -z "$window" ] || bergwatch --help
+} >../help.txt 2>/dev/null
+[ -n "$window" ] || echo "--pictures --screenshot --at --config --manual" >>../help.txt
+for language in en nb; do
+    check "$language: every option exists" test -z "$(cat "$source_dir/resources/manual/$language"/*.md |
+        grep -oE -e '--[a-z][a-z-]+' | sort -u | grep -vE '^--version$' |
+        while read -r option; do grep -q -e "$option\b" ../help.txt || echo "  no $option" | tee /dev/stderr; done)"
+    check "$language: policies and formats are those of the program" python3 - "$source_dir/resources/manual/$language" <<'END'
+import re, subprocess, sys
+def offered(command, after, before):
+    text = subprocess.run(["bergwatch-cli", "help", command], capture_output=True, text=True).stdout
+    text = re.sub(r"\s+", " ", text)
+    found = re.search(re.escape(after) + r"(.*?)" + re.escape(before), text).group(1)
+    return set(re.findall(r"[a-z]+(?:-[a-z]+)*", found))
+def named(chapter, section):
+    text = open(f"{sys.argv[1]}/{chapter}.md", encoding="utf8").read()
+    text = text[text.index("{#" + section + "}"):].split("\n## ")[0]
+    cells = [row.split("|")[1] for row in text.split("\n") if row.startswith("|")][2:]
+    return {word.strip("` ") for cell in cells for word in cell.split(",")}
+pairs = [(named("policies", "policies"), offered("plan", "--policy TEXT How the order is chosen (the scenario's): ", "-q,")),
+         (named("files", "exports"), offered("export", "--format TEXT ", "(that of")),
+         (named("files", "imports"), offered("import", "--format TEXT=auto auto, ", "-o,"))]
+for have, want in pairs:
+    if have != want:
+        print("  manual and program differ:", sorted(have ^ want), file=sys.stderr)
+sys.exit(any(have != want for have, want in pairs))
+END
+done
 check "there are commands" test "$checks" -ge 15
 check "the import has three icebergs" \
     python3 -c 'import json; assert len(json.load(open("survey.berg"))["icebergs"]) == 3'
