@@ -1,21 +1,24 @@
 #!/usr/bin/env bash
 # Writes the manual as web pages and PDF, with pictures of the program as it is, in both languages:
-#   cmake/manual.sh build/release/app/bergwatch OUTPUT_FOLDER
-# Needs no display and nothing but the program; the same program makes the same files.
+#   cmake/manual.sh build/release/app/bergwatch build/release/app/cli/bergwatch-cli OUTPUT_FOLDER
+# Needs no display. The same programs make the same files, but for the time of a solve in the picture of the
+# window, where it is not "under 1 ms".
 set -euo pipefail
 program=$(realpath "$1")
+cli=$(realpath "$2")
 scenarios=$(realpath "$(dirname "${BASH_SOURCE[0]}")/../resources/scenarios")
-rm -rf "$2"
-mkdir -p "$2"
-output=$(realpath "$2")
+rm -rf "$3"
+mkdir -p "$3"
+output=$(realpath "$3")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 unset LC_ALL LC_MESSAGES LC_NUMERIC LANGUAGE
 export QT_QPA_PLATFORM=offscreen TZ=UTC
 
-picture() { # name scenario time_s size
-    "$program" --config "$folder/settings" --screenshot "$output/$language/$1.png" --size "$4" --at "$3" \
-        "$scenarios/$2.berg"
+drawn() { # name scenario time_s map|zeta size: map or chart of a flight until then
+    "$cli" simulate "$scenarios/$2.berg" --duration "$3" --output "$folder/$1-$language" --quiet >/dev/null
+    "$program" --pictures "$folder/$1-$language/drawn" --size "$5" "$folder/$1-$language/run.bergrun" >/dev/null
+    cp "$folder/$1-$language/drawn/$4.png" "$output/$language/$1.png"
 }
 
 for language in en nb; do
@@ -24,11 +27,11 @@ for language in en nb; do
         nb) export LANG=nb_NO.UTF-8 ;;
     esac
     mkdir "$output/$language"
-    picture window grand-banks-12 600 1280x800
-    picture lost bonavista-lost 520 1280x800
-    picture asset hibernia-asset 900 1280x800
-    picture fleet melville-bay-three-uavs 300 1280x800
-    "$program" --pictures "$folder/$language" --size 1280x560 "$scenarios/grand-banks-12.berg" >/dev/null
-    cp "$folder/$language/zeta.png" "$output/$language/"
+    "$program" --config "$folder/settings" --screenshot "$output/$language/window.png" --at 600 \
+        "$scenarios/grand-banks-12.berg"
+    drawn lost bonavista-lost 520 map 1280x800
+    drawn asset hibernia-asset 900 map 1280x800
+    drawn fleet melville-bay-three-uavs 300 map 1280x800
+    drawn zeta grand-banks-12 1000 zeta 1280x560
     "$program" --manual "$output/$language" >/dev/null
 done

@@ -123,7 +123,7 @@ QString paperText(const Manual& manual, const QString& folder)
 /** Headings with the numbers of their pages; `before` pages come before the text. */
 QString paperContents(const QTextDocument& text, int before)
 {
-    QString html = u"<h2>%1</h2><table width=\"100%\" cellpadding=\"1\">"_s.arg(
+    QString html = u"<h2>%1</h2><table width=\"100%\" cellpadding=\"0\">"_s.arg(
         ManualPages::tr("The Bergwatch manual"));
     for (QTextBlock block = text.begin(); block.isValid(); block = block.next()) {
         const int level = block.blockFormat().headingLevel();
