@@ -126,6 +126,7 @@ bool Mission::planNow(const std::stop_token& stop)
     options.timeLimit_s = m_options.timeLimit_s;
     options.workLimit = m_options.workLimit;
     options.gap = m_options.gap;
+    options.inFlight = !m_plans.empty();
     options.stop = stop;
     const auto request =
         std::make_shared<const PlanRequest>(requestFor(m_simulation, m_planner.settings().policy));

@@ -233,7 +233,7 @@ std::int64_t ownEffort(const FleetProblem& problem, const SolveOptions& options)
 {
     constexpr std::int64_t kAnnealings = 3;
     const std::int64_t n = problem.icebergCount();
-    const std::int64_t responsive = responsiveEffort(problem.icebergCount());
+    const std::int64_t responsive = responsiveEffort(problem.icebergCount(), options.inFlight);
     return problem.criterion == Criterion::Latency
                ? std::min(responsive, kAnnealings * firstTimes(options) * kWorkOfTime * n * n)
                : responsive;

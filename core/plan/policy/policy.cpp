@@ -34,9 +34,11 @@ public:
     TaskSolver(Backend backend, const TvpSolver& alone) : m_backend(backend), m_alone(alone) {}
 
     [[nodiscard]] PlanAnswer solve(const PlanRequest& request, FleetTask task, bool warmStart,
-                                   SolveOptions options) const
+                                   SolveOptions options)
     {
         options.hint = warmStart ? lastRests(request, task) : FleetPlan{};
+        if (warmStart && options.inFlight)
+            options.multipliers = multipliersOf(task.ids);
         if (options.onProgress)
             options.onProgress = [&, told = options.onProgress](SolveProgress progress) {
                 progress.plan = ordersInIds(request, task, progress.plan);
@@ -47,6 +49,7 @@ public:
             answerOf(request, ordersInIds(request, task, outcome.plan), task.problem.route);
         if (outcome.status != SolveStatus::None && outcome.bound)
             answer.gap = fleetGap(task.problem, outcome.objective, *outcome.bound);
+        remember(task.ids, outcome);
         answer.outcome = std::move(outcome);
         answer.problem = std::move(task.problem);
         answer.solvedIds = std::move(task.ids);
@@ -54,8 +57,27 @@ public:
     }
 
 private:
+    /** By node, 0 of icebergs that were not solved for before. */
+    [[nodiscard]] std::vector<double> multipliersOf(const std::vector<int>& ids) const
+    {
+        std::vector<double> multipliers(ids.size() + 1, 0.0);
+        for (std::size_t k = 0; k < ids.size(); ++k)
+            if (const auto known = m_multipliers.find(ids[k]); known != m_multipliers.end())
+                multipliers[k + 1] = known->second;
+        return multipliers;
+    }
+    /** Those of icebergs not in this solve are kept: they come back after a while in view. */
+    void remember(const std::vector<int>& ids, const SolveOutcome& outcome)
+    {
+        if (outcome.reason == StopReason::Cancelled)
+            return; // the same call will be made again
+        for (std::size_t k = 1; k < outcome.multipliers.size(); ++k)
+            m_multipliers[ids[k - 1]] = outcome.multipliers[k];
+    }
+
     Backend m_backend;
     const TvpSolver& m_alone;
+    std::map<int, double> m_multipliers; ///< of the last solves, by id
 };
 
 /** The paper's strategy. */

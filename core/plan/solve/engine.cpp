@@ -2,6 +2,7 @@
 
 #include "core/plan/solve/certified.h"
 #include "core/plan/solve/layered_bound.h"
+#include "core/plan/solve/multiplier_ascent.h"
 #include "core/plan/solve/order_search.h"
 #include "core/plan/solve/solve_watch.h"
 #include "core/plan/solve/subset_solver.h"
@@ -20,6 +21,10 @@ constexpr int kMostLatencyBySubsets = 16;
 constexpr std::int64_t kWorkOfRestart = 11;
 /** Share of all work that goes into more local search while the proof is under way: 1 / this. */
 constexpr std::int64_t kSearchShare = 10;
+/** The same of a re-plan in flight, before the bound: the order in hand is a good one. */
+constexpr std::int64_t kSearchShareInFlight = 3;
+/** Steps of its first relaxation, with multipliers of the last plan; by measurement. */
+constexpr std::int64_t kStepsInFlight = 80;
 /** A few restarts more are not worth while. */
 constexpr std::int64_t kLeastRestarts = 50;
 
@@ -59,9 +64,17 @@ public:
         else
             m_search.take(m_options.hint.front());
         m_search.descend();
+        if (m_options.inFlight && !m_options.hint.empty())
+            searchFromHint();
 
         LayeredBoundOptions options;
         options.gap = m_options.gap;
+        if (static_cast<int>(m_options.multipliers.size()) == m_costs.icebergs + 1) {
+            options.lambda = firstMultipliers(m_costs, m_search.best());
+            *options.lambda += Eigen::Map<const Eigen::VectorXd>(m_options.multipliers.data(),
+                                                                 m_costs.icebergs + 1);
+            options.warmSteps = kStepsInFlight;
+        }
         if constexpr (Costs::kWeighted)
             options.manyArcs = kManyLatencyArcs;
         options.workLimit = mostWork() - m_effort.work;
@@ -94,6 +107,15 @@ private:
         if (!m_cut)
             m_cut = m_watch.cut();
         return m_cut.has_value();
+    }
+
+    /** In place of the first search of `suggest`. */
+    void searchFromHint()
+    {
+        const std::int64_t n = m_costs.icebergs;
+        const std::int64_t share = (mostWork() - m_effort.work) / kSearchShareInFlight;
+        m_search.disturb(std::min(firstRestarts(n), share / (kWorkOfRestart * n * n)));
+        m_searched = m_effort.work;
     }
 
     OrderSuggestion suggest(std::int64_t work, std::int64_t most)
@@ -146,6 +168,8 @@ private:
         outcome.plan = {m_search.best()};
         outcome.work = work;
         outcome.hintUsed = !m_options.hint.empty();
+        const Eigen::VectorXd learnt = result.lambda - firstMultipliers(m_costs, outcome.order());
+        outcome.multipliers.assign(learnt.begin(), learnt.end());
         if (m_bound > 0)
             outcome.bound = boundOnObjective();
 
@@ -196,10 +220,12 @@ SolveOutcome solveByEngine(const TvpProblem& problem, const SolveOptions& option
     return outcome;
 }
 
-std::int64_t responsiveEffort(int icebergs)
+std::int64_t responsiveEffort(int icebergs, bool inFlight)
 {
+    constexpr std::int64_t kShareInFlight = 15;
     // The plain relaxation of many icebergs is slower to pay.
-    return icebergs <= kMostProvenByEngine ? 900'000'000 : 2'000'000'000;
+    const std::int64_t effort = icebergs <= kMostProvenByEngine ? 900'000'000 : 2'000'000'000;
+    return inFlight ? effort / kShareInFlight : effort;
 }
 
 bool subsetsPay(const TvpProblem& problem, const SolveOptions& options)

@@ -21,8 +21,9 @@ namespace berg {
 
 inline constexpr int kMostProvenByEngine = 127;
 
-/** `effort` of the back ends that must answer while someone waits: about a second. */
-[[nodiscard]] std::int64_t responsiveEffort(int icebergs);
+/** `effort` of the back ends that must answer while someone waits: about a second, and a fifteenth
+ * of it `inFlight`. */
+[[nodiscard]] std::int64_t responsiveEffort(int icebergs, bool inFlight);
 
 /**
  * True when dynamic programming over subsets is faster than the engine and keeps to the options'

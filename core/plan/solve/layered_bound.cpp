@@ -20,11 +20,10 @@ namespace berg {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/** Steps of the multipliers: before the first suggestion, in all without a graph (at least, and
- * with multipliers given), on the first graph, on later graphs. */
+/** Steps of the multipliers: before the first suggestion, in all without a graph at least, on the
+ * first graph, on later graphs. */
 constexpr std::int64_t kFirstSteps = 10;
 constexpr std::int64_t kPlainSteps = 80;
-constexpr std::int64_t kWarmSteps = 20;
 constexpr int kFirstGraphSteps = 60;
 constexpr int kLaterSteps = 20;
 /** Work counts the arcs of a sweep as 1; the rest by measurement. */
@@ -175,7 +174,7 @@ private:
     [[nodiscard]] std::int64_t plainSteps() const
     {
         // The order of magnitude of a bound matters more than the last tenth of it.
-        return m_options.lambda ? kWarmSteps
+        return m_options.lambda ? m_options.warmSteps
                                 : std::max<std::int64_t>(kPlainSteps, 2 * m_costs.icebergs);
     }
 

@@ -35,6 +35,7 @@ struct LayeredBoundOptions
      * bound; for mu between two solved ones, interpolated multipliers give a good one.
      */
     std::optional<Eigen::VectorXd> lambda;
+    std::int64_t warmSteps = 20; ///< of the first relaxation, with `lambda`
     /** Graphs that would need more are not built; about, and beside n^3 / 250 kB at least. */
     std::int64_t memoryLimit_bytes = 1'500'000'000;
     /** Larger graphs make it certify gaps of 0.5 % and 0.2 % before the one asked for. */

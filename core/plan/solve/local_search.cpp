@@ -11,7 +11,8 @@ std::string LocalSearch::whyNot(const TvpProblem&) const
 
 SolveOutcome LocalSearch::doSolve(const TvpProblem& problem, const SolveOptions& options) const
 {
-    return solveByEngine(problem, options, responsiveEffort(problem.icebergCount()));
+    return solveByEngine(problem, options,
+                         responsiveEffort(problem.icebergCount(), options.inFlight));
 }
 
 } // namespace berg

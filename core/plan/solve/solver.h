@@ -64,9 +64,15 @@ struct SolveOptions
     /** About what a solve may use at its peak; none = no limit. CBC ends when it is far beyond. */
     std::optional<std::int64_t> memoryLimit_bytes = 1'500'000'000;
     double gap = 0; ///< stop when the relative gap is at most this
+    /** A re-plan, of which there are thousands: `auto` and `heuristic` end after a small part of
+     * their usual work, with what gap there is then. */
+    bool inFlight = false;
     /** Warm start. Of one UAV ignored when not a valid order; of several what is valid of it
      * (`validPart`) is kept, the rest put where it costs least. */
     FleetPlan hint = {};
+    /** `SolveOutcome::multipliers` of a similar problem, one per node of this one, 0 where it had
+     * none; any values give a valid bound. Empty: none. */
+    std::vector<double> multipliers = {};
     std::stop_token stop;                                      ///< checked at least every 10 ms
     std::function<void(const SolveProgress&)> onProgress = {}; ///< called on the solving thread
 };
@@ -81,6 +87,9 @@ struct SolveOutcome
     double elapsed_s = 0;
     std::int64_t work = 0; ///< what `workLimit` counts
     bool hintUsed = false; ///< the hint was accepted as starting incumbent
+    /** Of one UAV: what was learnt of the multipliers of "each iceberg once" beyond the first guess
+     * (`firstMultipliers`), one per node. Empty: the answer needed none. */
+    std::vector<double> multipliers = {};
     AnswerSource source = AnswerSource::None;
     std::string detail = {}; ///< the back end's own words, for a tooltip
 

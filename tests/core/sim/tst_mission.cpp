@@ -34,6 +34,26 @@ private:
     mutable int m_solves = 0;
 };
 
+/** Notes of each solve whether it is one in flight. */
+class NotingSolver final : public TvpSolver
+{
+public:
+    explicit NotingSolver(std::vector<bool>& inFlight) : m_inFlight(inFlight) {}
+    [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
+    [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
+
+protected:
+    [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,
+                                       const SolveOptions& options) const override
+    {
+        m_inFlight.push_back(options.inFlight);
+        return makeSolver(Backend::Exact)->solve(problem, options);
+    }
+
+private:
+    std::vector<bool>& m_inFlight;
+};
+
 void flyToEnd(Mission& mission)
 {
     QCOMPARE(mission.advance(mission.scenario().duration_s), AdvanceStatus::Finished);
@@ -148,6 +168,16 @@ private slots:
     }
 
     /** Not even a first plan: the autopilot still has somewhere to go. */
+    void onlyTheFirstPlanIsNotInFlight()
+    {
+        std::vector<bool> inFlight;
+        Mission mission(randomScenario(16), {}, std::make_unique<NotingSolver>(inFlight));
+        flyToEnd(mission);
+        QVERIFY(inFlight.size() > 5);
+        QCOMPARE(std::ranges::count(inFlight, false), 1);
+        QVERIFY(!inFlight.front());
+    }
+
     void fliesWithoutAnyPlan()
     {
         Mission mission(randomScenario(16), {}, std::make_unique<FailingSolver>(0));

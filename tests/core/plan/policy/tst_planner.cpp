@@ -111,6 +111,26 @@ private slots:
         QVERIFY(!answer.fellBack);
     }
 
+    /** In flight a solve begins with the multipliers of the last ones, by iceberg; a cancelled one
+     * leaves none. */
+    void multipliersStayWithTheirIcebergs()
+    {
+        const std::unique_ptr<Planner> planner = plannerWithOrder();
+        SolveOutcome outcome = inOrder({4, 1, 3, 5, 2});
+        outcome.multipliers = {0, 1, 2, 3, 4, 5}; // of 10, 7, 42, 3, 5
+        m_script.answer = answering(outcome);
+        static_cast<void>(planner->plan(five(), {.inFlight = true}));
+        outcome = noOrder(StopReason::Cancelled);
+        outcome.multipliers = {0, 6, 6, 6, 6, 6};
+        m_script.answer = answering(outcome);
+        static_cast<void>(planner->plan(five(), {.inFlight = true}));
+        m_script.answer = answering(inOrder({1, 2, 3, 4}));
+        static_cast<void>(planner->plan(without(five(), {7}), {.inFlight = true}));
+        static_cast<void>(planner->plan(without(five(), {7}), {}));
+        QCOMPARE(m_script.options.at(2).multipliers, (std::vector<double>{0, 1, 3, 4, 5}));
+        QVERIFY(m_script.options.at(3).multipliers.empty());
+    }
+
     /** The paper's second advantage: no solution in time, so the next of the last plan. */
     void fallsBackToTheRestOfTheLastPlan_data()
     {

@@ -77,6 +77,62 @@ private slots:
         QVERIFY(less.bound.value() <= outcome.bound.value());
     }
 
+    /** A re-plan: a small part of the work, the same each time, and a gap all the same. */
+    void endsSoonInFlight_data()
+    {
+        QTest::addColumn<int>("icebergs");
+        QTest::newRow("100") << 100;
+        QTest::newRow("300: no memory") << 300;
+    }
+
+    void endsSoonInFlight()
+    {
+        QFETCH(int, icebergs);
+        const TvpProblem problem = test::randomProblem(45, icebergs, 1, Route::Open);
+        const SolveOutcome first = LocalSearch().solve(problem, {});
+        SolveOptions options;
+        options.inFlight = true;
+        options.hint = first.plan;
+        options.multipliers = first.multipliers;
+        const SolveOutcome next = LocalSearch().solve(problem, options);
+        QVERIFY(next.status == SolveStatus::Feasible);
+        QVERIFY(next.reason == StopReason::Finished);
+        QVERIFY(next.work <= first.work / 10);
+        QVERIFY(next.objective <= first.objective);
+        QVERIFY(gapOf(problem, next) <= 0.1);
+
+        const SolveOutcome again = LocalSearch().solve(problem, options);
+        QCOMPARE(again.work, next.work);
+        QVERIFY(again.plan == next.plan);
+        QVERIFY(again.bound == next.bound);
+        QVERIFY(again.multipliers == next.multipliers);
+    }
+
+    /** Whatever the multipliers are worth, what is proven with them is the optimum. */
+    void provesWithAnyMultipliers_data()
+    {
+        QTest::addColumn<double>("multiplier");
+        for (const double multiplier : {0.0, -30.0, 1e4, 1e12})
+            QTest::addRow("%g", multiplier) << multiplier;
+    }
+
+    void provesWithAnyMultipliers()
+    {
+        QFETCH(double, multiplier);
+        const TvpProblem problem = test::randomProblem(46, 18, 1, Route::Open);
+        const SolveOutcome exact = ExactSolver().solve(problem, {});
+        SolveOptions options;
+        options.inFlight = true;
+        options.hint = {ascending(18)};
+        options.multipliers.assign(19, 0);
+        for (std::size_t node = 1; node < 19; node += 2)
+            options.multipliers[node] = multiplier;
+        const SolveOutcome outcome = LocalSearch().solve(problem, options);
+        QVERIFY(outcome.status == SolveStatus::Optimal);
+        const double scale = exact.objective + objectiveShift(problem);
+        COMPARE_NEAR(outcome.objective, exact.objective, 2e-9 * scale); // the proof's margin
+    }
+
     void stopsAtTheGap()
     {
         const TvpProblem problem = test::randomProblem(36, 30, 3, Route::Open);
