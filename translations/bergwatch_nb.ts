@@ -1494,6 +1494,34 @@
         <source>The UAV that has it in its plan</source>
         <translation>UAV-en som har det i planen sin</translation>
     </message>
+    <message>
+        <source>Where it is, in flight the estimate; typed and pasted in any form, a whole coordinate sets both</source>
+        <translation>Hvor det er, under flyging estimatet; skrives og limes inn i enhver form, en hel koordinat setter begge</translation>
+    </message>
+    <message>
+        <source>Drift east, %1</source>
+        <translation>Drift øst, %1</translation>
+    </message>
+    <message>
+        <source>Known drift to the east; the current comes on top</source>
+        <translation>Kjent drift mot øst; strømmen kommer i tillegg</translation>
+    </message>
+    <message>
+        <source>Drift north, %1</source>
+        <translation>Drift nord, %1</translation>
+    </message>
+    <message>
+        <source>Known drift to the north; the current comes on top</source>
+        <translation>Kjent drift mot nord; strømmen kommer i tillegg</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Lengde</translation>
+    </message>
 </context>
 <context>
     <name>IcebergPasteText</name>
@@ -1520,6 +1548,14 @@
     <message>
         <source>Nothing was pasted.</source>
         <translation>Ingenting ble limt inn.</translation>
+    </message>
+    <message>
+        <source>Row %1, column &quot;%2&quot;, &quot;%3&quot;: %4</source>
+        <translation>Rad %1, kolonne «%2», «%3»: %4</translation>
+    </message>
+    <message>
+        <source>Row %1: %2</source>
+        <translation>Rad %1: %2</translation>
     </message>
 </context>
 <context>
@@ -3126,6 +3162,78 @@
     <message>
         <source>Change time of drift</source>
         <translation>Endre tid for drift</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Fart</translation>
+    </message>
+    <message>
+        <source>What a ship makes; 0 for a platform.</source>
+        <translation>Det et skip gjør; 0 for en plattform.</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Where it goes, clockwise from north.</source>
+        <translation>Hvor det går, med klokka fra nord.</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>Known drift; the current comes on top.</source>
+        <translation>Kjent drift; strømmen kommer i tillegg.</translation>
+    </message>
+    <message>
+        <source>Drift towards</source>
+        <translation>Driver mot</translation>
+    </message>
+    <message>
+        <source>Where it drifts to, clockwise from north.</source>
+        <translation>Hvor det driver, med klokka fra nord.</translation>
+    </message>
+    <message>
+        <source>In any form; a whole coordinate sets both.</source>
+        <translation>I enhver form; en hel koordinat setter begge.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vind</translation>
+    </message>
+    <message>
+        <source>Always slower than the UAV flies.</source>
+        <translation>Alltid langsommere enn UAV-en flyr.</translation>
+    </message>
+    <message>
+        <source>Wind from</source>
+        <translation>Vind fra</translation>
+    </message>
+    <message>
+        <source>Where it blows from, clockwise from north.</source>
+        <translation>Hvor den blåser fra, med klokka fra nord.</translation>
+    </message>
+    <message>
+        <source>%1 from %2</source>
+        <translation>%1 fra %2</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strøm</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg.</source>
+        <translation>Fører med seg alle isfjell.</translation>
+    </message>
+    <message>
+        <source>Current towards</source>
+        <translation>Strøm mot</translation>
+    </message>
+    <message>
+        <source>Where it flows to, clockwise from north.</source>
+        <translation>Hvor den går, med klokka fra nord.</translation>
     </message>
 </context>
 <context>
@@ -4872,6 +4980,18 @@
         <source>There is no such place on the UTM or MGRS grid.</source>
         <translation>Det finnes ikke noe slikt sted i rutenettet UTM eller MGRS.</translation>
     </message>
+    <message>
+        <source>This is a longitude, a latitude is needed.</source>
+        <translation>Dette er en lengde, det trengs en bredde.</translation>
+    </message>
+    <message>
+        <source>This is a latitude, a longitude is needed.</source>
+        <translation>Dette er en bredde, det trengs en lengde.</translation>
+    </message>
+    <message>
+        <source>This is %1 from the origin of the scenario, which reaches %2.</source>
+        <translation>Dette er %1 fra scenarioets origo; scenarioet rekker %2.</translation>
+    </message>
 </context>
 <context>
     <name>PlacingTools</name>
@@ -6445,10 +6565,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Move the scenario here…</source>
         <translation>Flytt scenarioet hit…</translation>
     </message>
-    <message>
-        <source>This is %1 from the origin of the scenario, which reaches %2.</source>
-        <translation>Dette er %1 fra origo i scenarioet, som rekker %2.</translation>
-    </message>
 </context>
 <context>
     <name>berg::IcebergTable</name>
@@ -6498,13 +6614,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>The column &quot;%1&quot; follows from the others. Nothing was pasted.</source>
         <translation>Kolonnen «%1» følger av de andre. Ingenting ble limt inn.</translation>
-    </message>
-</context>
-<context>
-    <name>berg::IdField</name>
-    <message>
-        <source>Id</source>
-        <translation>Id</translation>
     </message>
 </context>
 <context>
@@ -8108,6 +8217,18 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>Degrees, minutes, seconds, %1</source>
         <translation>Grader, minutter, sekunder, %1</translation>
+    </message>
+    <message>
+        <source>&amp;Drift and wind</source>
+        <translation>&amp;Drift og vind</translation>
+    </message>
+    <message>
+        <source>Speed and direction: wind from, drift towards</source>
+        <translation>Fart og retning: vind fra, drift mot</translation>
+    </message>
+    <message>
+        <source>Components east and north</source>
+        <translation>Komponenter øst og nord</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "widgets/theme/unit_settings.h"
+
 #include <QRegularExpression>
 #include <QTranslator>
 #include <QWidget>
@@ -47,6 +49,17 @@ public:
 private:
     int m_percent;
 };
+
+/** Drift and wind as components, or whatever else, until the end of the scope. */
+struct UnitsInUse
+{
+    explicit UnitsInUse(const Units& units) { setShownUnits(units); }
+    ~UnitsInUse() { setShownUnits({}); }
+    UnitsInUse(const UnitsInUse&) = delete;
+    UnitsInUse& operator=(const UnitsInUse&) = delete;
+};
+
+inline constexpr Units kComponents{.vectors = VectorForm::Components};
 
 /** Types over what an input holds and presses Return. */
 inline void enter(QWidget& input, const QString& text)

@@ -17,9 +17,10 @@ constexpr int col(IcebergColumn column)
 }
 
 inline const std::vector<int> kEditorColumns{
-    col(IcebergColumn::Name),   col(IcebergColumn::East),      col(IcebergColumn::North),
-    col(IcebergColumn::Speed),  col(IcebergColumn::Direction), col(IcebergColumn::Sigma0),
-    col(IcebergColumn::Growth), col(IcebergColumn::Observed),  col(IcebergColumn::Appears)};
+    col(IcebergColumn::Name),     col(IcebergColumn::East),      col(IcebergColumn::North),
+    col(IcebergColumn::Speed),    col(IcebergColumn::Direction), col(IcebergColumn::Sigma0),
+    col(IcebergColumn::Growth),   col(IcebergColumn::Observed),  col(IcebergColumn::Appears),
+    col(IcebergColumn::Latitude), col(IcebergColumn::Longitude)};
 
 /** The model of a document, as the panel keeps it. */
 struct TableFixture

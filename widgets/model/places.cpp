@@ -1,5 +1,8 @@
 #include "widgets/model/places.h"
 
+#include "core/scenario/limits.h"
+#include "widgets/theme/quantity_text.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -124,6 +127,58 @@ std::variant<FoundPlace, QString> findPlace(const QString& text)
     return partly.empty() ? PlaceText::tr("There is no place of this name here, and it is not a "
                                           "coordinate.")
                           : PlaceText::tr("Several places are called like this.");
+}
+
+std::variant<LatLon, QString> typedPlace(const QString& text, PlaceHalf half, const LatLon& before)
+{
+    if (text.trimmed().isEmpty())
+        return coordinateFaultText(CoordinateFault::Empty);
+    // Beside a zero an angle alone is a coordinate, and "47 03.2" is not taken for two.
+    const bool isLatitude = half == PlaceHalf::Latitude;
+    const QString beside = isLatitude ? text + u"; 0°"_s : u"0°; "_s + text;
+    const auto read = parsePlace(beside.toStdString());
+    if (const auto* at = std::get_if<LatLon>(&read)) {
+        if ((isLatitude ? at->longitude_deg : at->latitude_deg) != 0)
+            return isLatitude ? PlaceText::tr("This is a longitude, a latitude is needed.")
+                              : PlaceText::tr("This is a latitude, a longitude is needed.");
+        return isLatitude ? LatLon{at->latitude_deg, before.longitude_deg}
+                          : LatLon{before.latitude_deg, at->longitude_deg};
+    }
+    const auto whole = findPlace(text);
+    if (const auto* found = std::get_if<FoundPlace>(&whole))
+        return found->at;
+    const CoordinateFault fault = std::get<CoordinateFault>(read);
+    return fault == CoordinateFault::Unreadable ? std::get<QString>(whole)
+                                                : coordinateFaultText(fault);
+}
+
+std::optional<Point> reachedPoint(const LatLon& place, const LatLon& origin)
+{
+    const Point at_m = LocalFrame(origin).toPlane(place);
+    if (at_m.cwiseAbs().maxCoeff() > kLargestCoordinate_m)
+        return std::nullopt;
+    return at_m;
+}
+
+QString beyondReachText(const LatLon& place, const LatLon& origin, const QLocale& locale)
+{
+    return PlaceText::tr("This is %1 from the origin of the scenario, which reaches %2.")
+        .arg(distanceText(LocalFrame(origin).toPlane(place).norm(), locale),
+             distanceText(kLargestCoordinate_m, locale));
+}
+
+QString takePlace(Point& position_m, const QString& text, PlaceHalf half, const LatLon& origin,
+                  const QLocale& locale)
+{
+    const auto typed = typedPlace(text, half, LocalFrame(origin).toGeographic(position_m));
+    if (const auto* reason = std::get_if<QString>(&typed))
+        return *reason;
+    const auto& place = std::get<LatLon>(typed);
+    const std::optional<Point> at_m = reachedPoint(place, origin);
+    if (!at_m)
+        return beyondReachText(place, origin, locale);
+    position_m = *at_m;
+    return {};
 }
 
 QString coordinateFaultText(CoordinateFault fault)

@@ -2,8 +2,10 @@
 
 #include "core/base/coordinates.h"
 
+#include <QLocale>
 #include <QString>
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -32,6 +34,30 @@ struct FoundPlace
 
 /** A name, a coordinate, or a part of one name only; else why not, as a sentence. */
 [[nodiscard]] std::variant<FoundPlace, QString> findPlace(const QString& text);
+
+/** Half of a place. */
+enum class PlaceHalf
+{
+    Latitude,
+    Longitude
+};
+
+/**
+ * A place typed over another: an angle in any form takes the place of this half of `before`, a
+ * whole coordinate or a name of both. Else why not, as a sentence.
+ */
+[[nodiscard]] std::variant<LatLon, QString> typedPlace(const QString& text, PlaceHalf half,
+                                                       const LatLon& before);
+
+/** Where a place is on the plane of a scenario; empty: beyond what that reaches. */
+[[nodiscard]] std::optional<Point> reachedPoint(const LatLon& place, const LatLon& origin);
+/** How far away a place is that is not reached, a whole sentence. */
+[[nodiscard]] QString beyondReachText(const LatLon& place, const LatLon& origin,
+                                      const QLocale& locale);
+
+/** Moves a point of a scenario to what is typed; else says why not and leaves it. */
+[[nodiscard]] QString takePlace(Point& position_m, const QString& text, PlaceHalf half,
+                                const LatLon& origin, const QLocale& locale);
 
 /** In the user's words, a whole sentence. */
 [[nodiscard]] QString coordinateFaultText(CoordinateFault fault);

@@ -1,5 +1,6 @@
 #include "widgets/model/scenario_edits.h"
 
+#include "core/base/angles.h"
 #include "core/scenario/advice.h"
 #include "widgets/model/selection.h"
 
@@ -167,6 +168,31 @@ Point clampedPosition(const Point& position_m)
 Point roundedTo(const Point& value, double step)
 {
     return (value / step).array().round().matrix() * step;
+}
+
+Point velocityTowards(double speed_mps, double direction_deg)
+{
+    constexpr double kQuarter_deg = 90;
+    const double quarter = std::round(direction_deg / kQuarter_deg);
+    const double rest_rad = radFromDeg(direction_deg - kQuarter_deg * quarter);
+    const double along_mps = speed_mps * std::cos(rest_rad);
+    const double across_mps = speed_mps * std::sin(rest_rad);
+    switch ((std::lround(quarter) % 4 + 4) % 4) {
+    case 0:
+        return {across_mps, along_mps};
+    case 1:
+        return {along_mps, -across_mps};
+    case 2:
+        return {-across_mps, -along_mps};
+    default:
+        return {-along_mps, across_mps};
+    }
+}
+
+double directionOf(const Point& velocity_mps)
+{
+    return velocity_mps.isZero(0) ? 0
+                                  : headingFromPsi(std::atan2(velocity_mps.y(), velocity_mps.x()));
 }
 
 Point clampedVelocity(const Point& velocity_mps)

@@ -38,6 +38,12 @@ void renameObject(Scenario& scenario, const std::string& before, const std::stri
 /** The multiple of `step` next to each coordinate. */
 [[nodiscard]] Point roundedTo(const Point& value, double step);
 
+/** Of this speed towards there, degrees clockwise from north; exact for the four main directions.
+ */
+[[nodiscard]] Point velocityTowards(double speed_mps, double direction_deg);
+/** Where a velocity goes, degrees clockwise from north in [0, 360); 0 of none. */
+[[nodiscard]] double directionOf(const Point& velocity_mps);
+
 /** As much of a velocity, its direction kept, as a scenario may hold. */
 [[nodiscard]] Point clampedVelocity(const Point& velocity_mps);
 

@@ -20,6 +20,13 @@ enum class SpeedUnit : std::uint8_t
     Knots
 };
 
+/** How drift, current, wind and the way of an asset are shown and typed. */
+enum class VectorForm : std::uint8_t
+{
+    Direction, ///< speed and direction: wind from there, all else towards it
+    Components ///< east and north
+};
+
 /**
  * What distances, speeds and places are shown and typed in; one unit for each quantity. Files,
  * the command line and everything inside are SI. Sizes of things, their uncertainty and the
@@ -30,6 +37,7 @@ struct Units
     DistanceUnit distance = DistanceUnit::Metric;
     SpeedUnit speed = SpeedUnit::MetresPerSecond;
     CoordinateForm coordinates = CoordinateForm::DegreesMinutes;
+    VectorForm vectors = VectorForm::Direction;
     bool operator==(const Units&) const = default;
 };
 
@@ -44,7 +52,8 @@ void setShownUnits(const Units& units);
 inline constexpr const char* kDistanceUnitKey = "units/distance"; ///< metric, nautical
 inline constexpr const char* kSpeedUnitKey = "units/speed";       ///< mps, knots
 inline constexpr const char* kCoordinateFormKey =
-    "units/coordinates"; ///< minutes, decimal, seconds
+    "units/coordinates";                                       ///< minutes, decimal, seconds
+inline constexpr const char* kVectorFormKey = "units/vectors"; ///< direction, components
 
 /** What is not there or unknown is the default. */
 [[nodiscard]] Units readUnits(const QSettings& settings);

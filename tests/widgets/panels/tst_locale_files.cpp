@@ -64,6 +64,7 @@ struct Written
 Written editedIn(const QLocale& locale)
 {
     const InLocale inLocale(locale);
+    const test::UnitsInUse units(test::kComponents);
     const QTemporaryDir folder;
     test::MapFixture map;
     map.view.setLocale(locale);

@@ -20,6 +20,9 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr Units kAtSea{.distance = DistanceUnit::Nautical, .speed = SpeedUnit::Knots};
+constexpr Units kAtSeaByComponents{.distance = DistanceUnit::Nautical,
+                                   .speed = SpeedUnit::Knots,
+                                   .vectors = VectorForm::Components};
 const QLocale kEnglish(QLocale::English, QLocale::UnitedStates);
 const QLocale kNorwegian(QLocale::NorwegianBokmal, QLocale::Norway);
 
@@ -61,6 +64,9 @@ private slots:
         settings.setValue(kCoordinateFormKey, u"decimal"_s);
         QVERIFY(readUnits(settings).speed == SpeedUnit::Knots);
         QVERIFY(readUnits(settings).coordinates == CoordinateForm::DecimalDegrees);
+        QVERIFY(readUnits(settings).vectors == VectorForm::Direction);
+        settings.setValue(kVectorFormKey, u"components"_s);
+        QVERIFY(readUnits(settings).vectors == VectorForm::Components);
         settings.setValue(kDistanceUnitKey, u"furlongs"_s);
         QVERIFY(readUnits(settings).distance == DistanceUnit::Metric);
     }
@@ -100,7 +106,7 @@ private slots:
 
     void typedInTheInspector()
     {
-        setShownUnits(kAtSea);
+        setShownUnits(kAtSeaByComponents);
         ScenarioDocument document;
         document.reset(oneIceberg());
         Selection selection;
@@ -124,15 +130,17 @@ private slots:
     void leavingAFieldChangesNothing_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"icebergEast", "icebergNorth", "icebergVelocityEast",
-                                 "icebergVelocityNorth", "icebergRadius"})
+        for (const char* name :
+             {"icebergEast", "icebergNorth", "icebergVelocityEast", "icebergVelocityNorth",
+              "icebergVelocitySpeed", "icebergVelocityDirection", "icebergRadius"})
             QTest::newRow(name) << QString::fromLatin1(name);
     }
 
     void leavingAFieldChangesNothing()
     {
         QFETCH(QString, name);
-        setShownUnits(kAtSea);
+        setShownUnits(name.endsWith(u"East"_s) || name.endsWith(u"North"_s) ? kAtSeaByComponents
+                                                                            : kAtSea);
         const Scenario before = oneIceberg();
         ScenarioDocument document;
         document.reset(before);

@@ -86,13 +86,9 @@ void GotoBar::go()
         return;
     }
     const auto& target = std::get<FoundPlace>(found);
-    const Point at_m = LocalFrame(m_origin).toPlane(target.at);
-    if (at_m.cwiseAbs().maxCoeff() > kLargestCoordinate_m) {
+    if (!reachedPoint(target.at, m_origin)) {
         m_far = target.at;
-        explain(tr("This is %1 from the origin of the scenario, which reaches %2.")
-                    .arg(distanceText(at_m.norm(), locale()),
-                         distanceText(kLargestCoordinate_m, locale())),
-                m_mayMove);
+        explain(beyondReachText(target.at, m_origin, locale()), m_mayMove);
         return;
     }
     dismiss();

@@ -49,6 +49,10 @@ QString widestText(IcebergColumn column, double sigmaFull_m2, const QLocale& loc
     case IcebergColumn::East:
     case IcebergColumn::North:
         return u"−0 000.0"_s;
+    case IcebergColumn::Latitude:
+        return latitudeText(-88.888, 3, locale);
+    case IcebergColumn::Longitude:
+        return longitudeText(-188.888, 3, locale);
     case IcebergColumn::AssetTime:
     case IcebergColumn::Unseen:
         return u"00:00"_s;
@@ -58,6 +62,8 @@ QString widestText(IcebergColumn column, double sigmaFull_m2, const QLocale& loc
     case IcebergColumn::Visits:
     case IcebergColumn::Speed:
     case IcebergColumn::Direction:
+    case IcebergColumn::DriftEast:
+    case IcebergColumn::DriftNorth:
     case IcebergColumn::Sigma0:
     case IcebergColumn::Growth:
     case IcebergColumn::Observed:
@@ -146,6 +152,7 @@ void IcebergTable::connectTable()
         setColumnWidths();
     });
     connect(m_filter, &QLineEdit::textChanged, m_model, &IcebergTableModel::setFilter);
+    connect(m_model, &IcebergTableModel::edited, this, &IcebergTable::say);
     connect(m_delegate, &IcebergTableDelegate::allEdited, this, &IcebergTable::editAll);
     connect(m_table, &IcebergTableView::copyRequested, this, &IcebergTable::copy);
     connect(m_table, &IcebergTableView::pasteRequested, this, &IcebergTable::paste);

@@ -1,13 +1,10 @@
 #include "widgets/panels/icebergs/iceberg_table_columns.h"
 
-#include "core/base/angles.h"
 #include "core/base/error.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
 
 #include <QCoreApplication>
-
-#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -30,14 +27,6 @@ NumberRow inspectorRow(const std::vector<InspectorRow>& rows, const QString& key
                 return *number;
     require(false, "the inspector has no such row");
     return {};
-}
-
-/** As the inspector edits a component of the drift, within other limits. */
-NumberRow driftRow(NumberRow row, Decimals decimals, const Limits& limits)
-{
-    row.decimals = decimals;
-    row.range = [limits](const Scenario&) { return limits; };
-    return row;
 }
 
 IcebergColumnSpec inFlight(const QString& key, const QString& title, const QString& copied,
@@ -65,6 +54,7 @@ IcebergColumnSpec ofAsset(const QString& key, const QString& title, const QStrin
             .isInFlight = true,
             .isOfAsset = true,
             .number = {},
+            .half = {},
             .unit = {}};
 }
 
@@ -93,31 +83,22 @@ IcebergColumnSpec inEditor(const QString& key, const QString& title, const QStri
             .toolTip = toolTip,
             .isInEditor = true,
             .number = number,
+            .half = {},
             .unit = {}};
 }
 
-/** (sin, cos) of an angle clockwise from north; exact for the four main directions. */
-Point unitTowards(double direction_deg)
+IcebergColumnSpec ofPlace(const QString& key, const QString& title, PlaceHalf half)
 {
-    const double quarter = std::round(direction_deg / 90);
-    const double rest_rad = radFromDeg(direction_deg - 90 * quarter);
-    const double along = std::cos(rest_rad);
-    const double across = std::sin(rest_rad);
-    switch (static_cast<int>(std::lround(quarter)) % 4) {
-    case 0:
-        return {across, along};
-    case 1:
-        return {along, -across};
-    case 2:
-        return {-across, -along};
-    default:
-        return {-along, across};
-    }
-}
-
-double directionOf(const Point& velocity_mps)
-{
-    return headingFromPsi(std::atan2(velocity_mps.y(), velocity_mps.x()));
+    return {.key = key,
+            .title = title,
+            .copied = title,
+            .toolTip = IcebergColumnText::tr("Where it is, in flight the estimate; typed and "
+                                             "pasted in any form, a whole coordinate sets both"),
+            .isInEditor = true,
+            .isInFlight = true,
+            .number = {},
+            .half = half,
+            .unit = {}};
 }
 
 } // namespace
@@ -130,7 +111,29 @@ IcebergColumnSpecs icebergColumnSpecs()
         const NumberRow number = numberOf(inspectorKey);
         return inEditor(key, title, number.words.toolTip, number);
     };
-    const NumberRow drift = numberOf(u"icebergVelocityEast"_s);
+    const bool isComponents = shownUnits().vectors == VectorForm::Components;
+    const auto drift = [&](const QString& key, const QString& title, const QString& toolTip,
+                           const QString& inspectorKey, bool isThere) {
+        IcebergColumnSpec spec =
+            inEditor(key, title.contains(u'%') ? title.arg(speedUnit().name) : title, toolTip, {});
+        spec.isInEditor = isThere;
+        if (isThere)
+            spec.number = numberOf(inspectorKey);
+        spec.unit = speedUnit();
+        return spec;
+    };
+    IcebergColumnSpec speed =
+        drift(u"speed"_s, IcebergColumnText::tr("Speed, %1"),
+              IcebergColumnText::tr("Known drift; in flight the current is in it"),
+              u"icebergVelocitySpeed"_s, !isComponents);
+    speed.isInFlight = true;
+    IcebergColumnSpec direction =
+        drift(u"direction"_s, IcebergColumnText::tr("Direction, °"),
+              IcebergColumnText::tr("Where it drifts to, degrees clockwise from north"),
+              u"icebergVelocityDirection"_s, !isComponents);
+    direction.unit = {};
+    if (direction.number)
+        direction.number->range = always(kDirection_deg);
     const auto [assetDistance, assetTime] = assetColumns();
     IcebergColumnSpec uav = inFlight(u"uav"_s, u"UAV"_s, u"UAV"_s,
                                      IcebergColumnText::tr("The UAV that has it in its plan"));
@@ -143,6 +146,7 @@ IcebergColumnSpecs icebergColumnSpecs()
         .isInEditor = true,
         .isInFlight = true,
         .number = {},
+        .half = {},
         .unit = {}};
     return {
         name,
@@ -176,18 +180,20 @@ IcebergColumnSpecs icebergColumnSpecs()
                             "the start, in flight the estimate"),
                         numberOf(u"icebergNorth"_s)),
                distanceUnit()),
-        inBoth(inEditor(u"speed"_s, IcebergColumnText::tr("Speed, %1"),
-                        IcebergColumnText::tr("Known drift; in flight the current is in it"),
-                        driftRow(drift, {.least = 2, .most = 3},
-                                 shownLimits(limits::kSpeed_mps, speedUnit(), 3))),
-               speedUnit()),
-        inEditor(u"direction"_s, IcebergColumnText::tr("Direction, °"),
-                 IcebergColumnText::tr("Where it drifts to, degrees clockwise from north"),
-                 driftRow(drift, {.least = 0, .most = 1}, kDirection_deg)),
+        speed,
+        direction,
+        drift(u"driftEast"_s, IcebergColumnText::tr("Drift east, %1"),
+              IcebergColumnText::tr("Known drift to the east; the current comes on top"),
+              u"icebergVelocityEast"_s, isComponents),
+        drift(u"driftNorth"_s, IcebergColumnText::tr("Drift north, %1"),
+              IcebergColumnText::tr("Known drift to the north; the current comes on top"),
+              u"icebergVelocityNorth"_s, isComponents),
         like(u"sigma0"_s, u"σ₀, m²"_s, u"icebergSigma0"_s),
         like(u"growth"_s, u"q, m²/s"_s, u"icebergGrowth"_s),
         like(u"observed"_s, IcebergColumnText::tr("Last seen, s ago"), u"icebergObserved"_s),
         like(u"appears"_s, IcebergColumnText::tr("Appears at, s"), u"icebergAppears"_s),
+        ofPlace(u"latitude"_s, IcebergColumnText::tr("Latitude"), PlaceHalf::Latitude),
+        ofPlace(u"longitude"_s, IcebergColumnText::tr("Longitude"), PlaceHalf::Longitude),
     };
 }
 
@@ -204,6 +210,10 @@ std::optional<double> icebergNumber(const Iceberg& iceberg, IcebergColumn column
         if (iceberg.velocity_mps.isZero(0))
             return std::nullopt;
         return directionOf(iceberg.velocity_mps);
+    case IcebergColumn::DriftEast:
+        return iceberg.velocity_mps.x();
+    case IcebergColumn::DriftNorth:
+        return iceberg.velocity_mps.y();
     case IcebergColumn::Sigma0:
         return iceberg.sigma0_m2;
     case IcebergColumn::Growth:
@@ -222,6 +232,8 @@ std::optional<double> icebergNumber(const Iceberg& iceberg, IcebergColumn column
     case IcebergColumn::Unseen:
     case IcebergColumn::Arrival:
     case IcebergColumn::Visits:
+    case IcebergColumn::Latitude:
+    case IcebergColumn::Longitude:
         break;
     }
     return std::nullopt;
@@ -249,6 +261,12 @@ void setIcebergNumber(Iceberg& iceberg, IcebergColumn column, double value)
     case IcebergColumn::Direction:
         setDrift(iceberg, {.direction_deg = value});
         break;
+    case IcebergColumn::DriftEast:
+        iceberg.velocity_mps.x() = value;
+        break;
+    case IcebergColumn::DriftNorth:
+        iceberg.velocity_mps.y() = value;
+        break;
     case IcebergColumn::Sigma0:
         iceberg.sigma0_m2 = value;
         break;
@@ -271,6 +289,8 @@ void setIcebergNumber(Iceberg& iceberg, IcebergColumn column, double value)
     case IcebergColumn::Unseen:
     case IcebergColumn::Arrival:
     case IcebergColumn::Visits:
+    case IcebergColumn::Latitude:
+    case IcebergColumn::Longitude:
         require(false, "not a number of an iceberg that can be set");
     }
 }
@@ -283,7 +303,7 @@ void setDrift(Iceberg& iceberg, const Drift& drift)
     const double direction_deg = drift.direction_deg.value_or(before_deg);
     if (speed_mps == before_mps && (speed_mps == 0 || direction_deg == before_deg))
         return;
-    iceberg.velocity_mps = clampedVelocity(speed_mps * unitTowards(direction_deg));
+    iceberg.velocity_mps = clampedVelocity(velocityTowards(speed_mps, direction_deg));
 }
 
 } // namespace berg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/model/places.h"
 #include "widgets/panels/inspector/inspector_rows.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -25,12 +26,17 @@ enum class IcebergColumn
     North,
     Speed,
     Direction,
+    DriftEast,
+    DriftNorth,
     Sigma0,
     Growth,
     Observed,
-    Appears
+    Appears,
+    Latitude,
+    Longitude
 };
-inline constexpr std::size_t kIcebergColumns = static_cast<std::size_t>(IcebergColumn::Appears) + 1;
+inline constexpr std::size_t kIcebergColumns =
+    static_cast<std::size_t>(IcebergColumn::Longitude) + 1;
 
 /** What one column is, whatever the rows are. */
 struct IcebergColumnSpec
@@ -44,6 +50,7 @@ struct IcebergColumnSpec
     bool isOfAsset = false;          ///< there only with an asset
     bool isOfFleet = false;          ///< there only with several UAVs
     std::optional<NumberRow> number; ///< how the inspector edits it; none: no number to be edited
+    std::optional<PlaceHalf> half;   ///< it holds an angle of the place
     ShownUnit unit;                  ///< its numbers are shown, edited and copied in this
 
     /** Before take-off; what tells of the asset follows from the rest. */
@@ -61,7 +68,10 @@ using IcebergColumnSpecs = std::array<IcebergColumnSpec, kIcebergColumns>;
     return specs[static_cast<std::size_t>(column)];
 }
 
-/** What an editor column holds; none: no number, e.g. the direction of one that stands still. */
+/**
+ * What an editor column holds of an iceberg alone; none: no number, e.g. the direction of one that
+ * stands still.
+ */
 [[nodiscard]] std::optional<double> icebergNumber(const Iceberg& iceberg, IcebergColumn column);
 
 /** Whether a number typed or pasted is the one an editor column shows: then nothing is to be set.

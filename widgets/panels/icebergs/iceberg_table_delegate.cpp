@@ -166,7 +166,10 @@ QWidget* IcebergTableDelegate::createEditor(QWidget* parent, const QStyleOptionV
     } else {
         auto* line = new QLineEdit(parent);
         line->setFrame(false);
-        line->setPlaceholderText(QString::fromStdString(modelOf(index).rowAt(index.row()).id));
+        if (spec.half)
+            line->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        else
+            line->setPlaceholderText(QString::fromStdString(modelOf(index).rowAt(index.row()).id));
         editor = line;
     }
     editor->setObjectName(u"icebergCell"_s);
@@ -194,6 +197,8 @@ void IcebergTableDelegate::setModelData(QWidget* editor, QAbstractItemModel* mod
         else if (!m_editsAll)
             return; // the field shows fewer digits than there are
     } else if (const auto* line = qobject_cast<QLineEdit*>(editor)) {
+        if (!line->isModified() && !m_editsAll)
+            return;
         value = line->text();
     }
     if (m_editsAll)

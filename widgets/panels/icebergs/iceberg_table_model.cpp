@@ -249,8 +249,9 @@ QVariant IcebergTableModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
         return cellText(row, column, m_kind.isInFlight, m_locale);
     case Qt::EditRole:
-        return column == IcebergColumn::Name
-                   ? QVariant(row.name)
+        return column == IcebergColumn::Name ? QVariant(row.name)
+               : spec(index.column()).half
+                   ? QVariant(cellText(row, column, m_kind.isInFlight, m_locale))
                    : QVariant(spec(index.column()).unit.fromSi(row.value(column).value_or(0)));
     case Qt::ToolTipRole:
         return cellToolTip(row, column, m_locale);
@@ -313,25 +314,51 @@ bool IcebergTableModel::setAll(const std::vector<int>& rows, IcebergColumn colum
     std::vector<std::string> ids;
     for (const int row : rows)
         ids.push_back(rowAt(row).id);
-    const IcebergColumnSpec& edited = specOf(m_specs, column);
-    const auto change = [&](Scenario& scenario) {
+    const IcebergColumnSpec& kind = specOf(m_specs, column);
+    QString fault;
+    if (kind.half)
+        fault = setPlaces(ids, *kind.half, value.toString());
+    else if (column == IcebergColumn::Name)
+        m_document.edit(InspectorRows::tr("Change name"), [&](Scenario& scenario) {
+            for (const std::string& id : ids)
+                findIceberg(scenario, id)->name = value.toString().toStdString();
+        });
+    else
+        setNumbers(ids, column, value.toDouble());
+    emit edited(fault);
+    return fault.isEmpty();
+}
+
+void IcebergTableModel::setNumbers(const std::vector<std::string>& ids, IcebergColumn column,
+                                   double value)
+{
+    const IcebergColumnSpec& kind = specOf(m_specs, column);
+    m_document.edit(kind.number->words.undoText, [&](Scenario& scenario) {
         for (const std::string& id : ids) {
             Iceberg& iceberg = *findIceberg(scenario, id);
-            if (column == IcebergColumn::Name) {
-                iceberg.name = value.toString().toStdString();
+            if (isShownAs(iceberg, column, kind, value))
                 continue;
-            }
-            if (isShownAs(iceberg, column, edited, value.toDouble()))
-                continue;
-            const Limits limits = edited.number->range(scenario);
-            setIcebergNumber(
-                iceberg, column,
-                edited.unit.toSi(std::clamp(value.toDouble(), limits.low, limits.high)));
+            const Limits limits = kind.number->range(scenario);
+            setIcebergNumber(iceberg, column,
+                             kind.unit.toSi(std::clamp(value, limits.low, limits.high)));
         }
-    };
-    m_document.edit(
-        edited.number ? edited.number->words.undoText : InspectorRows::tr("Change name"), change);
-    return true;
+    });
+}
+
+/** Why nothing was set; empty: it was. */
+QString IcebergTableModel::setPlaces(const std::vector<std::string>& ids, PlaceHalf half,
+                                     const QString& text)
+{
+    Scenario after = m_document.scenario();
+    for (const std::string& id : ids) {
+        QString fault =
+            takePlace(findIceberg(after, id)->position_m, text, half, after.origin, m_locale);
+        if (!fault.isEmpty())
+            return fault;
+    }
+    m_document.edit(InspectorRows::tr("Change position"),
+                    [&](Scenario& scenario) { scenario = std::move(after); });
+    return {};
 }
 
 QString IcebergTableModel::copiedCell(const IcebergTableRow& row, int column) const

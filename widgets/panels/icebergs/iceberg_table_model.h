@@ -50,7 +50,10 @@ public:
      * there are. */
     [[nodiscard]] bool hasColumn(int column) const;
 
-    /** Sets a cell of all these rows, one undo step; a number is brought into its range. */
+    /**
+     * Sets a cell of all these rows, one undo step; a number is brought into its range, an angle
+     * that cannot be read changes nothing.
+     */
     bool setAll(const std::vector<int>& rows, IcebergColumn column, const QVariant& value);
     /** Cells of these rows in full precision below the titles, tabs between. */
     [[nodiscard]] QString copied(const std::vector<int>& rows,
@@ -69,6 +72,8 @@ public:
     void sort(int column, Qt::SortOrder order) override;
 
 signals:
+    /** A cell was edited; why it could not be, a whole sentence, else empty. */
+    void edited(const QString& fault);
     /** `hasColumn` is not what it was. */
     void columnsChanged();
 
@@ -80,6 +85,9 @@ private:
         bool hasFleet = false;
         bool operator==(const Kind&) const = default;
     };
+    void setNumbers(const std::vector<std::string>& ids, IcebergColumn column, double value);
+    [[nodiscard]] QString setPlaces(const std::vector<std::string>& ids, PlaceHalf half,
+                                    const QString& text);
     void setRows(std::vector<IcebergTableRow> rows, const Kind& kind);
     void updateRows(std::vector<IcebergTableRow> rows);
     void rankNames();

@@ -1,5 +1,6 @@
 #include "widgets/panels/icebergs/iceberg_table_paste.h"
 
+#include "core/base/geodesy.h"
 #include "core/scenario/validate.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/theme/quantity_text.h"
@@ -80,6 +81,7 @@ private:
                                  : *findIceberg(m_outcome.scenario, m_target.ids[row]);
         m_outcome.ids.push_back(iceberg.id);
         Drift drift;
+        m_place.reset();
         for (std::size_t i = 0; i < line.size() && m_outcome.fault.isEmpty(); ++i) {
             if (line[i].trimmed().isEmpty())
                 continue;
@@ -93,6 +95,8 @@ private:
             pasteCell(iceberg, drift, m_columns[i], line[i]);
         }
         setDrift(iceberg, drift); // both halves at once
+        if (m_outcome.fault.isEmpty() && m_place)
+            setPlace(iceberg, *m_place);
     }
 
     [[nodiscard]] bool addIceberg(const Line& line)
@@ -134,6 +138,10 @@ private:
         const IcebergColumnSpec& spec = specOf(m_specs, column);
         if (!spec.isEditable())
             return; // named by a title: it follows from the others
+        if (spec.half) {
+            readPlace(iceberg, spec, cell);
+            return;
+        }
         const std::optional<double> value = numberOf(cell, m_locale);
         if (!value) {
             fail(IcebergPasteText::tr("Row %1, column \"%2\": \"%3\" is not a number.")
@@ -161,6 +169,36 @@ private:
             setIcebergNumber(iceberg, column, *number);
     }
 
+    [[nodiscard]] LatLon placeOf(const Iceberg& iceberg) const
+    {
+        return LocalFrame(m_outcome.scenario.origin).toGeographic(iceberg.position_m);
+    }
+
+    void readPlace(const Iceberg& iceberg, const IcebergColumnSpec& spec, const QString& cell)
+    {
+        const auto typed = typedPlace(cell, *spec.half, m_place.value_or(placeOf(iceberg)));
+        if (const auto* reason = std::get_if<QString>(&typed))
+            fail(IcebergPasteText::tr("Row %1, column \"%2\", \"%3\": %4")
+                     .arg(m_line)
+                     .arg(spec.title, shortened(cell), *reason));
+        else
+            m_place = std::get<LatLon>(typed);
+    }
+
+    /** What is there stays as it is to the last bit. */
+    void setPlace(Iceberg& iceberg, const LatLon& place)
+    {
+        const LatLon origin = m_outcome.scenario.origin;
+        if (place == placeOf(iceberg))
+            return;
+        if (const std::optional<Point> at_m = reachedPoint(place, origin))
+            iceberg.position_m = *at_m;
+        else
+            fail(IcebergPasteText::tr("Row %1: %2")
+                     .arg(m_line)
+                     .arg(beyondReachText(place, origin, m_locale)));
+    }
+
     [[nodiscard]] static QString shortened(const QString& cell)
     {
         constexpr int kLongest = 40;
@@ -177,7 +215,8 @@ private:
     std::vector<IcebergColumn> m_columns;
     const IcebergColumnSpecs& m_specs;
     QLocale m_locale;
-    std::size_t m_line = 0; ///< of the text, from 1
+    std::size_t m_line = 0;        ///< of the text, from 1
+    std::optional<LatLon> m_place; ///< of the line, as far as it has been read
     PasteOutcome m_outcome;
 };
 

@@ -22,9 +22,13 @@ struct IcebergRowText
     Q_DECLARE_TR_FUNCTIONS(IcebergRowText)
 };
 
-constexpr std::array kEditorNumbers{
-    IcebergColumn::East,   IcebergColumn::North,  IcebergColumn::Speed,    IcebergColumn::Direction,
-    IcebergColumn::Sigma0, IcebergColumn::Growth, IcebergColumn::Observed, IcebergColumn::Appears};
+constexpr std::array kEditorNumbers{IcebergColumn::Speed,    IcebergColumn::Direction,
+                                    IcebergColumn::Sigma0,   IcebergColumn::Growth,
+                                    IcebergColumn::Observed, IcebergColumn::Appears};
+
+// Decimals of the minutes.
+constexpr int kAngles = 3;         ///< 2 m
+constexpr int kAnglesInFlight = 2; ///< 20 m, where they run
 
 void put(IcebergTableRow& row, IcebergColumn column, std::optional<double> value)
 {
@@ -38,6 +42,15 @@ void putApproach(IcebergTableRow& row, const std::optional<AssetApproach>& appro
     put(row, IcebergColumn::AssetDistance, approach->closest.distance_m);
     put(row, IcebergColumn::AssetTime, approach->closest.time_s);
     row.ringEntry_s = approach->entry_s;
+}
+
+void putPlace(IcebergTableRow& row, const LocalFrame& frame, const Point& position_m)
+{
+    put(row, IcebergColumn::East, position_m.x());
+    put(row, IcebergColumn::North, position_m.y());
+    const LatLon place = frame.toGeographic(position_m);
+    put(row, IcebergColumn::Latitude, place.latitude_deg);
+    put(row, IcebergColumn::Longitude, place.longitude_deg);
 }
 
 /** Of all orders: when the UAV is there. */
@@ -168,6 +181,8 @@ QString numberText(double value, IcebergColumn column, bool inFlight, const QLoc
     case IcebergColumn::AssetTime:
         return approachTimeText(value);
     case IcebergColumn::Speed:
+    case IcebergColumn::DriftEast:
+    case IcebergColumn::DriftNorth:
         return fixedText(speedUnit().fromSi(value), 2, locale);
     case IcebergColumn::Direction:
         return u"%1"_s.arg(static_cast<int>(std::lround(value)) % 360, 3, 10, QChar(u'0'));
@@ -184,6 +199,10 @@ QString numberText(double value, IcebergColumn column, bool inFlight, const QLoc
     case IcebergColumn::Observed:
     case IcebergColumn::Appears:
         return fixedText(value, 0, locale);
+    case IcebergColumn::Latitude:
+        return latitudeText(value, inFlight ? kAnglesInFlight : kAngles, locale);
+    case IcebergColumn::Longitude:
+        return longitudeText(value, inFlight ? kAnglesInFlight : kAngles, locale);
     case IcebergColumn::Name:
     case IcebergColumn::State:
     case IcebergColumn::Uav:
@@ -207,12 +226,14 @@ std::vector<IcebergTableRow> editorRows(const Scenario& scenario)
 {
     std::vector<IcebergTableRow> rows;
     rows.reserve(scenario.icebergs.size());
+    const LocalFrame frame(scenario.origin);
     for (const Iceberg& iceberg : scenario.icebergs) {
         IcebergTableRow& row = rows.emplace_back();
         row.id = iceberg.id;
         row.name = QString::fromStdString(iceberg.name);
         for (const IcebergColumn column : kEditorNumbers)
             put(row, column, icebergNumber(iceberg, column));
+        putPlace(row, frame, iceberg.position_m);
         putApproach(row, approachOf(scenario, iceberg));
     }
     return rows;
@@ -226,6 +247,7 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
     const std::vector<PlaceInOrder> places = placesOf(shown);
     std::vector<IcebergTableRow> rows;
     rows.reserve(shown.icebergs.size());
+    const LocalFrame frame(record.scenario.origin);
     for (std::size_t i = 0; i < shown.icebergs.size(); ++i) {
         const Iceberg& iceberg = shown.icebergs[i];
         const Track& track = shown.world.tracks[i];
@@ -242,7 +264,7 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
         if (!shown.active[i] || track.left)
             continue;
         putApproach(row, approachOf(shown, i));
-        const Point estimate_m = record.estimate_m(i);
+        putPlace(row, frame, record.estimate_m(i));
         put(row, IcebergColumn::Sigma, track.sigma_m2);
         put(row, IcebergColumn::Deviation, std::sqrt(track.sigma_m2));
         const double since_s = std::max(track.anchor_s, iceberg.appears_s);
@@ -250,8 +272,6 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
         if (const auto arrival = arrivals_s.find(iceberg.id); arrival != arrivals_s.end())
             put(row, IcebergColumn::Arrival, arrival->second);
         put(row, IcebergColumn::Visits, visits[i]);
-        put(row, IcebergColumn::East, estimate_m.x());
-        put(row, IcebergColumn::North, estimate_m.y());
         put(row, IcebergColumn::Speed, track.velocity_mps.norm());
     }
     return rows;
@@ -332,9 +352,13 @@ QString cellToolTip(const IcebergTableRow& row, IcebergColumn column, const QLoc
     case IcebergColumn::East:
     case IcebergColumn::North:
     case IcebergColumn::Speed:
+    case IcebergColumn::DriftEast:
+    case IcebergColumn::DriftNorth:
     case IcebergColumn::Growth:
     case IcebergColumn::Observed:
     case IcebergColumn::Appears:
+    case IcebergColumn::Latitude:
+    case IcebergColumn::Longitude:
         break;
     }
     return {};

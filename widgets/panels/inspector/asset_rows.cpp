@@ -42,7 +42,7 @@ NumberRow ceilingRow(const RowWords& words, Height height)
             .lowestText = InspectorRows::tr("none")};
 }
 
-std::vector<InspectorRow> velocityRows()
+std::vector<InspectorRow> wayRows()
 {
     const QString undoText = InspectorRows::tr("Change velocity of the asset");
     NumberRow east = assetRow(
@@ -60,13 +60,22 @@ std::vector<InspectorRow> velocityRows()
         {}, [](auto& asset) -> auto& { return asset.velocity_mps.y(); },
         limits::kAssetVelocity_mps);
     east.step = north.step = kSpeedStep_mps;
-    return {
-        asSpeed(east), asSpeed(north),
-        InfoRow{.key = u"assetVelocity"_s,
-                .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {
-                    return scenario.asset ? towardsText(scenario.asset->velocity_mps, locale)
-                                          : QString();
-                }}};
+    return velocityRows(
+        {.east = east,
+         .north = north,
+         .key = u"assetVelocity"_s,
+         .speedLabel = InspectorRows::tr("Speed"),
+         .speedToolTip = InspectorRows::tr("What a ship makes; 0 for a platform."),
+         .directionLabel = InspectorRows::tr("Course"),
+         .directionToolTip = InspectorRows::tr("Where it goes, clockwise from north."),
+         .componentLimit_mps = limits::kAssetVelocity_mps.high,
+         .speeds_mps = always({.low = 0, .high = limits::kAssetVelocity_mps.high}),
+         .direction = {
+             .key = u"assetVelocity"_s,
+             .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {
+                 return scenario.asset ? towardsText(scenario.asset->velocity_mps, locale)
+                                       : QString();
+             }}});
 }
 
 QString areaText(const std::vector<Point>& corners_m, const QLocale& locale)
@@ -85,7 +94,7 @@ std::vector<InspectorRow> assetRows()
 {
     std::vector<InspectorRow> rows{nameRow<Asset>(u"assetName"_s)};
     append(rows, positionRows<Asset>(u"asset"_s));
-    append(rows, velocityRows());
+    append(rows, wayRows());
     NumberRow range = assetRow(
         {.key = u"assetRange"_s,
          .label = InspectorRows::tr("Range"),

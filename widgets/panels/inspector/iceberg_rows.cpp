@@ -26,19 +26,41 @@ NumberRow icebergRow(const RowWords& words, const QString& unit, double Iceberg:
 
 std::vector<InspectorRow> driftRows()
 {
-    const auto row = [](const QString& key, const QString& label, const QString& toolTip,
-                        auto number) {
-        return asSpeed({.words = {.key = key,
-                                  .label = label,
-                                  .toolTip = toolTip,
-                                  .undoText = InspectorRows::tr("Change drift")},
-                        .unit = {},
-                        .decimals = {.least = 2, .most = 3},
-                        .step = kVelocityStep_mps,
-                        .read = reading<Iceberg>(number),
-                        .write = writing<Iceberg>(number),
-                        .range = always(limits::kVelocity_mps)});
+    const auto component = [](const QString& key, const QString& label, const QString& toolTip,
+                              auto number) {
+        return NumberRow{.words = {.key = key,
+                                   .label = label,
+                                   .toolTip = toolTip,
+                                   .undoText = InspectorRows::tr("Change drift")},
+                         .unit = {},
+                         .decimals = {.least = 2, .most = 3},
+                         .step = kVelocityStep_mps,
+                         .read = reading<Iceberg>(number),
+                         .write = writing<Iceberg>(number),
+                         .range = always(limits::kVelocity_mps)};
     };
+    std::vector<InspectorRow> rows = velocityRows(
+        {.east = component(
+             u"icebergVelocityEast"_s, InspectorRows::tr("Drift east"),
+             InspectorRows::tr("Known drift to the east; the current comes on top."),
+             [](auto& iceberg) -> auto& { return iceberg.velocity_mps.x(); }),
+         .north = component(
+             u"icebergVelocityNorth"_s, InspectorRows::tr("Drift north"),
+             InspectorRows::tr("Known drift to the north; the current comes on top."),
+             [](auto& iceberg) -> auto& { return iceberg.velocity_mps.y(); }),
+         .key = u"icebergVelocity"_s,
+         .speedLabel = InspectorRows::tr("Drift"),
+         .speedToolTip = InspectorRows::tr("Known drift; the current comes on top."),
+         .directionLabel = InspectorRows::tr("Drift towards"),
+         .directionToolTip = InspectorRows::tr("Where it drifts to, clockwise from north."),
+         .componentLimit_mps = kLargestVelocity_mps,
+         .speeds_mps = always(limits::kSpeed_mps),
+         .direction = {
+             .key = u"icebergDrift"_s,
+             .text = [](const Scenario& scenario, const std::string& id, const QLocale& locale) {
+                 const Iceberg* iceberg = objectOf(scenario.icebergs, id);
+                 return iceberg == nullptr ? QString() : towardsText(iceberg->velocity_mps, locale);
+             }}});
     NumberRow deviation = asSpeed(
         icebergRow({.key = u"icebergVelocitySd"_s,
                     .label = InspectorRows::tr("Drift error"),
@@ -71,24 +93,8 @@ std::vector<InspectorRow> driftRows()
          .isShown = isFiltered},
         u" s"_s, &Iceberg::velocityTime_s, limits::kTime_s);
     time.step = 3600;
-    return {
-        row(
-            u"icebergVelocityEast"_s, InspectorRows::tr("Drift east"),
-            InspectorRows::tr("Known drift to the east; the current comes on top."),
-            [](auto& iceberg) -> auto& { return iceberg.velocity_mps.x(); }),
-        row(
-            u"icebergVelocityNorth"_s, InspectorRows::tr("Drift north"),
-            InspectorRows::tr("Known drift to the north; the current comes on top."),
-            [](auto& iceberg) -> auto& { return iceberg.velocity_mps.y(); }),
-        deviation,
-        spread,
-        time,
-        InfoRow{.key = u"icebergDrift"_s,
-                .text = [](const Scenario& scenario, const std::string& id, const QLocale& locale) {
-                    const Iceberg* iceberg = objectOf(scenario.icebergs, id);
-                    return iceberg == nullptr ? QString()
-                                              : towardsText(iceberg->velocity_mps, locale);
-                }}};
+    append(rows, {deviation, spread, time});
+    return rows;
 }
 
 std::vector<InspectorRow> uncertaintyRows()

@@ -1,5 +1,7 @@
 #include "widgets/panels/inspector/inspector_form.h"
 
+#include "core/base/error.h"
+#include "widgets/panels/fields/entry_field.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/fields/wheel_guard.h"
@@ -226,6 +228,41 @@ void InspectorForm::addPage(const TextRow& row)
                             }});
 }
 
+void InspectorForm::add(const EntryRow& row)
+{
+    const auto whyNot = [this, row](const QString& text) {
+        Scenario tried = m_document.scenario();
+        QString fault;
+        for (const std::string& id : m_ids)
+            if (fault.isEmpty())
+                fault = row.take(tried, id, text, locale());
+        return fault;
+    };
+    auto* field = new EntryField(
+        {.key = row.words.key, .label = row.words.label, .toolTip = row.words.toolTip},
+        EntryField::Says::WhenFinished, whyNot);
+    m_form->addRow(row.words.label, field);
+    showWhere(row.words, field);
+    connect(field, &EntryField::edited, this, [this, row](const QString& text) {
+        m_document.endGesture();
+        edit(row.words, [&](Scenario& scenario, const std::string& id) {
+            const QString fault = row.take(scenario, id, text, locale());
+            require(fault.isEmpty(), "a text that was found good is taken");
+        });
+        m_document.endGesture();
+    });
+    m_inputs.push_back(
+        {.show =
+             [this, row, field] {
+                 const auto read = [&](const Scenario& scenario, const std::string& id) {
+                     return row.read(scenario, id, locale());
+                 };
+                 const std::optional<QString> text = common(read);
+                 field->showText(text.value_or(QString()), text ? QString() : tr("mixed"));
+             },
+         .lock = [field](bool locked) { field->setLocked(locked); }});
+}
+
 void InspectorForm::add(const FlagRow& row)
 {
     auto* box = new QCheckBox;
@@ -395,6 +432,9 @@ void InspectorForm::finishTyping()
 {
     for (NumberField* field : findChildren<NumberField*>())
         field->finishTyping();
+    for (EntryField* field : findChildren<EntryField*>())
+        if (field->isVisible())
+            field->finishTyping();
     m_document.endGesture();
 }
 

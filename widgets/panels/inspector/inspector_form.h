@@ -44,6 +44,7 @@ private:
     void showWhere(const RowWords& words, QWidget* input);
     void add(const NumberRow& row);
     void add(const TextRow& row);
+    void add(const EntryRow& row);
     void add(const FlagRow& row);
     void add(const ChoiceRow& row);
     void add(const PickRow& row);

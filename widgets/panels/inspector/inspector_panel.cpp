@@ -1,7 +1,7 @@
 #include "widgets/panels/inspector/inspector_panel.h"
 
 #include "widgets/model/scenario_edits.h"
-#include "widgets/panels/fields/id_field.h"
+#include "widgets/panels/fields/entry_field.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/inspector/inspector_form.h"
 #include "widgets/theme/icons.h"
@@ -60,11 +60,11 @@ bool isOnly(const std::vector<std::string>& ids)
 }
 
 /** Several are edited together, but each has an id of its own. */
-void showIdOfOnly(const std::vector<std::string>& ids, InspectorForm& form, IdField& field)
+void showIdOfOnly(const std::vector<std::string>& ids, InspectorForm& form, EntryField& field)
 {
     form.setTopVisible(isOnly(ids));
     if (isOnly(ids))
-        field.showId(QString::fromStdString(ids.front()));
+        field.showText(QString::fromStdString(ids.front()));
 }
 
 } // namespace
@@ -160,14 +160,15 @@ void InspectorPanel::addForms(QVBoxLayout& column)
 }
 
 /** On top of its form: of the one object of `shown`, which changes with the selection. */
-IdField* InspectorPanel::addIdField(InspectorForm& form, const QString& key, const QString& toolTip,
-                                    const QString& missing, const std::vector<std::string>& shown)
+EntryField* InspectorPanel::addIdField(InspectorForm& form, const QString& key,
+                                       const QString& toolTip, const QString& missing,
+                                       const std::vector<std::string>& shown)
 {
-    auto* field = new IdField({.key = key, .toolTip = toolTip}, [this, missing](const QString& id) {
-        return id.isEmpty() ? missing : whyTaken(id);
-    });
+    auto* field = new EntryField(
+        {.key = key + u"Id"_s, .label = tr("Id"), .toolTip = toolTip}, EntryField::Says::AtOnce,
+        [this, missing](const QString& id) { return id.isEmpty() ? missing : whyTaken(id); });
     form.addOnTop(tr("Id"), field);
-    connect(field, &IdField::edited, this, [this, &shown](const QString& id) {
+    connect(field, &EntryField::edited, this, [this, &shown](const QString& id) {
         // A copy: `shown` is another one while it is renamed.
         // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
         const std::string before = shown.front();
@@ -200,7 +201,7 @@ void InspectorPanel::setLocked(bool locked)
 
 void InspectorPanel::lockInputs()
 {
-    for (IdField* id : {m_icebergId, m_uavId})
+    for (EntryField* id : {m_icebergId, m_uavId})
         id->setLocked(m_locked);
     for (InspectorForm* form : m_forms)
         form->setLocked(m_locked);
@@ -210,9 +211,6 @@ void InspectorPanel::finishTyping()
 {
     if (m_locked)
         return;
-    for (IdField* id : {m_icebergId, m_uavId})
-        if (id->isVisible())
-            id->finishTyping();
     for (InspectorForm* form : m_forms)
         form->finishTyping();
 }

@@ -12,7 +12,7 @@ class QVBoxLayout;
 namespace berg {
 
 class CaptionLabel;
-class IdField;
+class EntryField;
 class InspectorForm;
 
 /**
@@ -55,9 +55,9 @@ private:
     void showTitle();
     void showIssues();
     [[nodiscard]] bool isConcerned(const Issue& issue) const;
-    [[nodiscard]] IdField* addIdField(InspectorForm& form, const QString& key,
-                                      const QString& toolTip, const QString& missing,
-                                      const std::vector<std::string>& shown);
+    [[nodiscard]] EntryField* addIdField(InspectorForm& form, const QString& key,
+                                         const QString& toolTip, const QString& missing,
+                                         const std::vector<std::string>& shown);
     void showChip();
     [[nodiscard]] QString whyTaken(const QString& id) const;
     void rename(const std::string& before, const std::string& after);
@@ -77,8 +77,8 @@ private:
     InspectorForm* m_noFlyForm = nullptr;
     InspectorForm* m_scenarioForm = nullptr;
     std::vector<InspectorForm*> m_forms; ///< all of them
-    IdField* m_icebergId = nullptr;
-    IdField* m_uavId = nullptr;
+    EntryField* m_icebergId = nullptr;
+    EntryField* m_uavId = nullptr;
     std::vector<std::string> m_icebergs; ///< selected, in the scenario
     std::vector<std::string> m_uavs;
     std::string m_noFly; ///< key of the first one selected; empty: none

@@ -140,6 +140,26 @@ template <class Object>
 template <class Object>
 [[nodiscard]] std::vector<InspectorRow> positionRows(const QString& kind);
 
+/** A velocity: components as rows of SI numbers, and what else it takes to be a direction. */
+struct VelocityRows
+{
+    NumberRow east;
+    NumberRow north;
+    QString key; ///< of the rows of speed and direction begins with it
+    QString speedLabel;
+    QString speedToolTip;
+    QString directionLabel;
+    QString directionToolTip;
+    bool isFrom = false;           ///< the direction is where it comes from
+    double componentLimit_mps = 0; ///< largest amount of a component
+    double finest_mps = 0;         ///< components are multiples of it; 0: of nothing
+    std::function<Limits(const Scenario&)> speeds_mps;
+    InfoRow direction{}; ///< beside components
+};
+
+/** In the form of `shownUnits`. A direction is there only where there is a speed. */
+[[nodiscard]] std::vector<InspectorRow> velocityRows(const VelocityRows& given);
+
 /** "0.32 m/s towards 072°": the way it goes, as for currents. */
 [[nodiscard]] QString towardsText(const Point& velocity_mps, const QLocale& locale);
 

@@ -1,5 +1,7 @@
 #include "core/base/angles.h"
 #include "core/base/geodesy.h"
+#include "widgets/model/places.h"
+#include "widgets/model/scenario_edits.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -11,8 +13,11 @@ namespace berg {
 namespace {
 
 constexpr double kPositionStep_m = 10;
-constexpr int kMoreDecimals = 3; ///< of nautical miles than of metres
-constexpr double kKnotSteps = 2; ///< as large a step as in m/s, about
+constexpr int kMoreDecimals = 3;  ///< of nautical miles than of metres
+constexpr int kAngleDecimals = 3; ///< of minutes: 2 m
+constexpr double kHalfTurn_deg = 180;
+constexpr double kDirectionStep_deg = 5; ///< beyond north on either side the arrows go round
+constexpr double kKnotSteps = 2;         ///< as large a step as in m/s, about
 
 /** Reads, writes and limits what is SI in a unit. */
 NumberRow inUnit(NumberRow row, const ShownUnit& unit)
@@ -29,6 +34,38 @@ NumberRow inUnit(NumberRow row, const ShownUnit& unit)
         return shownLimits(range(scenario), unit, decimals);
     };
     return row;
+}
+
+/** As much of a velocity, its direction kept, as its components may be. */
+Point clampedTo(double largest_mps, const Point& velocity_mps)
+{
+    const double largest = velocity_mps.cwiseAbs().maxCoeff();
+    return largest <= largest_mps ? velocity_mps : Point(velocity_mps * (largest_mps / largest));
+}
+
+/** A half of the place on the globe. */
+template <class Object>
+EntryRow angleRow(const RowWords& words, PlaceHalf half)
+{
+    return {.words = words,
+            .read =
+                [half](const Scenario& scenario, const std::string& id, const QLocale& locale) {
+                    const Object* object = objectIn<Object>(scenario, id);
+                    if (object == nullptr)
+                        return QString();
+                    const LatLon at = LocalFrame(scenario.origin).toGeographic(object->position_m);
+                    return half == PlaceHalf::Latitude
+                               ? latitudeText(at.latitude_deg, kAngleDecimals, locale)
+                               : longitudeText(at.longitude_deg, kAngleDecimals, locale);
+                },
+            .take =
+                [half](Scenario& scenario, const std::string& id, const QString& text,
+                       const QLocale& locale) {
+                    Object* object = objectIn<Object>(scenario, id);
+                    return object == nullptr
+                               ? QString()
+                               : takePlace(object->position_m, text, half, scenario.origin, locale);
+                }};
 }
 
 } // namespace
@@ -68,14 +105,6 @@ std::vector<InspectorRow> positionRows(const QString& kind)
                            .write = writing<Object>(number),
                            .range = always(limits::kCoordinate_m)});
     };
-    const auto place = [](const Scenario& scenario, const std::string& id, const QLocale& locale) {
-        const Object* object = objectIn<Object>(scenario, id);
-        if (object == nullptr)
-            return QString();
-        const LatLon at = LocalFrame(scenario.origin).toGeographic(object->position_m);
-        return u"%1\n%2"_s.arg(latitudeText(at.latitude_deg, 3, locale),
-                               longitudeText(at.longitude_deg, 3, locale));
-    };
     return {row(
                 u"East"_s, InspectorRows::tr("East"),
                 InspectorRows::tr("Position at the start, east of the scenario's origin."),
@@ -84,7 +113,18 @@ std::vector<InspectorRow> positionRows(const QString& kind)
                 u"North"_s, InspectorRows::tr("North"),
                 InspectorRows::tr("Position at the start, north of the scenario's origin."),
                 [](auto& object) -> auto& { return object.position_m.y(); }),
-            InfoRow{.key = kind + u"Place"_s, .text = place}};
+            angleRow<Object>(
+                {.key = kind + u"Latitude"_s,
+                 .label = InspectorRows::tr("Latitude"),
+                 .toolTip = InspectorRows::tr("In any form; a whole coordinate sets both."),
+                 .undoText = InspectorRows::tr("Change position")},
+                PlaceHalf::Latitude),
+            angleRow<Object>(
+                {.key = kind + u"Longitude"_s,
+                 .label = InspectorRows::tr("Longitude"),
+                 .toolTip = InspectorRows::tr("In any form; a whole coordinate sets both."),
+                 .undoText = InspectorRows::tr("Change position")},
+                PlaceHalf::Longitude)};
 }
 
 template TextRow nameRow<Iceberg>(const QString& key);
@@ -100,6 +140,66 @@ Limits shownLimits(const Limits& limits, const ShownUnit& unit, int decimals)
     const double fine = std::pow(10.0, decimals);
     return {.low = std::ceil(unit.fromSi(limits.low) * fine) / fine,
             .high = std::floor(unit.fromSi(limits.high) * fine) / fine};
+}
+
+std::vector<InspectorRow> velocityRows(const VelocityRows& given)
+{
+    if (shownUnits().vectors == VectorForm::Components) {
+        std::vector<InspectorRow> rows{asSpeed(given.east), asSpeed(given.north)};
+        if (given.direction.text)
+            rows.emplace_back(given.direction);
+        return rows;
+    }
+    const double turn_deg = given.isFrom ? kHalfTurn_deg : 0;
+    const auto read = [given](const Scenario& scenario, const std::string& id) {
+        return Point(given.east.read(scenario, id), given.north.read(scenario, id));
+    };
+    const auto direction_deg = [read, turn_deg](const Scenario& scenario, const std::string& id) {
+        const Point velocity_mps = read(scenario, id);
+        return velocity_mps.isZero(0)
+                   ? 0
+                   : std::fmod(directionOf(velocity_mps) + turn_deg, 2 * kHalfTurn_deg);
+    };
+    const auto write = [given, turn_deg](Scenario& scenario, const std::string& id,
+                                         double speed_mps, double shown_deg) {
+        const Point velocity_mps =
+            clampedTo(given.componentLimit_mps, velocityTowards(speed_mps, shown_deg + turn_deg));
+        const Point written_mps =
+            given.finest_mps > 0 ? roundedTo(velocity_mps, given.finest_mps) : velocity_mps;
+        given.east.write(scenario, id, written_mps.x() + 0.0); // no -0 in files
+        given.north.write(scenario, id, written_mps.y() + 0.0);
+    };
+    NumberRow speed = given.east;
+    speed.words.key = given.key + u"Speed"_s;
+    speed.words.label = given.speedLabel;
+    speed.words.toolTip = given.speedToolTip;
+    speed.range = given.speeds_mps;
+    speed.read = [read](const Scenario& scenario, const std::string& id) {
+        return read(scenario, id).norm();
+    };
+    speed.write = [write, direction_deg](Scenario& scenario, const std::string& id,
+                                         double speed_mps) {
+        write(scenario, id, speed_mps, direction_deg(scenario, id));
+    };
+    NumberRow direction{
+        .words = given.east.words,
+        .unit = u"°"_s,
+        .decimals = {.least = 0, .most = 1},
+        .step = kDirectionStep_deg,
+        .read = direction_deg,
+        .write =
+            [write, read](Scenario& scenario, const std::string& id, double value_deg) {
+                write(scenario, id, read(scenario, id).norm(), value_deg);
+            },
+        .range =
+            always({.low = -kDirectionStep_deg, .high = 2 * kHalfTurn_deg + kDirectionStep_deg})};
+    direction.words.key = given.key + u"Direction"_s;
+    direction.words.label = given.directionLabel;
+    direction.words.toolTip = given.directionToolTip;
+    direction.words.isShown = [read](const Scenario& scenario, const std::string& id) {
+        return !read(scenario, id).isZero(0);
+    };
+    return {asSpeed(speed), direction};
 }
 
 NumberRow asDistance(NumberRow row)

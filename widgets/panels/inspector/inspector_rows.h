@@ -54,6 +54,16 @@ struct TextRow
     std::function<void(Scenario&, const std::string& id, const std::string&)> write;
 };
 
+/** A text with a grammar of its own, taken when typing ends. */
+struct EntryRow
+{
+    RowWords words;
+    std::function<QString(const Scenario&, const std::string& id, const QLocale&)> read;
+    /** Takes the text, or changes nothing and says why not. */
+    std::function<QString(Scenario&, const std::string& id, const QString& text, const QLocale&)>
+        take;
+};
+
 struct FlagRow
 {
     RowWords words;
@@ -109,8 +119,8 @@ struct InfoRow
     std::function<QString(const Scenario&, const std::string& id, const QLocale&)> text;
 };
 
-using InspectorRow =
-    std::variant<NumberRow, TextRow, FlagRow, ChoiceRow, PickRow, ActionRow, PartRow, InfoRow>;
+using InspectorRow = std::variant<NumberRow, TextRow, EntryRow, FlagRow, ChoiceRow, PickRow,
+                                  ActionRow, PartRow, InfoRow>;
 
 [[nodiscard]] std::vector<InspectorRow> icebergRows();
 [[nodiscard]] std::vector<InspectorRow> uavRows();

@@ -10,12 +10,23 @@ namespace berg {
 namespace {
 
 constexpr double kWindStep_mps = 0.5;
+constexpr double kFinestWind_mps = 0.001; ///< so that the numbers in a file stay short
+constexpr double kWindSteps_mps = 0.01;   ///< of what can be typed
+
+double slowest_mps(const Scenario& scenario)
+{
+    return scenario.uavs.empty() ? limits::kAirspeed_mps.high : slowestAirspeed_mps(scenario);
+}
+
+Limits windSpeeds_mps(const Scenario& scenario)
+{
+    return {.low = 0, .high = fastestWind_mps(slowest_mps(scenario), kWindSteps_mps)};
+}
 
 /** What is left for one component of the wind beside the other: slower than the slowest UAV. */
 Limits windRange(const Scenario& scenario, double other_mps)
 {
-    const double airspeed_mps =
-        scenario.uavs.empty() ? limits::kAirspeed_mps.high : slowestAirspeed_mps(scenario);
+    const double airspeed_mps = slowest_mps(scenario);
     const double room_mps =
         std::sqrt(std::max(0.0, airspeed_mps * airspeed_mps - other_mps * other_mps));
     const double largest_mps = std::max(0.0, std::ceil(100 * room_mps - 1) / 100);
@@ -40,13 +51,27 @@ std::vector<InspectorRow> windRows()
         {}, [](auto& scenario) -> auto& { return scenario.wind_mps.y(); },
         [](const Scenario& scenario) { return windRange(scenario, scenario.wind_mps.x()); });
     east.step = north.step = kWindStep_mps;
-    return {
-        asSpeed(east), asSpeed(north),
-        InfoRow{.key = u"scenarioWind"_s,
-                .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {
-                    return scenario.wind_mps.isZero(0) ? InspectorRows::tr("no wind")
-                                                       : towardsText(scenario.wind_mps, locale);
-                }}};
+    return velocityRows(
+        {.east = east,
+         .north = north,
+         .key = u"scenarioWind"_s,
+         .speedLabel = InspectorRows::tr("Wind"),
+         .speedToolTip = InspectorRows::tr("Always slower than the UAV flies."),
+         .directionLabel = InspectorRows::tr("Wind from"),
+         .directionToolTip = InspectorRows::tr("Where it blows from, clockwise from north."),
+         .isFrom = true,
+         .componentLimit_mps = limits::kAirspeed_mps.high,
+         .finest_mps = kFinestWind_mps,
+         .speeds_mps = windSpeeds_mps,
+         .direction = {
+             .key = u"scenarioWind"_s,
+             .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {
+                 return scenario.wind_mps.isZero(0)
+                            ? InspectorRows::tr("no wind")
+                            : InspectorRows::tr("%1 from %2")
+                                  .arg(speedText(scenario.wind_mps.norm(), locale),
+                                       bearingText(-scenario.wind_mps));
+             }}});
 }
 
 std::vector<InspectorRow> currentRows()
@@ -68,7 +93,17 @@ std::vector<InspectorRow> currentRows()
         always(limits::kVelocity_mps));
     east.step = north.step = kVelocityStep_mps;
     east.decimals = north.decimals = {.least = 2, .most = 3};
-    return {asSpeed(east), asSpeed(north)};
+    return velocityRows(
+        {.east = east,
+         .north = north,
+         .key = u"scenarioCurrent"_s,
+         .speedLabel = InspectorRows::tr("Current"),
+         .speedToolTip = InspectorRows::tr("Carries every iceberg."),
+         .directionLabel = InspectorRows::tr("Current towards"),
+         .directionToolTip = InspectorRows::tr("Where it flows to, clockwise from north."),
+         .componentLimit_mps = kLargestVelocity_mps,
+         .speeds_mps = always(limits::kSpeed_mps),
+         .direction = {}});
 }
 
 std::vector<InspectorRow> runRows()

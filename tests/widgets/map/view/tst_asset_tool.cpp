@@ -148,6 +148,7 @@ private slots:
 
     void inspectorEditsIt()
     {
+        const test::UnitsInUse units(test::kComponents);
         PanelFixture f(withAsset());
         QCOMPARE(f.title(), u"Scenario"_s);
         f.selection.set({kAssetKey});

@@ -1,3 +1,4 @@
+#include "core/base/geodesy.h"
 #include "core/scenario/presets.h"
 #include "tests/support/mission_builder.h"
 #include "tests/support/panel_test.h"
@@ -243,6 +244,28 @@ private slots:
         QCOMPARE(f.icebergs()[0].appears_s, 4.0);
     }
 
+    void latitudeIsTypedInAnyForm()
+    {
+        Fixture f;
+        const LocalFrame frame(f.document.scenario().origin);
+        const double before_deg = frame.toGeographic(f.icebergs()[1].position_m).longitude_deg;
+        f.click(1, IcebergColumn::Latitude);
+        QTest::keyClicks(&f.table, u"4"_s);
+        QTest::keyClicks(&f.editor(), u"7 06.3 N"_s);
+        QTest::keyClick(&f.editor(), Qt::Key_Return);
+        QTRY_COMPARE(f.at(1, IcebergColumn::Latitude).data().toString(), u"47° 06.300′ N"_s);
+        QVERIFY(std::abs(frame.toGeographic(f.icebergs()[1].position_m).longitude_deg -
+                         before_deg) < 1e-9);
+        QCOMPARE(f.steps(), 1);
+        QCOMPARE(f.fault(), QString());
+        f.click(1, IcebergColumn::Latitude);
+        QTest::keyClicks(&f.table, u"9"_s);
+        QTest::keyClicks(&f.editor(), u"5"_s);
+        QTest::keyClick(&f.editor(), Qt::Key_Return);
+        QTRY_COMPARE(f.fault(), u"Latitudes go from 90° S to 90° N."_s);
+        QCOMPARE(f.steps(), 1);
+    }
+
     void pastesAtTheCurrentCell()
     {
         Fixture f;
@@ -300,7 +323,8 @@ private slots:
     void copiesTheRowsSelected()
     {
         Fixture f;
-        f.panel.setHiddenColumns({u"speed"_s, u"direction"_s, u"growth"_s, u"observed"_s});
+        f.panel.setHiddenColumns({u"speed"_s, u"direction"_s, u"growth"_s, u"observed"_s,
+                                  u"latitude"_s, u"longitude"_s});
         f.selection.set({"berg-1"});
         QTest::keyClick(&f.table, Qt::Key_C, Qt::ControlModifier);
         QCOMPARE(QApplication::clipboard()->text(),
@@ -402,11 +426,11 @@ private slots:
         QSignalSpy changed(&f.panel, &IcebergTable::hiddenColumnsChanged);
         emit f.table.horizontalHeader()->customContextMenuRequested({5, 5});
         auto& menu = test::child<QMenu>(f.panel, u"icebergColumnMenu"_s);
-        QCOMPARE(menu.actions().size(), 8); // the name stays
+        QCOMPARE(menu.actions().size(), 10); // the name stays
         menu.actions().back()->trigger();
-        QVERIFY(f.table.isColumnHidden(static_cast<int>(IcebergColumn::Appears)));
+        QVERIFY(f.table.isColumnHidden(static_cast<int>(IcebergColumn::Longitude)));
         QCOMPARE(changed.size(), 1);
-        QCOMPARE(changed.back().front().toStringList(), QStringList{u"appears"_s});
+        QCOMPARE(changed.back().front().toStringList(), QStringList{u"longitude"_s});
         menu.close();
     }
 

@@ -1,3 +1,4 @@
+#include "core/base/geodesy.h"
 #include "tests/support/approx.h"
 #include "tests/support/scenario_builder.h"
 #include "widgets/model/scenario_edits.h"
@@ -17,9 +18,10 @@ const QLocale kGerman(QLocale::German, QLocale::Germany);
 const QLocale kNorwegian(QLocale::NorwegianBokmal, QLocale::Norway);
 
 const std::vector<IcebergColumn> kColumns{
-    IcebergColumn::Name,   IcebergColumn::East,      IcebergColumn::North,
-    IcebergColumn::Speed,  IcebergColumn::Direction, IcebergColumn::Sigma0,
-    IcebergColumn::Growth, IcebergColumn::Observed,  IcebergColumn::Appears};
+    IcebergColumn::Name,     IcebergColumn::East,      IcebergColumn::North,
+    IcebergColumn::Speed,    IcebergColumn::Direction, IcebergColumn::Sigma0,
+    IcebergColumn::Growth,   IcebergColumn::Observed,  IcebergColumn::Appears,
+    IcebergColumn::Latitude, IcebergColumn::Longitude};
 
 Scenario threeIcebergs()
 {
@@ -218,6 +220,33 @@ private slots:
         COMPARE_NEAR((outcome.scenario.icebergs[0].velocity_mps - velocity_mps).norm(), 0.0, 1e-15);
     }
 
+    /** As columns of one half each, or each coordinate in a cell of its own. */
+    void pastesRowsOfCoordinates_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::newRow("decimal degrees") << u"47.1\t-48.25\n47.2\t-48.5"_s;
+        QTest::newRow("comma between") << u"47.1, -48.25\n47.2, -48.5"_s;
+        QTest::newRow("degrees and minutes") << u"47° 06.0′ N\t48° 15′ W\n47° 12.0′ N\t48 30 W"_s;
+        QTest::newRow("whole coordinates") << u"47° 06.0′ N 48° 15′ W\n47 12 N 48 30 W"_s;
+        QTest::newRow("titles") << u"Longitude\tLatitude\n-48.25\t47.1\n-48.5\t47.2"_s;
+    }
+
+    void pastesRowsOfCoordinates()
+    {
+        QFETCH(QString, text);
+        const PasteOutcome outcome = pasted(text, 1, IcebergColumn::Latitude);
+        QCOMPARE(outcome.fault, QString());
+        QCOMPARE(outcome.ids, (std::vector<std::string>{"berg-2", "berg-3"}));
+        const LocalFrame frame(outcome.scenario.origin);
+        const auto checkAt = [&](std::size_t i, double latitude_deg, double longitude_deg) {
+            const LatLon at = frame.toGeographic(outcome.scenario.icebergs[i].position_m);
+            COMPARE_NEAR(at.latitude_deg, latitude_deg, 1e-9);
+            COMPARE_NEAR(at.longitude_deg, longitude_deg, 1e-9);
+        };
+        checkAt(1, 47.1, -48.25);
+        checkAt(2, 47.2, -48.5);
+    }
+
     void oneThatStandsStillStartsNorth()
     {
         const PasteOutcome outcome = pasted(u"0.5"_s, 1, IcebergColumn::Speed);
@@ -251,8 +280,12 @@ private slots:
             << u"-1"_s << IcebergColumn::Sigma0 << QStringList{u"Row 1"_s, u"σ₀, m²"_s, u"-1"_s};
         QTest::newRow("in an added row")
             << u"1\n2\n3\nx"_s << IcebergColumn::Growth << QStringList{u"Row 4"_s, u"q, m²/s"_s};
-        QTest::newRow("too wide") << u"1\t2"_s << IcebergColumn::Appears
+        QTest::newRow("too wide") << u"1\t2"_s << IcebergColumn::Longitude
                                   << QStringList{u"Row 1"_s, u"2"_s};
+        QTest::newRow("no latitude") << u"47\t-48\n95\t-48"_s << IcebergColumn::Latitude
+                                     << QStringList{u"Row 2"_s, u"Latitude"_s, u"95"_s, u"90° N"_s};
+        QTest::newRow("place out of reach")
+            << u"10\t-48"_s << IcebergColumn::Latitude << QStringList{u"Row 1"_s, u"1 000 km"_s};
         QTest::newRow("unknown title")
             << u"east\tnorth\n1\t2"_s << IcebergColumn::East << QStringList{u"Row 1"_s, u"east"_s};
         QTest::newRow("nothing") << u" \n\t\n"_s << IcebergColumn::East << QStringList{};

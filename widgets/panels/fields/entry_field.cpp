@@ -1,4 +1,4 @@
-#include "widgets/panels/fields/id_field.h"
+#include "widgets/panels/fields/entry_field.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -8,17 +8,17 @@ using namespace Qt::StringLiterals;
 
 namespace berg {
 
-IdField::IdField(const IdWords& words, std::function<QString(const QString&)> whyNot,
-                 QWidget* parent)
+EntryField::EntryField(const EntryWords& words, Says says,
+                       std::function<QString(const QString&)> whyNot, QWidget* parent)
     : QWidget(parent)
     , m_whyNot(std::move(whyNot))
     , m_line(new QLineEdit(this))
     , m_fault(new QLabel(this))
 {
-    m_line->setObjectName(words.key + u"Id"_s);
-    m_line->setAccessibleName(tr("Id"));
+    m_line->setObjectName(words.key);
+    m_line->setAccessibleName(words.label);
     m_line->setToolTip(words.toolTip);
-    m_fault->setObjectName(words.key + u"IdFault"_s);
+    m_fault->setObjectName(words.key + u"Fault"_s);
     m_fault->setWordWrap(true);
     m_fault->hide();
     setFocusProxy(m_line);
@@ -27,21 +27,25 @@ IdField::IdField(const IdWords& words, std::function<QString(const QString&)> wh
     column->setSpacing(2);
     column->addWidget(m_line);
     column->addWidget(m_fault);
-    connect(m_line, &QLineEdit::textEdited, this,
-            [this](const QString& text) { say(text == m_id ? QString() : m_whyNot(text)); });
-    connect(m_line, &QLineEdit::editingFinished, this, &IdField::finishTyping);
+    connect(m_line, &QLineEdit::textEdited, this, [this, says](const QString& text) {
+        const bool isJudged = says == Says::AtOnce && text != m_shown;
+        say(isJudged ? m_whyNot(text) : QString());
+    });
+    connect(m_line, &QLineEdit::editingFinished, this, &EntryField::finishTyping);
 }
 
-void IdField::showId(const QString& id)
+void EntryField::showText(const QString& text, const QString& placeholder)
 {
-    if (id == m_id)
+    m_line->setPlaceholderText(placeholder);
+    if (text == m_shown)
         return;
-    m_id = id;
-    m_line->setText(id);
+    m_shown = text;
+    m_line->setText(text);
+    m_line->setCursorPosition(0);
     say({});
 }
 
-void IdField::setLocked(bool locked)
+void EntryField::setLocked(bool locked)
 {
     m_line->setReadOnly(locked);
     QPalette colours;
@@ -50,22 +54,23 @@ void IdField::setLocked(bool locked)
     m_line->setPalette(colours);
 }
 
-void IdField::finishTyping()
+void EntryField::finishTyping()
 {
     const QString text = m_line->text();
-    if (text == m_id)
+    if (text == m_shown)
         return;
     const QString fault = m_whyNot(text);
     if (fault.isEmpty()) {
-        m_id = text;
+        m_shown = text;
         say({});
         emit edited(text);
         return;
     }
-    m_line->setText(m_id); // the reason stays until the next typing
+    m_line->setText(m_shown);
+    say(fault); // until the next typing
 }
 
-void IdField::say(const QString& fault)
+void EntryField::say(const QString& fault)
 {
     m_fault->setText(fault);
     m_fault->setAccessibleName(fault);
