@@ -69,6 +69,8 @@ public:
     [[nodiscard]] bool isFollowing() const { return m_zoom && m_following; }
     void setWindow(const TimeWindow& window);
     void showAll();
+    /** Shows the stretch that another chart of the same time shows, and follows as it does. */
+    void shareWindow(const TimeChart& other);
     /** On: the newest stretch, as long as the window is, at most 5 min when all was in view. */
     void setFollowing(bool on);
 
@@ -87,6 +89,8 @@ signals:
     void timePicked(double time_s);
     /** The label in the margin that belongs to the line of that key was pressed. */
     void linePicked(const QString& key);
+    /** The right button was let go where it was pressed, or the menu key was pressed. */
+    void menuRequested(const QPoint& globalPos);
     /** Zoomed, panned, resized, or began or ceased to follow: other points may be wanted. */
     void windowChanged();
 
@@ -143,6 +147,7 @@ private:
     bool m_following = false;
     std::optional<QPointF> m_hover; ///< the pointer in the plot
     bool m_picking = false;
+    bool m_hasPanned = false;
     std::optional<QPointF> m_panFrom; ///< last place of the pointer that pans
     QValueAxis* m_time = nullptr;
     QValueAxis* m_left = nullptr;

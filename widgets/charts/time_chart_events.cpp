@@ -53,6 +53,15 @@ void TimeChart::showAll()
     changeWindow();
 }
 
+void TimeChart::shareWindow(const TimeChart& other)
+{
+    if (m_zoom == other.m_zoom && m_following == other.m_following)
+        return;
+    m_zoom = other.m_zoom;
+    m_following = other.m_following;
+    changeWindow();
+}
+
 void TimeChart::setFollowing(bool on)
 {
     if (on == isFollowing())
@@ -117,6 +126,7 @@ void TimeChart::mousePressEvent(QMouseEvent* event)
     const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
     if (event->button() != Qt::LeftButton || shifted) {
         m_panFrom = event->position();
+        m_hasPanned = false;
         hoverAt({});
         return;
     }
@@ -136,6 +146,7 @@ void TimeChart::mouseMoveEvent(QMouseEvent* event)
     if (m_panFrom) {
         const double moved_px = event->position().x() - m_panFrom->x();
         m_panFrom = event->position();
+        m_hasPanned = m_hasPanned || moved_px != 0;
         pan(-moved_px / m_figure.drawing.plot.width() * window().length_s());
         return;
     }
@@ -146,10 +157,13 @@ void TimeChart::mouseMoveEvent(QMouseEvent* event)
                                                                 : Qt::ArrowCursor);
 }
 
-void TimeChart::mouseReleaseEvent(QMouseEvent* /*event*/)
+void TimeChart::mouseReleaseEvent(QMouseEvent* event)
 {
+    const bool isClick = m_panFrom && !m_hasPanned && event->button() == Qt::RightButton;
     m_panFrom.reset();
     m_picking = false;
+    if (isClick)
+        emit menuRequested(event->globalPosition().toPoint());
 }
 
 void TimeChart::mouseDoubleClickEvent(QMouseEvent* event)
@@ -194,7 +208,9 @@ void TimeChart::keyPressEvent(QKeyEvent* event)
 
 void TimeChart::contextMenuEvent(QContextMenuEvent* event)
 {
-    event->accept(); // the right button pans: no menu of the window
+    event->accept(); // the right button pans, unless it is let go where it was
+    if (event->reason() == QContextMenuEvent::Keyboard)
+        emit menuRequested(mapToGlobal(rect().center()));
 }
 
 bool TimeChart::viewportEvent(QEvent* event)

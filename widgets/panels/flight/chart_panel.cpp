@@ -5,7 +5,9 @@
 #include "widgets/charts/time_chart.h"
 #include "widgets/theme/icons.h"
 
+#include <QApplication>
 #include <QBoxLayout>
+#include <QClipboard>
 #include <QComboBox>
 #include <QFile>
 #include <QFileInfo>
@@ -109,10 +111,42 @@ void ChartPanel::connectChart()
     connect(m_all, &QToolButton::clicked, m_chart, &TimeChart::showAll);
     connect(m_chart, &TimeChart::windowChanged, this, &ChartPanel::refresh);
     connect(m_chart, &TimeChart::timePicked, this, &ChartPanel::timePicked);
+    connect(m_chart, &TimeChart::menuRequested, this, &ChartPanel::showMenu);
     connect(m_chart, &TimeChart::linePicked, this, [this](const QString& key) {
         if (kind() == ChartKind::Sigma)
             emit icebergPicked(key.toStdString());
     });
+}
+
+void ChartPanel::showMenu(const QPoint& globalPos)
+{
+    auto* menu = new QMenu(this);
+    menu->setObjectName(u"chartMenu"_s);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const bool hasLines = !m_empty.lines.empty();
+    menu->addAction(tr("Copy picture"), this, &ChartPanel::copyPicture);
+    menu->addAction(tr("Copy numbers"), this, &ChartPanel::copyNumbers)->setEnabled(hasLines);
+    menu->addAction(tr("Save picture or numbers..."), this, &ChartPanel::exportRequested)
+        ->setEnabled(hasLines);
+    menu->addSeparator();
+    menu->addAction(tr("Reset zoom"), m_chart, &TimeChart::showAll)
+        ->setEnabled(m_chart->isZoomed());
+    QAction* follow = menu->addAction(tr("Follow"), m_chart, &TimeChart::setFollowing);
+    follow->setCheckable(true);
+    follow->setChecked(m_chart->isFollowing());
+    menu->popup(globalPos);
+}
+
+/** As it is on the screen. */
+void ChartPanel::copyPicture() const
+{
+    QApplication::clipboard()->setPixmap(m_chart->grab());
+}
+
+/** Of the whole flight, for a spreadsheet. */
+void ChartPanel::copyNumbers() const
+{
+    QApplication::clipboard()->setText(QString::fromStdString(m_series.csv(m_empty)));
 }
 
 void ChartPanel::setTheme(const Theme& theme)
@@ -158,6 +192,16 @@ void ChartPanel::setKind(ChartKind kind)
     addMenuEntries();
     refresh();
     emit kindChanged(kind);
+}
+
+void ChartPanel::linkTimes(ChartPanel& a, ChartPanel& b)
+{
+    const auto link = [](const ChartPanel& from, ChartPanel& to) {
+        connect(from.m_chart, &TimeChart::windowChanged, to.m_chart,
+                [&from, &to] { to.m_chart->shareWindow(*from.m_chart); });
+    };
+    link(a, b);
+    link(b, a);
 }
 
 void ChartPanel::setHighlight(const std::string& id)

@@ -32,6 +32,8 @@ public:
     /** While flying, a change of less than half a pixel is left for later. */
     void showRecord(const FlightRecord& record);
     /** The iceberg whose line stands out among the sigmas; empty or unknown: none. */
+    /** From now on both show the same stretch of time, whichever is zoomed or moved. */
+    static void linkTimes(ChartPanel& a, ChartPanel& b);
     void setHighlight(const std::string& id);
 
     [[nodiscard]] ChartKind kind() const { return m_series.kind(); }
@@ -67,6 +69,9 @@ private:
     void connectChart();
     void refresh();
     [[nodiscard]] bool looksTheSame(const FlightRecord& record) const;
+    void showMenu(const QPoint& globalPos);
+    void copyPicture() const;
+    void copyNumbers() const;
     void applyLines(TimeChartContent& content) const;
     void setShown(const QString& key, bool shown);
     void showAllLines();

@@ -434,6 +434,9 @@ void IcebergTable::showCellMenu(const QPoint& at)
 {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
+    const QModelIndex cell =
+        m_table->indexAt(at).isValid() ? m_table->indexAt(at) : m_table->currentIndex();
+    menu->setObjectName(u"icebergCellMenu"_s);
     const auto withKey = [](const QString& text, QKeySequence::StandardKey key) {
         return text + u'\t' + QKeySequence(key).toString(QKeySequence::NativeText);
     };
@@ -441,6 +444,14 @@ void IcebergTable::showCellMenu(const QPoint& at)
     QAction* pasting =
         menu->addAction(withKey(tr("&Paste"), QKeySequence::Paste), this, &IcebergTable::paste);
     pasting->setEnabled(!m_model->isInFlight());
+    if (cell.isValid()) {
+        const QString text = cell.data().toString();
+        menu->addAction(tr("Copy \"%1\"").arg(QString(text).replace(u'&', u"&&"_s)), this,
+                        [text] { QApplication::clipboard()->setText(text); });
+        menu->addSeparator();
+        menu->addAction(tr("Show on the map"), this,
+                        [this, id = m_model->rowAt(cell.row()).id] { emit chosen(id); });
+    }
     menu->popup(m_table->viewport()->mapToGlobal(at));
 }
 

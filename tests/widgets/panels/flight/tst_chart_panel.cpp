@@ -5,7 +5,10 @@
 #include "widgets/charts/figure_painter.h"
 #include "widgets/theme/palette.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QImage>
 #include <QMenu>
 #include <QPainter>
@@ -391,6 +394,47 @@ private slots:
             QVERIFY2(control.focusPolicy() & Qt::TabFocus, qPrintable(name));
         }
         QVERIFY(shown.chart.focusPolicy() & Qt::TabFocus);
+    }
+
+    /** What is zoomed or moved in one is in the other too. */
+    void linkedChartsShowTheSameTime()
+    {
+        test::Shown zeta(ChartKind::Zeta);
+        test::Shown sigma(ChartKind::Sigma, {420, 200});
+        ChartPanel::linkTimes(zeta.panel, sigma.panel);
+        zeta.chart.setWindow({.from_s = 100, .to_s = 200});
+        QCOMPARE(sigma.chart.window(), (TimeWindow{.from_s = 100, .to_s = 200}));
+        sigma.chart.setFollowing(true);
+        QVERIFY(zeta.chart.isFollowing());
+        QCOMPARE(zeta.chart.window(), sigma.chart.window());
+        zeta.chart.showAll();
+        QVERIFY(!sigma.chart.isZoomed());
+    }
+
+    /** The right button without a drag, and the menu key. */
+    void chartHasAMenu()
+    {
+        test::Shown shown(ChartKind::Zeta);
+        shown.chart.setWindow({.from_s = 100, .to_s = 200});
+        const QPoint middle = shown.chart.viewport()->rect().center();
+        QTest::mouseClick(shown.chart.viewport(), Qt::RightButton, {}, middle);
+        const auto act = [&](const QString& text) {
+            auto& menu = test::child<QMenu>(shown.panel, u"chartMenu"_s);
+            for (QAction* action : menu.actions())
+                if (action->text() == text)
+                    action->trigger();
+            delete &menu;
+        };
+        act(u"Reset zoom"_s);
+        QVERIFY(!shown.chart.isZoomed());
+        QContextMenuEvent key(QContextMenuEvent::Keyboard, middle, middle);
+        QApplication::sendEvent(shown.chart.viewport(), &key);
+        act(u"Copy numbers"_s);
+        QVERIFY(QApplication::clipboard()->text().startsWith(u"time_s"_s));
+        QTest::mousePress(shown.chart.viewport(), Qt::RightButton, {}, middle);
+        QTest::mouseMove(shown.chart.viewport(), middle + QPoint(30, 0));
+        QTest::mouseRelease(shown.chart.viewport(), Qt::RightButton, {}, middle + QPoint(30, 0));
+        QVERIFY(shown.panel.findChild<QMenu*>(u"chartMenu"_s) == nullptr); // it was panned
     }
 };
 

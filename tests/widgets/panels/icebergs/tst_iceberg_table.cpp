@@ -434,6 +434,23 @@ private slots:
         menu.close();
     }
 
+    void cellsHaveAMenu()
+    {
+        Fixture f;
+        emit f.table.customContextMenuRequested(f.pixelOf(2, IcebergColumn::Latitude));
+        auto& menu = test::child<QMenu>(f.panel, u"icebergCellMenu"_s);
+        const QString shown = f.at(2, IcebergColumn::Latitude).data().toString();
+        for (QAction* action : menu.actions()) {
+            if (action->text().contains(shown))
+                action->trigger();
+            if (action->text() == u"Show on the map"_s)
+                action->trigger();
+        }
+        QCOMPARE(QApplication::clipboard()->text(), shown);
+        QCOMPARE(f.chosen.back().front().value<std::string>(), "berg-3");
+        menu.close();
+    }
+
     void readsAloud()
     {
         const Fixture f;
