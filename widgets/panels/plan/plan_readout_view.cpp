@@ -6,6 +6,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QToolButton>
 
 using namespace Qt::StringLiterals;
 
@@ -33,18 +34,12 @@ PlanReadoutView::PlanReadoutView(QWidget* parent) : QWidget(parent)
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
     grid->setRowMinimumHeight(2, kRowGap_px);
-    grid->setRowMinimumHeight(5, kRowGap_px);
 
-    m_distance =
-        addFigure(0, 0, u"planDistance"_s, tr("Distance"), tr("Length of the whole plan."));
-    m_reward = addFigure(0, 1, u"planReward"_s, tr("Uncertainty reward"),
+    m_distance = addFigure(*grid, {0, 0}, u"planDistance"_s, tr("Distance"),
+                           tr("Length of the whole plan."));
+    m_reward = addFigure(*grid, {1, 0}, u"planReward"_s, tr("Uncertainty reward"),
                          tr("Each iceberg's σ times the number of places after its own in the "
                             "order: the sooner the uncertain ones come, the more."));
-    m_objective = addFigure(
-        3, 0, u"planObjective"_s, tr("Objective"),
-        tr("Distance cost minus uncertainty reward: the objective that the solver minimises."));
-    m_mu = addFigure(3, 1, u"planMu"_s, tr("Distance weight μ"),
-                     tr("Uncertainty that one metre of path must be worth; follows from τ."));
 
     auto* stateRow = new QHBoxLayout;
     stateRow->setSpacing(6);
@@ -58,12 +53,46 @@ PlanReadoutView::PlanReadoutView(QWidget* parent) : QWidget(parent)
     connect(m_state, &QLabel::linkActivated, this, &PlanReadoutView::checksRequested);
     stateRow->addWidget(m_mark, 0, Qt::AlignTop);
     stateRow->addWidget(m_state, 1);
-    grid->addLayout(stateRow, 6, 0, 1, 2);
+    grid->addLayout(stateRow, 3, 0, 1, 2);
+    addDetails(*grid);
     setTheme(m_theme);
     showPlan({}, PolicyKind::Visitation);
 }
 
-FigureLabel* PlanReadoutView::addFigure(int row, int column, const QString& name,
+/** What only the solver's side of the plan is about: folded until it is wanted. */
+void PlanReadoutView::addDetails(QGridLayout& grid)
+{
+    auto* button = new QToolButton(this);
+    button->setObjectName(u"planDetails"_s);
+    button->setText(tr("Details"));
+    button->setToolTip(tr("Objective and distance weight of the plan"));
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setArrowType(Qt::RightArrow);
+    auto* details = new QWidget(this);
+    auto* figures = new QGridLayout(details);
+    figures->setContentsMargins(0, 0, 0, 0);
+    figures->setHorizontalSpacing(kColumnGap_px);
+    figures->setVerticalSpacing(0);
+    figures->setColumnStretch(0, 1);
+    figures->setColumnStretch(1, 1);
+    m_objective = addFigure(
+        *figures, {0, 0}, u"planObjective"_s, tr("Objective"),
+        tr("Distance cost minus uncertainty reward: the objective that the solver minimises."));
+    m_mu = addFigure(*figures, {1, 0}, u"planMu"_s, tr("Distance weight μ"),
+                     tr("Uncertainty that one metre of path must be worth; follows from τ."));
+    details->hide();
+    grid.addWidget(button, 4, 0, 1, 2, Qt::AlignLeft);
+    grid.addWidget(details, 5, 0, 1, 2);
+    connect(button, &QToolButton::toggled, details, [button, details](bool isOpen) {
+        button->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+        details->setVisible(isOpen);
+    });
+}
+
+/** `place`: column and row of the figure; its caption is below. */
+FigureLabel* PlanReadoutView::addFigure(QGridLayout& grid, QPoint place, const QString& name,
                                         const QString& caption, const QString& toolTip)
 {
     auto* figure = new FigureLabel(this);
@@ -72,9 +101,8 @@ FigureLabel* PlanReadoutView::addFigure(int row, int column, const QString& name
     figure->setToolTip(toolTip);
     auto* below = new CaptionLabel(caption, this);
     below->setToolTip(toolTip);
-    auto* grid = qobject_cast<QGridLayout*>(layout());
-    grid->addWidget(figure, row, column);
-    grid->addWidget(below, row + 1, column, Qt::AlignTop);
+    grid.addWidget(figure, place.y(), place.x());
+    grid.addWidget(below, place.y() + 1, place.x(), Qt::AlignTop);
     return figure;
 }
 

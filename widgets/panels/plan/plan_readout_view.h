@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+class QGridLayout;
 class QLabel;
 
 namespace berg {
@@ -26,8 +27,9 @@ signals:
     void checksRequested();
 
 private:
-    [[nodiscard]] FigureLabel* addFigure(int row, int column, const QString& name,
+    [[nodiscard]] FigureLabel* addFigure(QGridLayout& grid, QPoint place, const QString& name,
                                          const QString& caption, const QString& toolTip);
+    void addDetails(QGridLayout& grid);
     void drawMark();
 
     Theme m_theme = Theme::light();

@@ -9,6 +9,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStandardItemModel>
+#include <QToolButton>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
@@ -366,6 +367,20 @@ private slots:
         QCOMPARE(f.text(u"planReward"_s), u"414 m²"_s); // 0.02 x 14200 + 130
         QCOMPARE(f.text(u"planObjective"_s), u"-130.0 m²"_s);
         QCOMPARE(f.text(u"planMu"_s), u"0.0200 m²/m"_s);
+    }
+
+    void whatTheSolverMinimisesIsFolded()
+    {
+        Fixture f;
+        f.panel.show();
+        auto& objective = test::child<QLabel>(f.panel, u"planObjective"_s);
+        auto& details = test::child<QToolButton>(f.panel, u"planDetails"_s);
+        QVERIFY(!objective.isVisible());
+        QVERIFY(test::child<QLabel>(f.panel, u"planDistance"_s).isVisible());
+        details.click();
+        QVERIFY(objective.isVisible());
+        details.click();
+        QVERIFY(!objective.isVisible());
     }
 
     void figuresThatAPolicyDoesNotWeighAreLeftOut()
