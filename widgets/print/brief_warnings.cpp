@@ -202,7 +202,7 @@ QStringList ruleLines(const ExportContent& content, const QLocale& locale)
     QStringList lines;
     if (const std::size_t crossing = legsThatCross(content); crossing > 0)
         lines << FlightBrief::tr("Straight legs that lead out of the geofence or through a no-fly "
-                                 "area: %1. They are flown round it.")
+                                 "area: %1. The UAV goes round.")
                      .arg(crossing);
     if (content.geofence)
         lines << FlightBrief::tr("Geofence in force: stay inside the area.");

@@ -64,26 +64,27 @@ NumberRow detectionRow()
 
 std::vector<InspectorRow> observerRows()
 {
-    return {choiceRow(
-                {.key = u"observerModel"_s,
-                 .label = InspectorRows::tr("Observer"),
-                 .toolTip = InspectorRows::tr("Exact: an iceberg in view is where it is seen. "
-                                              "Filter: noisy measurements, from which position and "
-                                              "velocity are estimated, and icebergs can get lost."),
-                 .undoText = InspectorRows::tr("Change observer")},
-                {InspectorRows::tr("exact"), InspectorRows::tr("Kalman filter")},
-                [](auto& scenario) -> auto& { return scenario.observer.model; }),
-            measurementRow(), intervalRow(), detectionRow(),
-            choiceRow(
-                {.key = u"observerSearch"_s,
-                 .label = InspectorRows::tr("Search"),
-                 .toolTip = InspectorRows::tr("What is flown to find an iceberg that was not where "
-                                              "it was believed to be."),
-                 .undoText = InspectorRows::tr("Change search"),
-                 .isShown = isFiltered},
-                {InspectorRows::tr("none"), InspectorRows::tr("expanding square"),
-                 InspectorRows::tr("sectors")},
-                [](auto& scenario) -> auto& { return scenario.observer.search; })};
+    return {
+        choiceRow(
+            {.key = u"observerModel"_s,
+             .label = InspectorRows::tr("Observer"),
+             .toolTip = InspectorRows::tr("Exact: an iceberg in view is where it is seen. "
+                                          "Filter: noisy measurements, from which position and "
+                                          "velocity are estimated, and icebergs can get lost."),
+             .undoText = InspectorRows::tr("Change observer")},
+            {InspectorRows::tr("exact"), InspectorRows::tr("Kalman filter")},
+            [](auto& scenario) -> auto& { return scenario.observer.model; }),
+        measurementRow(), intervalRow(), detectionRow(),
+        choiceRow(
+            {.key = u"observerSearch"_s,
+             .label = InspectorRows::tr("Search"),
+             .toolTip = InspectorRows::tr("Pattern that finds an iceberg which was not where it "
+                                          "was believed to be."),
+             .undoText = InspectorRows::tr("Change search"),
+             .isShown = isFiltered},
+            {InspectorRows::tr("none"), InspectorRows::tr("expanding square"),
+             InspectorRows::tr("sectors")},
+            [](auto& scenario) -> auto& { return scenario.observer.search; })};
 }
 
 } // namespace berg

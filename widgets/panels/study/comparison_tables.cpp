@@ -151,7 +151,7 @@ std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const Compar
         ComparisonText::tr("Zeta over time: how uncertain all icebergs were together on average."));
     maker.add(
         ComparisonText::tr("Visits"), [](const RunFigures& f) { return f.visits; }, Good::More,
-        whole, wholeDifference, ComparisonText::tr("Icebergs reached that were flown to."));
+        whole, wholeDifference, ComparisonText::tr("Icebergs that were targets and were reached."));
     maker.add(
         ComparisonText::tr("Plans"), [](const RunFigures& f) { return f.plans; }, Good::Neither,
         whole, wholeDifference, ComparisonText::tr("Times the visiting order was planned."));
