@@ -93,6 +93,7 @@ QDockWidget* Docks::add(const char* name, const QString& title, QWidget* content
                 panels().map->setFocus();
         },
         Qt::QueuedConnection);
+    widget->toggleViewAction()->setObjectName(QStringLiteral("%1Action").arg(QLatin1String(name)));
     connect(widget->toggleViewAction(), &QAction::triggered, widget, [widget](bool isShown) {
         if (isShown)
             widget->raise(); // among its tabs
@@ -210,6 +211,12 @@ void Docks::arrange(Layout layout) const
     window().tabifyDockWidget(dock(Dock::Zeta), dock(Dock::Events));
     dock(Dock::Zeta)->raise();
     dock(Dock::Plan)->raise();
+}
+
+void Docks::begin(Layout layout)
+{
+    arrange(layout);
+    setLayout(layout);
 }
 
 void Docks::showLayout(Layout layout)

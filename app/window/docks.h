@@ -58,6 +58,8 @@ public:
     /** As the window is now: what `reset` goes back to, and the layout `Analyse` by itself. */
     void noteDefault();
     void reset();
+    /** In this one, as it is by itself. */
+    void begin(Layout layout);
     /** As it was left; the one that is shown now is kept as the user has arranged it. */
     void showLayout(Layout layout);
     [[nodiscard]] Layout layout() const { return m_layout; }

@@ -82,7 +82,7 @@ MainWindow::Parts::Parts(WindowContext& context)
     , results(context)
     , start(context, files, docks)
     , sightings(context, files, start)
-    , dialogs(context, files)
+    , dialogs(context, files, start)
     , study(context, docks)
     , solveTimes(context, docks)
     , studyFlights(context, files, docks)
@@ -151,6 +151,11 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     m_parts->planner.show();
     m_parts->flightView.showFlight();
     m_parts->flightPanels.showCharts();
+}
+
+void MainWindow::showFirstLayout()
+{
+    m_parts->docks.begin(Layout::Plan);
 }
 
 MainWindow::~MainWindow()

@@ -23,6 +23,8 @@ public:
 
     /** Opens a scenario after the question about unsaved changes; false when it was not opened. */
     bool openFile(const QString& path);
+    /** At the first start the map is large; charts and tables come with the other layouts. */
+    void showFirstLayout();
     /** Over everything but the menus; opening anything closes it. */
     void showStartPage();
     [[nodiscard]] bool startPageIsShown() const;

@@ -77,7 +77,7 @@ void Menus::buildFileMenu()
 {
     QMenu& menu = addMenu(tr("&File"));
     add(menu, {"newAction", tr("&New scenario"), QKeySequence::New, IconName::NewFile},
-        [this] { m_targets.files.newScenario(); });
+        [this] { m_targets.dialogs.newScenario(); });
     add(menu, {"openAction", tr("&Open..."), QKeySequence::Open, IconName::Open},
         [this] { m_targets.files.openScenario(); });
     add(menu, {"startPageAction", tr("S&tart page"), {}, std::nullopt},
@@ -222,9 +222,9 @@ void Menus::buildMapActions(QMenu& menu)
         [map] { map->zoomBy(1.25, QRectF(map->rect()).center()); });
     add(menu, {"zoomOutAction", tr("Zoom &out"), QKeySequence::ZoomOut, std::nullopt},
         [map] { map->zoomBy(0.8, QRectF(map->rect()).center()); });
-    add(menu,
-        {"gotoAction", tr("&Go to a place"), QKeySequence(Qt::CTRL | Qt::Key_G), std::nullopt},
-        [this] { m_targets.dialogs.openGoto(); });
+    add(menu, {"findAction", tr("Fi&nd or go to…"), QKeySequence::Find, std::nullopt}, [this] {
+        m_targets.dialogs.openFind();
+    })->setShortcuts({QKeySequence::Find, QKeySequence(Qt::CTRL | Qt::Key_G)});
     addSwitch(menu, {"overviewAction", tr("O&verview"), Qt::Key_O, std::nullopt},
               m_targets.mapLinks.overviewIsShown(),
               [this](bool on) { m_targets.mapLinks.setOverviewShown(on); });

@@ -6,7 +6,7 @@
 #include "widgets/map/view/map_view.h"
 #include "widgets/map/view/place_mark.h"
 #include "widgets/model/workspace.h"
-#include "widgets/panels/dialogs/goto_bar.h"
+#include "widgets/panels/dialogs/find_box.h"
 #include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/event_panel.h"
@@ -55,8 +55,9 @@ Panels::Panels(Workspace& workspace, const Theme& theme)
     , comparison(new ComparisonPanel(workspace.runs()))
     , comparisonChart(new ComparisonChart(theme))
     , placeMark(new PlaceMark(*map))
-    , gotoBar(new GotoBar(map))
+    , findBox(new FindBox(map))
 {
+    ChartPanel::linkTimes(*charts.front(), *charts.back());
     overview->hide();
     pareto->setTitleShown(false);
     comparisonChart->setTitleShown(false);
@@ -70,7 +71,7 @@ void Panels::setTheme(const Theme& theme) const
 {
     alarms->setTheme(theme);
     overview->setTheme(theme);
-    gotoBar->setTheme(theme);
+    findBox->setTheme(theme);
     placeMark->setTheme(theme);
     map->setTheme(theme);
     tradeoff->setTheme(theme);

@@ -13,7 +13,7 @@ class CheckPanel;
 class ComparisonChart;
 class ComparisonPanel;
 class EventPanel;
-class GotoBar;
+class FindBox;
 class IcebergTable;
 class InspectorPanel;
 class MapView;
@@ -57,7 +57,7 @@ struct Panels
     ComparisonPanel* comparison;
     ComparisonChart* comparisonChart;
     PlaceMark* placeMark;
-    GotoBar* gotoBar;
+    FindBox* findBox;
 };
 
 } // namespace berg

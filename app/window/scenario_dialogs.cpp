@@ -3,13 +3,15 @@
 #include "app/dialogs/interaction.h"
 #include "app/window/panels.h"
 #include "app/window/scenario_files.h"
+#include "app/window/start_guide.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/map/view/place_mark.h"
 #include "widgets/model/wind.h"
 #include "widgets/model/workspace.h"
+#include "widgets/panels/dialogs/find_box.h"
 #include "widgets/panels/dialogs/generate_dialog.h"
-#include "widgets/panels/dialogs/goto_bar.h"
 
+#include <QAction>
 #include <QMainWindow>
 
 using namespace Qt::StringLiterals;
@@ -19,15 +21,30 @@ namespace berg {
 namespace {
 
 constexpr int kDialogEdge_px = 12;
+constexpr const char* kFavouritesKey = "find/favourites";
 
 } // namespace
 
-ScenarioDialogs::ScenarioDialogs(WindowContext& context, ScenarioFiles& files)
+ScenarioDialogs::ScenarioDialogs(WindowContext& context, ScenarioFiles& files,
+                                 const StartGuide& start)
     : WindowPart(context), m_files(files)
 {
-    connect(panels().gotoBar, &GotoBar::closed, panels().map, qOverload<>(&QWidget::setFocus));
-    connect(panels().gotoBar, &GotoBar::placeChosen, this, &ScenarioDialogs::showPlace);
-    connect(panels().gotoBar, &GotoBar::moveRequested, this, &ScenarioDialogs::moveScenario);
+    const FindBox* box = panels().findBox;
+    connect(box, &FindBox::closed, panels().map, qOverload<>(&QWidget::setFocus));
+    connect(box, &FindBox::placeChosen, this, &ScenarioDialogs::showPlace);
+    connect(box, &FindBox::objectChosen, this, &ScenarioDialogs::showObject);
+    connect(box, &FindBox::commandChosen, this, [this](const QString& name) {
+        if (auto* action = window().findChild<QAction*>(name))
+            action->trigger();
+    });
+    connect(box, &FindBox::moveRequested, this, &ScenarioDialogs::moveScenario);
+    connect(box, &FindBox::newRequested, this, [this](const LatLon& place) {
+        if (m_files.newScenario())
+            placeNewScenario(place);
+    });
+    connect(box, &FindBox::whereChosen, this, &ScenarioDialogs::placeNewScenario);
+    connect(&start, &StartGuide::newRequested, this, &ScenarioDialogs::newScenario);
+    connect(box, &FindBox::favouriteChanged, this, &ScenarioDialogs::setFavourite);
 }
 
 void ScenarioDialogs::generateIcebergs()
@@ -72,9 +89,70 @@ void ScenarioDialogs::askWind()
         workspace().setWind(*wind_mps);
 }
 
-void ScenarioDialogs::openGoto()
+void ScenarioDialogs::openFind()
 {
-    panels().gotoBar->open(workspace().document().scenario().origin, !workspace().inFlight());
+    openBox(false);
+}
+
+void ScenarioDialogs::newScenario()
+{
+    if (m_files.newScenario())
+        openBox(true);
+}
+
+void ScenarioDialogs::openBox(bool asksWhere)
+{
+    std::vector<FindItem> items = findableItems(workspace().document().scenario());
+    for (FindItem& command : commands())
+        items.push_back(std::move(command));
+    markFavourites(items, settings().value(kFavouritesKey).toStringList());
+    panels().findBox->open({.items = std::move(items),
+                            .origin = workspace().document().scenario().origin,
+                            .mayMove = !workspace().inFlight(),
+                            .asksWhere = asksWhere});
+}
+
+/** What the menus can do now. */
+std::vector<FindItem> ScenarioDialogs::commands() const
+{
+    std::vector<FindItem> items;
+    for (const QAction* action : window().findChildren<QAction*>()) {
+        const QString text = QString(action->text()).remove(u'&');
+        if (action->objectName().isEmpty() || text.isEmpty() || !action->isEnabled() ||
+            action->menu() != nullptr)
+            continue;
+        items.push_back({.kind = FindKind::Command,
+                         .key = action->objectName(),
+                         .text = text,
+                         .other = {},
+                         .hint = action->shortcut().toString(QKeySequence::NativeText),
+                         .at = {}});
+    }
+    return items;
+}
+
+void ScenarioDialogs::showObject(const std::string& id)
+{
+    workspace().selection().set({id});
+    panels().map->showObjects({id});
+}
+
+void ScenarioDialogs::setFavourite(const QString& key, bool isFavourite)
+{
+    QStringList keys = settings().value(kFavouritesKey).toStringList();
+    keys.removeAll(key);
+    if (isFavourite)
+        keys << key;
+    settings().setValue(kFavouritesKey, keys);
+}
+
+/** Of the empty scenario that was just made. */
+void ScenarioDialogs::placeNewScenario(const LatLon& origin)
+{
+    workspace().document().edit(tr("Place the new scenario"), [&](Scenario& scenario) {
+        scenario = movedTo(scenario, origin, MoveMode::KeepLayout);
+    });
+    panels().map->fit();
 }
 
 void ScenarioDialogs::showPlace(const LatLon& place, const QString& name)

@@ -2,25 +2,36 @@
 
 #include "app/window/window_part.h"
 #include "core/base/geodesy.h"
+#include "widgets/model/find_matches.h"
 
 namespace berg {
 
 class ScenarioFiles;
+class StartGuide;
 
-/** Dialogs that change the scenario: wind, origin, random icebergs; and going to a place. */
+/** Dialogs that change the scenario: wind, origin, random icebergs; and what is found by its name.
+ */
 class ScenarioDialogs : public WindowPart
 {
     Q_OBJECT
 
 public:
-    ScenarioDialogs(WindowContext& context, ScenarioFiles& files);
+    ScenarioDialogs(WindowContext& context, ScenarioFiles& files, const StartGuide& start);
 
+    /** After the question about unsaved changes; then asks where. */
+    void newScenario();
     void generateIcebergs();
     void askWind();
-    void openGoto();
+    /** The box that finds everything. */
+    void openFind();
     void moveScenario(const LatLon& suggested);
 
 private:
+    void openBox(bool asksWhere);
+    [[nodiscard]] std::vector<FindItem> commands() const;
+    void showObject(const std::string& id);
+    void setFavourite(const QString& key, bool isFavourite);
+    void placeNewScenario(const LatLon& origin);
     void showPlace(const LatLon& place, const QString& name);
 
     ScenarioFiles& m_files;

@@ -86,13 +86,14 @@ bool ScenarioFiles::mayAnswer(bool wasInFlight)
     return true;
 }
 
-void ScenarioFiles::newScenario()
+bool ScenarioFiles::newScenario()
 {
     if (!mayLeaveScene(Interaction::FlightEnd::Other))
-        return;
+        return false;
     Scenario scenario = randomScenario(1, {.icebergs = 0});
     scenario.name = tr("New scenario").toStdString();
     workspace().document().reset(scenario);
+    return true;
 }
 
 void ScenarioFiles::openScenario()

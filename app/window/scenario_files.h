@@ -33,7 +33,8 @@ public:
     /** After the question about unsaved changes; false when it was not opened. */
     bool openFile(const QString& path);
     void openExample(const QString& path);
-    void newScenario();
+    /** False: the user stays with the scenario there is. */
+    bool newScenario();
     void openScenario();
     bool saveScenario();
     bool saveScenarioAs();

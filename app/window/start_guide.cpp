@@ -83,7 +83,7 @@ void StartGuide::connectPage(StartPage& page)
         if (file.isEmpty() || m_files.openFile(file))
             goOn();
     });
-    connect(&page, &StartPage::newRequested, &m_files, &ScenarioFiles::newScenario);
+    connect(&page, &StartPage::newRequested, this, &StartGuide::newRequested);
     connect(&page, &StartPage::openRequested, &m_files, &ScenarioFiles::openScenario);
     connect(&page, &StartPage::importRequested, this, &StartGuide::importRequested);
     connect(&page, &StartPage::tourRequested, this, &StartGuide::startTour);

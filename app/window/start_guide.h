@@ -29,6 +29,7 @@ public:
 
 signals:
     void importRequested();
+    void newRequested();
 
 private:
     void connectPage(StartPage& page);

@@ -191,6 +191,8 @@ int runWindow(const WindowOptions& options)
     MainWindow& window = holder.window();
     if (options.size_px || picture || !settings.contains(u"window/geometry"_s))
         giveSize(window, options.size_px, picture);
+    if (!picture && !settings.contains(u"window/state"_s))
+        window.showFirstLayout();
     if (options.dark)
         window.applyTheme(*options.dark ? Theme::dark() : Theme::light());
     if (picture)

@@ -173,6 +173,21 @@ private slots:
         QVERIFY(w.map().grab().toImage() != hidden);
     }
 
+    /** The first start is of the layout that plans; the map has most of the window. */
+    void firstStartPlans()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.window().showFirstLayout();
+        QVERIFY(w.action(u"planLayoutAction"_s).isChecked());
+        const auto share = [&] {
+            return double(w.map().width()) * w.map().height() /
+                   (double(w.window().width()) * w.window().height());
+        };
+        QTRY_VERIFY2(share() >= 0.6, QByteArray::number(share()));
+        w.trigger(u"analyseLayoutAction"_s);
+        QTRY_VERIFY(test::child<QDockWidget>(w.window(), u"zetaDock"_s).isVisible());
+    }
+
     /** Each for one kind of work, and as it was left. */
     void layoutsGiveTheMapRoom()
     {

@@ -4,13 +4,16 @@
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/paint/overview_inset.h"
-#include "widgets/panels/dialogs/goto_bar.h"
+#include "widgets/panels/dialogs/find_box.h"
 #include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/fields/place_field.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QToolButton>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
@@ -42,14 +45,15 @@ private slots:
     void goesToAPlace()
     {
         WindowFixture w(fourIcebergs());
-        auto& bar = test::child<GotoBar>(w.window(), u"gotoBar"_s);
+        auto& bar = test::child<FindBox>(w.window(), u"findBox"_s);
         auto& mark = test::child<QWidget>(w.window(), u"placeMark"_s);
-        w.trigger(u"gotoAction"_s);
+        w.trigger(u"findAction"_s);
         QVERIFY(bar.isVisible());
         const LatLon place = LocalFrame(w.scenario().origin).toGeographic({50'000, -20'000});
-        auto& field = test::child<PlaceField>(bar, u"gotoField"_s);
+        auto& field = test::child<QLineEdit>(bar, u"findField"_s);
         field.setText(QString::fromStdString(
             berg::placeText(place, CoordinateForm::DegreesMinutesSeconds, 4)));
+        emit field.textEdited(field.text());
         QTest::keyClick(&field, Qt::Key_Return);
         QVERIFY(bar.isHidden());
         const Point middle_m = w.map().toWorld(QRectF(w.map().rect()).center());
@@ -59,6 +63,69 @@ private slots:
         QVERIFY(mark.geometry().contains(w.map().rect().center()));
         w.map().panBy({40, 0});
         QVERIFY(mark.geometry().contains(w.map().rect().center() + QPoint(40, 0)));
+    }
+
+    void findsIcebergsAndCommands()
+    {
+        WindowFixture w(fourIcebergs());
+        auto& field = test::child<QLineEdit>(w.window(), u"findField"_s);
+        const auto find = [&](const QString& text) {
+            w.trigger(u"findAction"_s);
+            QTest::keyClicks(&field, text);
+            QTest::keyClick(&field, Qt::Key_Return);
+        };
+        find(u"berg-3"_s);
+        QCOMPARE(w.workspace.selection().ids(), std::vector<std::string>{"berg-3"});
+        find(u"overview"_s);
+        QVERIFY(w.action(u"overviewAction"_s).isChecked());
+        find(u"plan layout"_s); // there is no such command: nothing happens
+        QVERIFY(w.action(u"overviewAction"_s).isChecked());
+    }
+
+    void favouritesAreKept()
+    {
+        WindowFixture w(fourIcebergs());
+        auto& field = test::child<QLineEdit>(w.window(), u"findField"_s);
+        w.trigger(u"findAction"_s);
+        QTest::keyClicks(&field, u"hibernia"_s);
+        test::child<QToolButton>(w.window(), u"findFavourite"_s).click();
+        QTest::keyClick(&field, Qt::Key_Escape);
+        w.trigger(u"findAction"_s);
+        QTest::keyClick(&field, Qt::Key_Return);
+        const LatLon middle = LocalFrame(w.scenario().origin)
+                                  .toGeographic(w.map().toWorld(QRectF(w.map().rect()).center()));
+        COMPARE_NEAR(middle.latitude_deg, 46.75, 0.01);
+    }
+
+    /** A new scenario asks where; Esc leaves it where it is. */
+    void newScenarioAsksWhere()
+    {
+        WindowFixture w(fourIcebergs());
+        auto& box = test::child<FindBox>(w.window(), u"findBox"_s);
+        auto& field = test::child<QLineEdit>(w.window(), u"findField"_s);
+        w.trigger(u"newAction"_s);
+        QVERIFY(box.isVisible());
+        QVERIFY(w.scenario().icebergs.empty());
+        QTest::keyClicks(&field, u"Longyearbyen"_s);
+        QTest::keyClick(&field, Qt::Key_Return);
+        COMPARE_NEAR(w.scenario().origin.latitude_deg, 78.22, 1e-9);
+        const LatLon there = w.scenario().origin;
+        w.document().reset(Scenario(w.scenario())); // nothing unsaved
+        w.trigger(u"newAction"_s);
+        QTest::keyClick(&field, Qt::Key_Escape);
+        QVERIFY(box.isHidden());
+        QVERIFY(!(w.scenario().origin == there));
+    }
+
+    void newScenarioWhereOneLooks()
+    {
+        WindowFixture w(fourIcebergs());
+        auto& field = test::child<QLineEdit>(w.window(), u"findField"_s);
+        w.trigger(u"findAction"_s);
+        QTest::keyClicks(&field, u"Ross Sea"_s);
+        test::child<QPushButton>(w.window(), u"findNewButton"_s).click();
+        QVERIFY(w.scenario().icebergs.empty());
+        COMPARE_NEAR(w.scenario().origin.latitude_deg, -75, 1e-9);
     }
 
     void chosenUnitsAreEverywhere()

@@ -1,12 +1,8 @@
-#include "tests/support/approx.h"
 #include "tests/support/panel_test.h"
-#include "widgets/panels/dialogs/goto_bar.h"
+#include "widgets/panels/fields/place_field.h"
 
 #include <QAbstractItemView>
 #include <QCompleter>
-#include <QLabel>
-#include <QPushButton>
-#include <QSignalSpy>
 #include <QTranslator>
 
 #include <set>
@@ -15,35 +11,6 @@ using namespace berg;
 using namespace Qt::StringLiterals;
 
 namespace {
-
-struct Fixture
-{
-    QWidget map;
-    GotoBar bar{&map};
-    PlaceField& field = test::child<PlaceField>(map, u"gotoField"_s);
-    QLabel& reason = test::child<QLabel>(map, u"gotoReason"_s);
-    QPushButton& move = test::child<QPushButton>(map, u"gotoMoveButton"_s);
-    QSignalSpy chosen{&bar, &GotoBar::placeChosen};
-    QSignalSpy wanted{&bar, &GotoBar::moveRequested};
-    QSignalSpy closed{&bar, &GotoBar::closed};
-
-    Fixture()
-    {
-        map.setLocale(QLocale::c());
-        map.resize(900, 600);
-        map.show();
-        map.activateWindow();
-        if (!QTest::qWaitForWindowActive(&map))
-            qFatal("the window does not come up");
-        bar.open({47, -48}, true);
-    }
-    void type(const QString& text)
-    {
-        QTest::keyClicks(&field, text);
-        QTest::keyClick(&field, Qt::Key_Return);
-    }
-    [[nodiscard]] LatLon place() const { return chosen.front().front().value<LatLon>(); }
-};
 
 QString nameOrReason(const QString& text)
 {
@@ -127,65 +94,17 @@ private slots:
 
     void completes()
     {
-        Fixture f;
-        QTest::keyClicks(&f.field, u"ør"_s);
-        QTRY_VERIFY(f.field.completer()->completionCount() > 0);
-        for (int i = 0; i < f.field.completer()->completionCount(); ++i) {
-            f.field.completer()->setCurrentRow(i);
-            QVERIFY(searchText(f.field.completer()->currentCompletion()).contains(u"or"_s));
+        PlaceField field;
+        field.show();
+        field.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&field));
+        field.setFocus();
+        QTest::keyClicks(&field, u"ør"_s);
+        QTRY_VERIFY(field.completer()->completionCount() > 0);
+        for (int i = 0; i < field.completer()->completionCount(); ++i) {
+            field.completer()->setCurrentRow(i);
+            QVERIFY(searchText(field.completer()->currentCompletion()).contains(u"or"_s));
         }
-    }
-
-    void goesToACoordinate()
-    {
-        Fixture f;
-        f.type(u"46 45 N 48 46.8 W"_s);
-        QCOMPARE(f.chosen.count(), 1);
-        COMPARE_NEAR(f.place().latitude_deg, 46.75, 1e-9);
-        COMPARE_NEAR(f.place().longitude_deg, -48.78, 1e-9);
-        QVERIFY(f.bar.isHidden());
-        QCOMPARE(f.closed.count(), 1);
-    }
-
-    void explains()
-    {
-        Fixture f;
-        f.type(u"46 45 N"_s);
-        QCOMPARE(f.chosen.count(), 0);
-        QVERIFY(f.reason.isVisible());
-        QVERIFY(f.map.rect().contains(f.bar.geometry()));
-        QTest::keyClicks(&f.field, u" 4"_s);
-        QVERIFY(f.reason.isHidden()); // it is being corrected
-    }
-
-    void offersToMove()
-    {
-        Fixture f;
-        f.type(u"Longyearbyen"_s);
-        QCOMPARE(f.chosen.count(), 0);
-        QVERIFY(f.reason.text().contains(u"km"_s));
-        QVERIFY(f.move.isVisible());
-        f.move.click();
-        QCOMPARE(f.wanted.count(), 1);
-        COMPARE_NEAR(f.wanted.front().front().value<LatLon>().latitude_deg, 78.22, 1e-9);
-    }
-
-    void doesNotOfferToMoveInFlight()
-    {
-        Fixture f;
-        f.bar.open({47, -48}, false);
-        f.type(u"Longyearbyen"_s);
-        QVERIFY(f.reason.isVisible());
-        QVERIFY(f.move.isHidden());
-    }
-
-    void escapeCloses()
-    {
-        Fixture f;
-        QTest::keyClick(&f.field, Qt::Key_Escape);
-        QVERIFY(f.bar.isHidden());
-        QCOMPARE(f.closed.count(), 1);
-        QCOMPARE(f.chosen.count(), 0);
     }
 };
 
