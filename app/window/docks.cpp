@@ -5,6 +5,7 @@
 #include "widgets/charts/comparison_chart.h"
 #include "widgets/charts/pareto_chart.h"
 #include "widgets/map/view/map_view.h"
+#include "widgets/panels/dialogs/layers_panel.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/event_panel.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
@@ -151,6 +152,11 @@ void Docks::addStudies()
     window().tabifyDockWidget(comparison, solveTime);
     window().tabifyDockWidget(solveTime, study);
     dock(Dock::Sigma)->raise();
+    QDockWidget* layers =
+        add("layersDock", tr("Map layers"), panels().layers, Qt::RightDockWidgetArea);
+    window().tabifyDockWidget(dock(Dock::Inspector), layers);
+    layers->hide(); // for whoever wants it
+    dock(Dock::Plan)->raise();
 }
 
 QDockWidget* Docks::dock(Dock which) const

@@ -27,7 +27,8 @@ enum class Dock
     SolveTime,
     Study,
     Comparison,
-    Icebergs
+    Icebergs,
+    Layers
 };
 
 /** Arrangements of the docks for one kind of work each. */

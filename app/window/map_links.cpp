@@ -5,6 +5,7 @@
 #include "widgets/map/paint/overview_inset.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
+#include "widgets/panels/dialogs/layers_panel.h"
 #include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/plan/plan_panel.h"
@@ -21,6 +22,7 @@ namespace berg {
 namespace {
 
 constexpr const char* kPanelsKey = "view/mapPanels";
+constexpr const char* kLayersKey = "view/layers";
 constexpr const char* kOverviewKey = "view/overview";
 constexpr const char* kHiddenColumnsKey = "icebergs/hiddenColumns";
 
@@ -31,6 +33,15 @@ MapLinks::MapLinks(WindowContext& context, const Docks& docks) : WindowPart(cont
     panels().map->setInset(overviewIsShown() ? panels().overview : nullptr);
     panels().icebergs->setHiddenColumns(settings().value(kHiddenColumnsKey).toStringList());
     panels().map->setPanels(savedPanels());
+    panels().layers->showLayers(savedLayers());
+    panels().map->setLayers(panels().layers->layers());
+    connect(panels().layers, &LayersPanel::layersEdited, this, [this](const MapLayers& layers) {
+        panels().map->setLayers(layers);
+        QStringList saved{QString::number(layers.horizon_s)};
+        for (const double opacity : layers.opacities)
+            saved << QString::number(opacity);
+        settings().setValue(kLayersKey, saved);
+    });
     connect(panels().map, &MapView::panelsChanged, this, &MapLinks::savePanels);
     connectMap(docks);
     connectTables();
@@ -62,6 +73,24 @@ MapPanelStates MapLinks::savedPanels() const
                          .moved_px = moved_px};
     }
     return states;
+}
+
+/** Horizon, then opacities; what is missing or no number is as at first. */
+MapLayers MapLinks::savedLayers() const
+{
+    const QStringList saved = settings().value(kLayersKey).toStringList();
+    MapLayers layers;
+    for (qsizetype i = 0; i < saved.size(); ++i) {
+        bool isNumber = false;
+        const double value = saved[i].toDouble(&isNumber);
+        if (!isNumber || !std::isfinite(value))
+            continue;
+        if (i == 0)
+            layers.horizon_s = std::max(0.0, value);
+        else if (i <= static_cast<qsizetype>(kMapLayers))
+            layers.set(static_cast<MapLayer>(i - 1), value);
+    }
+    return layers;
 }
 
 bool MapLinks::panelIsShown(MapPanel panel) const

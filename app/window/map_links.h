@@ -25,6 +25,7 @@ private:
     void connectTables();
     void showOverview();
     void savePanels();
+    [[nodiscard]] MapLayers savedLayers() const;
     [[nodiscard]] MapPanelStates savedPanels() const;
 };
 

@@ -7,6 +7,7 @@
 #include "widgets/map/view/place_mark.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/dialogs/find_box.h"
+#include "widgets/panels/dialogs/layers_panel.h"
 #include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/event_panel.h"
@@ -56,6 +57,7 @@ Panels::Panels(Workspace& workspace, const Theme& theme)
     , comparisonChart(new ComparisonChart(theme))
     , placeMark(new PlaceMark(*map))
     , findBox(new FindBox(map))
+    , layers(new LayersPanel)
 {
     ChartPanel::linkTimes(*charts.front(), *charts.back());
     overview->hide();

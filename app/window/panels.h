@@ -14,6 +14,7 @@ class ComparisonChart;
 class ComparisonPanel;
 class EventPanel;
 class FindBox;
+class LayersPanel;
 class IcebergTable;
 class InspectorPanel;
 class MapView;
@@ -58,6 +59,7 @@ struct Panels
     ComparisonChart* comparisonChart;
     PlaceMark* placeMark;
     FindBox* findBox;
+    LayersPanel* layers;
 };
 
 } // namespace berg

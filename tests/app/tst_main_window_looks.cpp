@@ -173,6 +173,20 @@ private slots:
         QVERIFY(w.map().grab().toImage() != hidden);
     }
 
+    void layersAreKept()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        auto& rings = test::child<QSlider>(w.window(), u"ringsLayer"_s);
+        const QImage before = w.map().grab().toImage();
+        rings.setValue(0);
+        QVERIFY(w.map().grab().toImage() != before);
+        const MainWindow next(w.workspace, w.interaction, w.settings);
+        QCOMPARE(next.mapView().layers().opacity(MapLayer::Rings), 0.0);
+        QCOMPARE(test::child<QSlider>(next, u"ringsLayer"_s).value(), 0);
+        rings.setValue(100);
+        QTRY_VERIFY(w.map().grab().toImage() == before);
+    }
+
     /** The first start is of the layout that plans; the map has most of the window. */
     void firstStartPlans()
     {

@@ -1,6 +1,7 @@
 #include "widgets/map/paint/map_layout.h"
 
 #include "widgets/map/paint/map_dots.h"
+#include "widgets/map/paint/map_drift.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/map/paint/wind_panel.h"
@@ -29,7 +30,6 @@ struct MapLayoutText
 
 constexpr double kMargin_px = 12;     // of overlays from the edge and from each other
 constexpr double kRingAtFull_px = 12; // ring of the largest sigma beyond its symbol
-constexpr double kLongestArrow_px = 44;
 constexpr double kLabelHeight_px = 19;
 constexpr double kUavClearance_px = 17;
 constexpr std::size_t kTrackProbes = 240;
@@ -44,8 +44,6 @@ constexpr double kPanelPart_px = 17;
 constexpr double kLowMap_px = 600; // whose legend is compact
 
 // Times a drift arrow may stand for.
-constexpr std::array<double, 11> kDriftTimes_s = {60,   120,  300,   600,   1200, 1800,
-                                                  3600, 7200, 21600, 43200, 86400};
 
 bool fits(const QSizeF& size, const QRectF& rect)
 {
@@ -431,15 +429,6 @@ QFont labelFont(const Theme& theme)
     return font;
 }
 
-double driftTimeFor_s(double speed_mps, double scale_pxpm)
-{
-    double suitable_s = 0;
-    for (const double time_s : kDriftTimes_s)
-        if (speed_mps * time_s * scale_pxpm <= kLongestArrow_px)
-            suitable_s = time_s;
-    return suitable_s;
-}
-
 QString labelText(const MapIceberg& iceberg)
 {
     if (iceberg.appears_s > 0)
@@ -470,6 +459,10 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
     layout.rect = rect;
     layout.view = view ? *view : fittedView(layout, picture, style);
     layout.symbols = symbolScale(picture, layout.view);
+    if (!style.layers.shows(MapLayer::Drift))
+        layout.symbols.driftTime_s = 0;
+    else if (style.layers.horizon_s > 0)
+        layout.symbols.driftTime_s = style.layers.horizon_s;
     if (continuity.driftTime_s)
         layout.symbols.driftTime_s = *continuity.driftTime_s;
     layout.stops = stopsOf(picture);
@@ -480,21 +473,6 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
     placeUavLabels(layout, picture, style.theme);
     layout.labels = labelsOf(layout, picture, style, continuity);
     return layout;
-}
-
-QLineF driftArrow(const MapPicture& picture, const MapLayout& layout, std::size_t iceberg)
-{
-    if (layout.density.isDense)
-        return {};
-    const Point path_m = picture.icebergs[iceberg].velocity_mps * layout.symbols.driftTime_s;
-    const Point path_px = path_m * layout.view.scale_pxpm();
-    const double length_px = path_px.norm();
-    if (length_px < 1.5)
-        return {};
-    const QPointF along(path_px.x() / length_px, -path_px.y() / length_px);
-    const LabelDisk& disk = layout.icebergs[iceberg];
-    const QPointF start = disk.centre_px + along * disk.radius_px;
-    return {start, start + along * length_px};
 }
 
 } // namespace berg

@@ -83,11 +83,4 @@ struct MapContinuity
                                    const std::optional<MapViewTransform>& view = {},
                                    const MapContinuity& continuity = {});
 
-/** Longest of the usual times whose way at this speed is an arrow of good length; 0: none. */
-[[nodiscard]] double driftTimeFor_s(double speed_mps, double scale_pxpm);
-
-/** Drift arrow of an iceberg, from the edge of its symbol; null line when it does not move. */
-[[nodiscard]] QLineF driftArrow(const MapPicture& picture, const MapLayout& layout,
-                                std::size_t iceberg);
-
 } // namespace berg

@@ -188,7 +188,8 @@ void addFleetRows(RowList& rows, const MapPicture& picture, const Theme& theme)
              });
 }
 
-void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme)
+void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme,
+                 const MapLayers& layers)
 {
     const RouteColours colours = routeColours(picture, theme);
     rows.add(
@@ -214,7 +215,8 @@ void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme)
              [&theme, colours](QPainter& p, const QRectF& r) {
                  drawAim(p, r.center(), colours.plan, theme);
              });
-    rows.add(picture.anyRoute([](const MapRoute& route) { return !route.formerPlan.empty(); }),
+    rows.add(layers.shows(MapLayer::FormerPlan) &&
+                 picture.anyRoute([](const MapRoute& route) { return !route.formerPlan.empty(); }),
              MapLegend::tr("Plan before the change"), MapLegend::tr("Former plan"),
              [colours](QPainter& p, const QRectF& r) {
                  drawLineSwatch(p, r, formerPlanPen(colours.former));
@@ -232,7 +234,8 @@ void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme)
              [&](QPainter& p, const QRectF& r) { drawComparisonSwatch(p, r, theme); });
     rows.add(!picture.uavs.empty(), MapLegend::tr("Field of view"), MapLegend::tr("Field of view"),
              [colours](QPainter& p, const QRectF& r) { drawFieldSwatch(p, r, colours.uav); });
-    rows.add(picture.showsSwept(), MapLegend::tr("Seen so far"), MapLegend::tr("Seen so far"),
+    rows.add(layers.shows(MapLayer::Swept) && picture.showsSwept(), MapLegend::tr("Seen so far"),
+             MapLegend::tr("Seen so far"),
              [&](QPainter& p, const QRectF& r) { drawSweptSwatch(p, r, theme); });
 }
 
@@ -280,7 +283,7 @@ std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& sty
     RowList rows(picture, theme);
     addIcebergRows(rows, picture, theme);
     addFleetRows(rows, picture, theme);
-    addPathRows(rows, picture, theme);
+    addPathRows(rows, picture, theme, style.layers);
     addPlaceRows(rows, picture, theme);
     rows.add(scale.showsDots, MapLegend::tr("Icebergs close together: dots, or how many"),
              MapLegend::tr("Close together"), [&theme](QPainter& p, const QRectF& r) {

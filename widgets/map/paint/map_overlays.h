@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/map/paint/map_layers.h"
 #include "widgets/map/picture/map_picture.h"
 #include "widgets/map/picture/map_view_transform.h"
 #include "widgets/theme/theme.h"
@@ -39,6 +40,7 @@ struct MapStyle
     QLocale locale;
     QSizeF inset_px = {}; ///< kept free below the north arrow; empty: nothing
     MapPanelStates panels = {};
+    MapLayers layers = {};
     bool offersWind = false; ///< the panel of the wind is there in calm, too, to be used
 };
 

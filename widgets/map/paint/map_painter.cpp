@@ -3,6 +3,7 @@
 #include "core/base/random.h"
 #include "widgets/map/land/land_layer.h"
 #include "widgets/map/paint/map_dots.h"
+#include "widgets/map/paint/map_drift.h"
 #include "widgets/map/paint/map_legend_rows.h"
 #include "widgets/map/paint/map_paint.h"
 #include "widgets/map/paint/map_paths.h"
@@ -28,9 +29,22 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
+constexpr double kLeastArrow = 0.2;  // of one that is being drawn while the others are hidden
 constexpr double kArrowRoom_px = 60; // that a drift arrow may take beside its symbol
 constexpr double kSigmaSteps = 250;  // of the colour of kept drawings
 constexpr double kRingSteps = 4;     // for each pixel, of the rings of kept drawings
+
+/** A layer as strongly as the user wants it; a hidden one not at all. */
+template <class Draw>
+void withOpacity(const MapPaint& p, double opacity, const Draw& draw)
+{
+    if (opacity <= 0)
+        return;
+    const double before = p.painter.opacity();
+    p.painter.setOpacity(before * opacity);
+    draw();
+    p.painter.setOpacity(before);
+}
 
 void paintGraticuleLabels(const MapPaint& p)
 {
@@ -81,6 +95,7 @@ void paintIcebergs(const MapPaint& p)
         const auto variant = static_cast<unsigned>(stableHash(iceberg.id.toStdString()) % 6);
         const IcebergLook look{.radius_px = symbol_px,
                                .ring_px = ring_px,
+                               .ringOpacity = p.style.layers.opacity(MapLayer::Rings),
                                .sigma = p.theme.sigma.at(sigma),
                                .inView = iceberg.inView,
                                .bracket = routeColours(p.picture, p.theme).uav,
@@ -88,12 +103,13 @@ void paintIcebergs(const MapPaint& p)
                                .status = iceberg.status,
                                .variant = variant};
         const QString key =
-            u"ice %1 %2 %3 %4 %5 %6"_s.arg(symbol_px)
+            u"ice %1 %2 %3 %4 %5 %6 %7"_s.arg(symbol_px)
                 .arg(ring_px)
                 .arg(sigma)
                 .arg(int(look.inView) + 2 * int(look.later) + 4 * static_cast<int>(look.status))
                 .arg(variant)
-                .arg(look.bracket.rgb());
+                .arg(look.bracket.rgb())
+                .arg(look.ringOpacity);
         const double reach_px = std::max(symbol_px + 7, ring_px) + 2;
         paintKept(p, key, QRectF(-reach_px, -reach_px, 2 * reach_px, 2 * reach_px), disk.centre_px,
                   [&](QPainter& painter) {
@@ -101,14 +117,18 @@ void paintIcebergs(const MapPaint& p)
                   });
         const QLineF arrow = driftArrow(p.picture, p.layout, i);
         if (!arrow.isNull())
-            drawArrow(p.painter, arrow, QPen(p.theme.ink, 1.5), 7);
+            withOpacity(p, std::max(p.style.layers.opacity(MapLayer::Drift), kLeastArrow), [&] {
+                const Qt::PenStyle line = isCapped(arrow) ? Qt::DashLine : Qt::SolidLine;
+                drawArrow(p.painter, arrow, QPen(p.theme.ink, 1.5, line), 7);
+            });
     }
 }
 
 void paintLabel(const MapPaint& p, std::size_t i)
 {
     const PlacedLabel& label = p.layout.labels[i];
-    if (label.rect.isNull())
+    const double opacity = p.style.layers.opacity(MapLayer::Labels);
+    if (label.rect.isNull() || (opacity <= 0 && p.layout.stops[i].order <= 0))
         return;
     const LabelDisk& disk = p.layout.icebergs[i];
     if (label.apart) {
@@ -130,11 +150,14 @@ void paintLabel(const MapPaint& p, std::size_t i)
                           p.theme, ground);
             box.setLeft(2 * kOrderDisk_px + kOrderGap_px);
         }
+        if (opacity <= 0)
+            return; // the number in the order is of the plan
+        painter.setOpacity(painter.opacity() * opacity);
         painter.setFont(labelFont(p.theme));
         drawHaloText(painter, box, Qt::AlignLeft | Qt::AlignVCenter, text, p.theme.text,
                      p.theme.sea);
     };
-    paintKept(p, u"label %1 %2 "_s.arg(stop.order).arg(ground.rgb()) + text,
+    paintKept(p, u"label %1 %2 %3 "_s.arg(stop.order).arg(ground.rgb()).arg(opacity) + text,
               QRectF(QPointF(-3, -3), size + QSizeF(8, 6)), label.rect.topLeft(), draw);
 }
 
@@ -276,8 +299,10 @@ void paintMapGround(QPainter& painter, const MapFrame& frame)
     if (const auto reach = reachIn(land.rect, land.plane, land.view))
         painter.setClipPath(*reach, Qt::IntersectClip);
     painter.setPen(QPen(p.theme.graticule, 1));
-    for (const GraticuleLine& line : p.graticule.lines)
-        painter.drawPolyline(line.path_px);
+    withOpacity(p, frame.style.layers.opacity(MapLayer::Graticule), [&] {
+        for (const GraticuleLine& line : p.graticule.lines)
+            painter.drawPolyline(line.path_px);
+    });
 }
 
 void paintMapContent(QPainter& painter, const MapFrame& frame)
@@ -285,12 +310,13 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     const MapPaint p(painter, frame);
     paintArea(p);
     paintClosedAreas(p);
-    paintSwept(p);
+    const MapLayers& layers = frame.style.layers;
+    withOpacity(p, layers.opacity(MapLayer::Swept), [&] { paintSwept(p); });
     paintComparison(p);
     paintTracks(p);
     paintFieldsOfView(p);
     paintDots(p); // below the plans
-    paintFormerPlans(p);
+    withOpacity(p, layers.opacity(MapLayer::FormerPlan), [&] { paintFormerPlans(p); });
     paintClusters(p);
     paintPlans(p);
     paintSearches(p);
@@ -307,15 +333,16 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     for (const MapUav& uav : p.picture.uavs)
         drawUav(painter, p.layout.view.toPixel(uav.position_m), uav.psi_rad,
                 uavColour(p.theme, uav.place), p.theme);
-    paintUavLabels(p);
+    withOpacity(p, layers.opacity(MapLayer::Labels), [&] { paintUavLabels(p); });
 }
 
 void paintMapLabels(QPainter& painter, const MapFrame& frame)
 {
     const MapPaint p(painter, frame);
+    const MapLayers& layers = frame.style.layers;
     for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i)
         paintLabel(p, i);
-    paintGraticuleLabels(p);
+    withOpacity(p, layers.opacity(MapLayer::Graticule), [&] { paintGraticuleLabels(p); });
 }
 
 void paintMapOverlays(QPainter& painter, const MapFrame& frame)

@@ -168,9 +168,12 @@ void drawIceberg(QPainter& painter, const QPointF& centre, const IcebergLook& lo
     } else if (look.ring_px > 0) {
         QColor fill = look.sigma;
         fill.setAlphaF(0.16F);
+        const double before = painter.opacity();
+        painter.setOpacity(before * look.ringOpacity);
         painter.setBrush(fill);
         painter.setPen(QPen(look.sigma, 1.8, line, Qt::FlatCap));
         painter.drawEllipse(centre, look.ring_px, look.ring_px);
+        painter.setOpacity(before);
     }
     if (look.status != TrackStatus::Tracked) {
         drawLostForm(painter, centre, look, theme);

@@ -16,8 +16,9 @@ namespace berg {
 /** How an iceberg is drawn. */
 struct IcebergLook
 {
-    double radius_px = 10;                     ///< of the symbol
-    double ring_px = 0;                        ///< radius of the sigma ring; 0: none
+    double radius_px = 10; ///< of the symbol
+    double ring_px = 0;    ///< radius of the sigma ring; 0: none
+    double ringOpacity = 1;
     QColor sigma;                              ///< colour of sigma
     bool inView = false;                       ///< seen now: pure ice, no ring
     QColor bracket{};                          ///< of one seen now; invalid: the UAV's

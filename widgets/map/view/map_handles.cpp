@@ -1,5 +1,6 @@
 #include "widgets/map/view/map_handles.h"
 
+#include "widgets/map/paint/map_drift.h"
 #include "widgets/map/paint/wind_panel.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_scene.h"

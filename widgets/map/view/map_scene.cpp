@@ -321,6 +321,13 @@ void MapScene::setPanels(const MapPanelStates& panels)
     m_layout.reset();
 }
 
+void MapScene::setLayers(const MapLayers& layers)
+{
+    m_layers = layers;
+    m_isGroundOld = true;
+    m_layout.reset();
+}
+
 QPointF MapScene::panelOffset_px(MapPanel panel)
 {
     return layout().moved_px[static_cast<std::size_t>(panel)];

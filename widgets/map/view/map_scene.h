@@ -78,6 +78,8 @@ public:
     [[nodiscard]] std::optional<MapPanel> panelAt(const QPointF& at);
     [[nodiscard]] const MapPanelStates& panels() const { return m_panels; }
     void setPanels(const MapPanelStates& panels);
+    [[nodiscard]] const MapLayers& layers() const { return m_layers; }
+    void setLayers(const MapLayers& layers);
     /** By how much it stands off from where it is by itself. */
     [[nodiscard]] QPointF panelOffset_px(MapPanel panel);
     /** As far as the map reaches. */
@@ -106,6 +108,7 @@ private:
                 .locale = m_locale,
                 .inset_px = m_inset_px,
                 .panels = m_panels,
+                .layers = m_layers,
                 .offersWind = true};
     }
     [[nodiscard]] std::optional<LabelTurn> nextTurn(std::size_t inSight);
@@ -116,6 +119,7 @@ private:
     QLocale m_locale;
     QSizeF m_inset_px;
     MapPanelStates m_panels;
+    MapLayers m_layers;
     std::optional<QPointF> m_pointer;
     QRectF m_rect;
     MapViewTransform m_view;

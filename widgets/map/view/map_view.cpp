@@ -153,6 +153,14 @@ void MapView::setPanels(const MapPanelStates& panels)
     update();
 }
 
+void MapView::setLayers(const MapLayers& layers)
+{
+    if (layers == m_scene.layers())
+        return;
+    m_scene.setLayers(layers);
+    update();
+}
+
 std::optional<MapPanel> MapView::panelAt(const QPoint& globalPos)
 {
     return m_scene.panelAt(mapFromGlobal(globalPos));

@@ -53,6 +53,9 @@ public:
     [[nodiscard]] const MapPanelStates& panels() const { return m_scene.panels(); }
     /** As the user wants them; tells nobody. */
     void setPanels(const MapPanelStates& panels);
+    /** How strongly its layers are painted. */
+    void setLayers(const MapLayers& layers);
+    [[nodiscard]] const MapLayers& layers() const { return m_scene.layers(); }
     /** To its icon or back, as by mouse. */
     void foldPanel(MapPanel panel);
     /** The panel or icon at this place of the screen. */

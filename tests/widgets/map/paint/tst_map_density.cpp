@@ -1,5 +1,6 @@
 #include "core/scenario/presets.h"
 #include "tests/support/panel_test.h"
+#include "widgets/map/paint/map_drift.h"
 #include "widgets/map/paint/map_layout.h"
 #include "widgets/map/picture/scenario_picture.h"
 

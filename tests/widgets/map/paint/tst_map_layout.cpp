@@ -1,6 +1,7 @@
 #include "tests/support/approx.h"
 #include "tests/support/map_builder.h"
 #include "tests/support/map_layouts.h"
+#include "widgets/map/paint/map_drift.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/map/paint/map_symbols.h"

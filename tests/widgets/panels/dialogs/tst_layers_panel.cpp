@@ -1,0 +1,111 @@
+#include "tests/support/map_builder.h"
+#include "tests/support/panel_test.h"
+#include "widgets/map/paint/map_drift.h"
+#include "widgets/map/paint/map_layout.h"
+#include "widgets/map/paint/map_painter.h"
+#include "widgets/panels/dialogs/layers_panel.h"
+
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QSlider>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const Theme kTheme = Theme::light();
+
+MapStyle styleOf(const MapLayers& layers)
+{
+    return {.theme = kTheme, .locale = QLocale::c(), .layers = layers};
+}
+
+MapPicture picture()
+{
+    MapPicture shown = test::randomPicture(6);
+    shown.routes.front().formerPlan = {5, 4, 3, 2, 1, 0};
+    shown.routes.front().swept = std::make_shared<const std::vector<MapPose>>(std::vector<MapPose>{
+        {.position_m = {1000, 1000}}, {.position_m = {3000, 1000}, .time_s = 100}});
+    return shown;
+}
+
+QImage painted(const MapLayers& layers)
+{
+    return mapImage(picture(), styleOf(layers), {900, 600}, 1);
+}
+
+} // namespace
+
+class TestLayersPanel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void init() { test::failOnWarnings(); }
+
+    void eachLayerIsMadeFaintAndHidden_data()
+    {
+        QTest::addColumn<int>("layer");
+        const std::array<const char*, kMapLayers> names{"labels",    "drift",      "rings",
+                                                        "graticule", "formerPlan", "swept"};
+        for (std::size_t i = 0; i < kMapLayers; ++i)
+            QTest::newRow(names[i]) << static_cast<int>(i);
+    }
+
+    void eachLayerIsMadeFaintAndHidden()
+    {
+        QFETCH(int, layer);
+        MapLayers faint;
+        faint.set(static_cast<MapLayer>(layer), 0.5);
+        MapLayers hidden;
+        hidden.set(static_cast<MapLayer>(layer), 0);
+        const QImage full = painted({});
+        QVERIFY(painted(faint) != full);
+        QVERIFY(painted(hidden) != full);
+        QVERIFY(painted(hidden) != painted(faint));
+        QVERIFY(painted(MapLayers()) == full);
+    }
+
+    /** Arrows that would cross the whole map are cut short. */
+    void horizonIsChosen()
+    {
+        const MapPicture shown = picture();
+        MapLayers layers;
+        layers.horizon_s = 86400;
+        const MapLayout map = arrangeMap(shown, styleOf(layers), {0, 0, 900, 600});
+        QCOMPARE(map.symbols.driftTime_s, 86400.0);
+        bool anyCapped = false;
+        for (std::size_t i = 0; i < shown.icebergs.size(); ++i) {
+            const QLineF arrow = driftArrow(shown, map, i);
+            QVERIFY(arrow.length() < 121);
+            anyCapped = anyCapped || isCapped(arrow);
+        }
+        QVERIFY(anyCapped);
+        layers.set(MapLayer::Drift, 0);
+        QCOMPARE(arrangeMap(shown, styleOf(layers), {0, 0, 900, 600}).symbols.driftTime_s, 0.0);
+    }
+
+    void panelTells()
+    {
+        LayersPanel panel;
+        QSignalSpy edited(&panel, &LayersPanel::layersEdited);
+        MapLayers layers;
+        layers.set(MapLayer::Rings, 0.3);
+        layers.horizon_s = 3600;
+        panel.showLayers(layers);
+        QCOMPARE(edited.count(), 0); // it was shown
+        QCOMPARE(test::child<QSlider>(panel, u"ringsLayer"_s).value(), 30);
+        QCOMPARE(test::child<QComboBox>(panel, u"driftHorizon"_s).currentText(), u"1 h"_s);
+        QTest::keyClick(&test::child<QSlider>(panel, u"labelsLayer"_s), Qt::Key_Home);
+        QCOMPARE(edited.count(), 1);
+        QVERIFY(!panel.layers().shows(MapLayer::Labels));
+        QCOMPARE(panel.layers().opacity(MapLayer::Rings), 0.3);
+        test::child<QComboBox>(panel, u"driftHorizon"_s).setCurrentIndex(0);
+        QCOMPARE(panel.layers().horizon_s, 0.0);
+    }
+};
+
+QTEST_MAIN(TestLayersPanel)
+#include "tst_layers_panel.moc"

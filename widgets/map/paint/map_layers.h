@@ -1,0 +1,40 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace berg {
+
+/** Parts of the picture of the map that the user can make faint or hide. */
+enum class MapLayer : std::uint8_t
+{
+    Labels,
+    Drift,
+    Rings,
+    Graticule,
+    FormerPlan,
+    Swept
+};
+inline constexpr std::size_t kMapLayers = 6;
+
+/** How strongly each layer is painted, and how far drift arrows look ahead. */
+struct MapLayers
+{
+    std::array<double, kMapLayers> opacities{1, 1, 1, 1, 1, 1}; ///< by `MapLayer`, 0: hidden, to 1
+    double horizon_s = 0; ///< of drift arrows; 0: what makes them of a length to be seen
+    bool operator==(const MapLayers&) const = default;
+
+    [[nodiscard]] double opacity(MapLayer layer) const
+    {
+        return opacities[static_cast<std::size_t>(layer)];
+    }
+    [[nodiscard]] bool shows(MapLayer layer) const { return opacity(layer) > 0; }
+    void set(MapLayer layer, double opacity)
+    {
+        opacities[static_cast<std::size_t>(layer)] = std::clamp(opacity, 0.0, 1.0);
+    }
+};
+
+} // namespace berg
