@@ -137,10 +137,6 @@
         <translation>Besøk</translation>
     </message>
     <message>
-        <source>Icebergs reached that were flown to.</source>
-        <translation>Isfjell nådd som det ble fløyet til.</translation>
-    </message>
-    <message>
         <source>Plans</source>
         <translation>Planer</translation>
     </message>
@@ -187,6 +183,10 @@
     <message>
         <source>What %1 has flown through the air.</source>
         <translation>Det %1 har fløyet gjennom lufta.</translation>
+    </message>
+    <message>
+        <source>Icebergs that were targets and were reached.</source>
+        <translation>Isfjell som var mål og ble nådd.</translation>
     </message>
 </context>
 <context>
@@ -877,6 +877,21 @@
     </message>
 </context>
 <context>
+    <name>FindBox</name>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Kommando</translation>
+    </message>
+</context>
+<context>
     <name>FlightBrief</name>
     <message>
         <source>Times count from the start of the run</source>
@@ -1183,12 +1198,12 @@
         <translation>Utenfor rekkevidde</translation>
     </message>
     <message>
-        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. They are flown round it.</source>
-        <translation>Rette etapper som fører ut av geogjerdet eller gjennom et flyforbudsområde: %1. De flys utenom.</translation>
-    </message>
-    <message>
         <source>Chance of being in view on arrival: %1</source>
         <translation>Sjanse for å være i synsfeltet ved ankomst: %1</translation>
+    </message>
+    <message>
+        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. The UAV goes round.</source>
+        <translation>Rette etapper som går ut av geogjerdet eller gjennom et område med flyforbud: %1. UAV-en flyr utenom.</translation>
     </message>
 </context>
 <context>
@@ -2800,10 +2815,6 @@
         <translation>Leting</translation>
     </message>
     <message>
-        <source>What is flown to find an iceberg that was not where it was believed to be.</source>
-        <translation>Det som flys for å finne et isfjell som ikke var der det ble antatt å være.</translation>
-    </message>
-    <message>
         <source>Change search</source>
         <translation>Endre leting</translation>
     </message>
@@ -3234,6 +3245,10 @@
     <message>
         <source>Where it flows to, clockwise from north.</source>
         <translation>Hvor den går, med klokka fra nord.</translation>
+    </message>
+    <message>
+        <source>Pattern that finds an iceberg which was not where it was believed to be.</source>
+        <translation>Mønster som finner et isfjell som ikke var der en trodde.</translation>
     </message>
 </context>
 <context>
@@ -5677,6 +5692,22 @@ mot %2</translation>
         <source>Table of numbers (*.csv)</source>
         <translation>Talltabell (*.csv)</translation>
     </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Kopier bilde</translation>
+    </message>
+    <message>
+        <source>Copy numbers</source>
+        <translation>Kopier tall</translation>
+    </message>
+    <message>
+        <source>Save picture or numbers...</source>
+        <translation>Lagre bilde eller tall ...</translation>
+    </message>
+    <message>
+        <source>Reset zoom</source>
+        <translation>Tilbakestill zoom</translation>
+    </message>
 </context>
 <context>
     <name>berg::CheckPanel</name>
@@ -6034,6 +6065,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Icebergs</source>
         <translation>Isfjell</translation>
     </message>
+    <message>
+        <source>Map layers</source>
+        <translation>Kartlag</translation>
+    </message>
 </context>
 <context>
     <name>berg::EventModel</name>
@@ -6254,6 +6289,37 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Page</source>
         <translation>Side</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FindBox</name>
+    <message>
+        <source>Favourite: listed when the box is opened</source>
+        <translation>Favoritt: vises når feltet åpnes</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favoritt</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Funnet</translation>
+    </message>
+    <message>
+        <source>Move the scenario here…</source>
+        <translation>Flytt scenarioet hit …</translation>
+    </message>
+    <message>
+        <source>New scenario here</source>
+        <translation>Nytt scenario her</translation>
+    </message>
+    <message>
+        <source>Where is the new scenario? A place or coordinate</source>
+        <translation>Hvor er det nye scenarioet? Et sted eller en koordinat</translation>
+    </message>
+    <message>
+        <source>Iceberg, UAV, place, coordinate or command</source>
+        <translation>Isfjell, UAV, sted, koordinat eller kommando</translation>
     </message>
 </context>
 <context>
@@ -6556,17 +6622,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
-    <name>berg::GotoBar</name>
-    <message>
-        <source>Go to</source>
-        <translation>Gå til</translation>
-    </message>
-    <message>
-        <source>Move the scenario here…</source>
-        <translation>Flytt scenarioet hit…</translation>
-    </message>
-</context>
-<context>
     <name>berg::IcebergTable</name>
     <message>
         <source>Find by name or id</source>
@@ -6603,6 +6658,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>&amp;Paste</source>
         <translation>&amp;Lim inn</translation>
+    </message>
+    <message>
+        <source>Copy &quot;%1&quot;</source>
+        <translation>Kopier «%1»</translation>
+    </message>
+    <message>
+        <source>Show on the map</source>
+        <translation>Vis på kartet</translation>
     </message>
 </context>
 <context>
@@ -6951,6 +7014,53 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>No-fly area</source>
         <translation>Flyforbudsområde</translation>
+    </message>
+</context>
+<context>
+    <name>berg::LayersPanel</name>
+    <message>
+        <source>Names</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Drift arrows</source>
+        <translation>Driftpiler</translation>
+    </message>
+    <message>
+        <source>Rings of uncertainty</source>
+        <translation>Usikkerhetsringer</translation>
+    </message>
+    <message>
+        <source>Graticule</source>
+        <translation>Gradnett</translation>
+    </message>
+    <message>
+        <source>Former plan</source>
+        <translation>Forrige plan</translation>
+    </message>
+    <message>
+        <source>Swept area</source>
+        <translation>Avsøkt område</translation>
+    </message>
+    <message>
+        <source>%1: opacity in per cent</source>
+        <translation>%1: dekning i prosent</translation>
+    </message>
+    <message>
+        <source>Opacity; at the left end it is hidden</source>
+        <translation>Dekning; helt til venstre er det skjult</translation>
+    </message>
+    <message>
+        <source>How far ahead drift arrows look; those too long for the map are cut short and dashed</source>
+        <translation>Hvor langt fram driftpilene ser; de som er for lange for kartet, er avkortet og stiplet</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Drift horizon</source>
+        <translation>Drifthorisont</translation>
     </message>
 </context>
 <context>
@@ -7316,10 +7426,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Zoom &amp;ut</translation>
     </message>
     <message>
-        <source>&amp;Go to a place</source>
-        <translation>&amp;Gå til et sted</translation>
-    </message>
-    <message>
         <source>O&amp;verview</source>
         <translation>&amp;Oversiktskart</translation>
     </message>
@@ -7586,6 +7692,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>&amp;Manual</source>
         <translation>&amp;Håndbok</translation>
+    </message>
+    <message>
+        <source>Fi&amp;nd or go to…</source>
+        <translation>&amp;Finn eller gå til …</translation>
     </message>
 </context>
 <context>
@@ -7964,6 +8074,14 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     <message>
         <source>Show the checks</source>
         <translation>Vis kontrollen</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Detaljer</translation>
+    </message>
+    <message>
+        <source>Objective and distance weight of the plan</source>
+        <translation>Målfunksjon og avstandsvekt for planen</translation>
     </message>
 </context>
 <context>
@@ -8418,6 +8536,10 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>Move scenario</source>
         <translation>Flytt scenarioet</translation>
+    </message>
+    <message>
+        <source>Place the new scenario</source>
+        <translation>Plasser det nye scenarioet</translation>
     </message>
 </context>
 <context>
