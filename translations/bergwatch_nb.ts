@@ -7691,7 +7691,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>&amp;Manual</source>
-        <translation>&amp;Håndbok</translation>
+        <translation>Hånd&amp;bok</translation>
     </message>
     <message>
         <source>Fi&amp;nd or go to…</source>

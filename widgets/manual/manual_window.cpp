@@ -24,6 +24,7 @@ namespace {
 
 constexpr QSize kSize_px{1080, 760};
 constexpr int kList_px = 300;
+constexpr int kPicture_px = 640; ///< wide, as in the HTML; the document would scale it coarsely
 constexpr int kPlaceRole = Qt::UserRole;
 constexpr double kShade = 0.08; ///< of code and heads of tables, between background and text
 
@@ -40,7 +41,8 @@ protected:
     QVariant loadResource(int type, const QUrl& name) override
     {
         if (type != QTextDocument::HtmlResource)
-            return QImage(QDir(m_pictures).filePath(name.path()));
+            return QImage(QDir(m_pictures).filePath(name.path()))
+                .scaledToWidth(qRound(kPicture_px * devicePixelRatioF()), Qt::SmoothTransformation);
         const ManualChapter* chapter = m_manual.chapterAt(name.path());
         return chapter == nullptr ? QString() : chapter->html(m_pictures, true);
     }
