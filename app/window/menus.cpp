@@ -222,7 +222,7 @@ void Menus::buildMapActions(QMenu& menu)
         [map] { map->zoomBy(1.25, QRectF(map->rect()).center()); });
     add(menu, {"zoomOutAction", tr("Zoom &out"), QKeySequence::ZoomOut, std::nullopt},
         [map] { map->zoomBy(0.8, QRectF(map->rect()).center()); });
-    add(menu, {"findAction", tr("Fi&nd or go to…"), QKeySequence::Find, std::nullopt}, [this] {
+    add(menu, {"findAction", tr("Find or &go to…"), QKeySequence::Find, std::nullopt}, [this] {
         m_targets.dialogs.openFind();
     })->setShortcuts({QKeySequence::Find, QKeySequence(Qt::CTRL | Qt::Key_G)});
     addSwitch(menu, {"overviewAction", tr("O&verview"), Qt::Key_O, std::nullopt},

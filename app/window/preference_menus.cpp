@@ -66,7 +66,7 @@ void PreferenceMenus::buildUnits(QMenu& menu)
             {{u"metric"_s, tr("Metres and kilometres")}, {u"nautical"_s, tr("Nautical miles")}});
     choices(tr("&Speeds"), kSpeedUnitKey,
             {{u"mps"_s, tr("Metres per second")}, {u"knots"_s, tr("Knots")}});
-    choices(tr("&Drift and wind"), kVectorFormKey,
+    choices(tr("Drift and &wind"), kVectorFormKey,
             {{u"direction"_s, tr("Speed and direction: wind from, drift towards")},
              {u"components"_s, tr("Components east and north")}});
     constexpr double kExample_deg = 47.05;
