@@ -101,16 +101,9 @@ IcebergColumnSpec ofPlace(const QString& key, const QString& title, PlaceHalf ha
             .unit = {}};
 }
 
-} // namespace
-
-IcebergColumnSpecs icebergColumnSpecs()
+/** Speed and direction, drift to the east and north: two of them are there, by the form chosen. */
+std::array<IcebergColumnSpec, 4> driftColumns(const std::vector<InspectorRow>& rows)
 {
-    const std::vector<InspectorRow> rows = icebergRows();
-    const auto numberOf = [&](const QString& key) { return inspectorRow(rows, key); };
-    const auto like = [&](const QString& key, const QString& title, const QString& inspectorKey) {
-        const NumberRow number = numberOf(inspectorKey);
-        return inEditor(key, title, number.words.toolTip, number);
-    };
     const bool isComponents = shownUnits().vectors == VectorForm::Components;
     const auto drift = [&](const QString& key, const QString& title, const QString& toolTip,
                            const QString& inspectorKey, bool isThere) {
@@ -118,7 +111,7 @@ IcebergColumnSpecs icebergColumnSpecs()
             inEditor(key, title.contains(u'%') ? title.arg(speedUnit().name) : title, toolTip, {});
         spec.isInEditor = isThere;
         if (isThere)
-            spec.number = numberOf(inspectorKey);
+            spec.number = inspectorRow(rows, inspectorKey);
         spec.unit = speedUnit();
         return spec;
     };
@@ -134,6 +127,26 @@ IcebergColumnSpecs icebergColumnSpecs()
     direction.unit = {};
     if (direction.number)
         direction.number->range = always(kDirection_deg);
+    return {speed, direction,
+            drift(u"driftEast"_s, IcebergColumnText::tr("Drift east, %1"),
+                  IcebergColumnText::tr("Known drift to the east; the current comes on top"),
+                  u"icebergVelocityEast"_s, isComponents),
+            drift(u"driftNorth"_s, IcebergColumnText::tr("Drift north, %1"),
+                  IcebergColumnText::tr("Known drift to the north; the current comes on top"),
+                  u"icebergVelocityNorth"_s, isComponents)};
+}
+
+} // namespace
+
+IcebergColumnSpecs icebergColumnSpecs()
+{
+    const std::vector<InspectorRow> rows = icebergRows();
+    const auto numberOf = [&](const QString& key) { return inspectorRow(rows, key); };
+    const auto like = [&](const QString& key, const QString& title, const QString& inspectorKey) {
+        const NumberRow number = numberOf(inspectorKey);
+        return inEditor(key, title, number.words.toolTip, number);
+    };
+    const auto [speed, direction, driftEast, driftNorth] = driftColumns(rows);
     const auto [assetDistance, assetTime] = assetColumns();
     IcebergColumnSpec uav = inFlight(u"uav"_s, u"UAV"_s, u"UAV"_s,
                                      IcebergColumnText::tr("The UAV that has it in its plan"));
@@ -182,12 +195,8 @@ IcebergColumnSpecs icebergColumnSpecs()
                distanceUnit()),
         speed,
         direction,
-        drift(u"driftEast"_s, IcebergColumnText::tr("Drift east, %1"),
-              IcebergColumnText::tr("Known drift to the east; the current comes on top"),
-              u"icebergVelocityEast"_s, isComponents),
-        drift(u"driftNorth"_s, IcebergColumnText::tr("Drift north, %1"),
-              IcebergColumnText::tr("Known drift to the north; the current comes on top"),
-              u"icebergVelocityNorth"_s, isComponents),
+        driftEast,
+        driftNorth,
         like(u"sigma0"_s, u"σ₀, m²"_s, u"icebergSigma0"_s),
         like(u"growth"_s, u"q, m²/s"_s, u"icebergGrowth"_s),
         like(u"observed"_s, IcebergColumnText::tr("Last seen, s ago"), u"icebergObserved"_s),
