@@ -7694,8 +7694,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Hånd&amp;bok</translation>
     </message>
     <message>
-        <source>Fi&amp;nd or go to…</source>
-        <translation>&amp;Finn eller gå til …</translation>
+        <source>Find or &amp;go to…</source>
+        <translation>Finn eller &amp;gå til …</translation>
     </message>
 </context>
 <context>
@@ -8337,16 +8337,16 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <translation>Grader, minutter, sekunder, %1</translation>
     </message>
     <message>
-        <source>&amp;Drift and wind</source>
-        <translation>&amp;Drift og vind</translation>
-    </message>
-    <message>
         <source>Speed and direction: wind from, drift towards</source>
         <translation>Fart og retning: vind fra, drift mot</translation>
     </message>
     <message>
         <source>Components east and north</source>
         <translation>Komponenter øst og nord</translation>
+    </message>
+    <message>
+        <source>Drift and &amp;wind</source>
+        <translation>Drift og &amp;vind</translation>
     </message>
 </context>
 <context>
