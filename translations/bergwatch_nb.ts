@@ -7926,11 +7926,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>%1 (søk)</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <comment>time and chance</comment>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Lost: searched for %1</source>
         <comment>times and chances of finding it</comment>
         <translation>Mistet: letes etter %1</translation>

@@ -46,6 +46,7 @@ void addSearches(DescribedPlan& described, const CoverageModel& model, const Uav
                  std::span<const int> ids, std::vector<CoverageView> views)
 {
     std::ranges::stable_sort(views, {}, &CoverageView::enter_s);
+    const CoverageState start = model.start();
     for (const CoverageView& view : views) {
         if (!model.isSearched(view.iceberg) ||
             std::ranges::find(described.searched, view.iceberg) != described.searched.end())
@@ -58,7 +59,7 @@ void addSearches(DescribedPlan& described, const CoverageModel& model, const Uav
              .place_m =
                  request.picture->tracks[iceberg].estimate_m(time_s) + model.offset_m(view.iceberg),
              .time_s = time_s,
-             .chance = model.chanceAt(model.start(), view.iceberg)});
+             .chance = model.chanceAt(start, view.iceberg)});
     }
 }
 

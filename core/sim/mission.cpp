@@ -157,6 +157,7 @@ void Mission::intervene(Intervention intervention)
     if (!m_simulation.finished())
         static_cast<void>(planWhenDue({}));
 
+    m_settingsChanged = m_settingsChanged || settings != m_planner.settings();
     m_planner.setSettings(settings);
     intervention.time_s = m_simulation.time_s();
     m_icebergs = std::move(after.icebergs);

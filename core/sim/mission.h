@@ -139,6 +139,7 @@ private:
     std::vector<PlanEvent> m_plans;
     std::optional<PendingPlan> m_pending;
     PlanReason m_missed = PlanReason::None; ///< another plan was needed while one was pending
+    bool m_settingsChanged = false; ///< since the last plan: the next one has a first plan's work
     std::shared_ptr<const PlanRequest> m_lastRequest;
     std::vector<MissionEvent> m_events;
     std::vector<Intervention> m_interventions;

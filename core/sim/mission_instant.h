@@ -18,7 +18,8 @@ struct MissionInstant
 /**
  * The instant at `time_s`, rounded to a step and kept inside what was flown: the nearest keyframe
  * before, flown on with the plans on record, so no solver runs. Its state equals that of the
- * flight bit for bit. Cost: a keyframe interval of flight at most.
+ * flight bit for bit. Cost: a keyframe interval of flight at most, which is longer in long flights
+ * (`Recorder`).
  */
 [[nodiscard]] MissionInstant instantAt(const Mission& mission, double time_s);
 

@@ -126,7 +126,9 @@ bool Mission::planNow(const std::stop_token& stop)
     options.timeLimit_s = m_options.timeLimit_s;
     options.workLimit = m_options.workLimit;
     options.gap = m_options.gap;
-    options.inFlight = !m_plans.empty();
+    options.inFlight =
+        !m_settingsChanged &&
+        std::ranges::any_of(m_plans, [](const PlanEvent& plan) { return plan.target >= 0; });
     options.stop = stop;
     const auto request =
         std::make_shared<const PlanRequest>(requestFor(m_simulation, m_planner.settings().policy));
@@ -139,6 +141,7 @@ bool Mission::planNow(const std::stop_token& stop)
         return false;
 
     m_lastRequest = request;
+    m_settingsChanged = false;
     if (!answer.failure.empty())
         note({.kind = EventKind::PlannerFailed, .failure = answer.failure});
     Round plans = planEvents(answer, *request);

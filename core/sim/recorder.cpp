@@ -69,7 +69,7 @@ void Recorder::keep(const Simulation& keyframe)
     if (!m_keyframes.empty() && (m_keyframeCount - 1) % m_stride != 0)
         m_keyframes.pop_back(); // was kept as the last one
     m_keyframes.push_back(keyframe);
-    m_wholeRowDue = true;
+    m_wholeRowDue = m_wholeRowDue || m_keyframeCount % m_stride == 0;
     ++m_keyframeCount;
     m_keyframeTracks += toIndex(keyframe.icebergCount());
     const std::size_t stride = std::bit_ceil(m_keyframeTracks / kMostKeyframeTracks + 1);

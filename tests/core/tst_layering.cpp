@@ -83,7 +83,7 @@ const std::vector<Module> kRooms{
      {"widgets/theme", "widgets/words", "widgets/model", "widgets/charts", "widgets/panels/fields",
       "widgets/panels/plan"}},
     {"widgets/panels/dialogs",
-     {"widgets/theme", "widgets/words", "widgets/model", "widgets/map/picture",
+     {"widgets/theme", "widgets/words", "widgets/model", "widgets/map/picture", "widgets/map/paint",
       "widgets/panels/fields", "widgets/panels/inspector", "widgets/panels/icebergs"}},
     {"widgets/print",
      {"widgets/theme", "widgets/words", "widgets/model", "widgets/map/picture", "widgets/map/land",

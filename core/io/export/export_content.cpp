@@ -144,6 +144,21 @@ void endOverTheLastIceberg(FlyablePath& path)
     std::erase_if(path.track, [end_s](const TrackPoint& point) { return point.time_s > end_s; });
 }
 
+/** Where the path first looks for each lost iceberg, among its visits by time. */
+void addSearches(ExportUav& uav, double now_s)
+{
+    for (const PlannedSearch& search : uav.searches) {
+        const double time_s = search.time_s - now_s;
+        const bool isKnown =
+            std::ranges::find(uav.visits, search.iceberg, &Visit::iceberg) != uav.visits.end();
+        if (isKnown || time_s <= 0 || uav.track.empty() || time_s > uav.track.back().time_s)
+            continue;
+        const auto after = std::ranges::upper_bound(uav.visits, time_s, {}, &Visit::time_s);
+        uav.visits.insert(
+            after, {.iceberg = search.iceberg, .time_s = time_s, .position_m = search.place_m});
+    }
+}
+
 void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& content,
              const Scenario& scene)
 {
@@ -173,6 +188,7 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
     }
     if (uav.uav.spec.endurance_s > 0 && content.what != ExportWhat::FirstLeg)
         uav.laterSorties = leftOf(order, uav.visits);
+    addSearches(uav, content.now_s);
     for (Visit& visit : uav.visits)
         visit.time_s += content.now_s;
     for (TrackPoint& point : uav.track)

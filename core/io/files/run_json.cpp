@@ -227,7 +227,7 @@ void checkSurroundings(const RunFile& file, Faults& faults)
     }
 }
 
-/** What a replay keeps must fit into memory: intervals below the usual ones are for short runs. */
+/** What a replay makes must be few enough: intervals below the usual ones are for short runs. */
 void checkRecording(const RunFile& file, Faults& faults)
 {
     constexpr std::size_t kMostKeyframeTracks = 500'000;

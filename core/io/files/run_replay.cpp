@@ -100,8 +100,8 @@ Issue differs(std::string field, IssueId id, std::vector<IssueArgument> argument
 }
 
 /**
- * A long replay keeps keyframes at intervals of its own (`Recorder`), so that of files of other
- * programs some have none beside them. What differs there differs ever after: zeta is a sum.
+ * A long replay keeps keyframes at intervals of its own (`Recorder`), so that of older files some
+ * have none beside them. Those are not compared; a flight that differs there differs ever after.
  */
 void compareKeyframes(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
 {

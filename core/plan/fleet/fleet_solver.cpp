@@ -152,6 +152,8 @@ private:
             // Without a bound the search is all there is.
             if (!isBounded(m_costs))
                 times = firstTimes(m_options) * n;
+        } else if (m_options.inFlight) { // cooled down before the work is used up
+            times = std::min(times, (m_limit - before) / 2 / (kWorkOfTime * n));
         }
         if (times >= kLeastTimes || !m_searched)
             m_search.disturb(times);

@@ -37,7 +37,7 @@ public:
                                    SolveOptions options)
     {
         options.hint = warmStart ? lastRests(request, task) : FleetPlan{};
-        if (warmStart && options.inFlight)
+        if (options.inFlight && !options.hint.empty())
             options.multipliers = multipliersOf(task.ids);
         if (options.onProgress)
             options.onProgress = [&, told = options.onProgress](SolveProgress progress) {
@@ -221,7 +221,9 @@ public:
         }
         FleetTask task = fleetTask(request);
         task.problem = distanceOnly(std::move(task.problem));
-        PlanAnswer answer = m_solver.solve(request, std::move(task), false, options);
+        SolveOptions whole = options;
+        whole.inFlight = false; // what is made now is kept
+        PlanAnswer answer = m_solver.solve(request, std::move(task), false, whole);
         if (answer.outcome.reason == StopReason::Cancelled)
             return answer; // half-made routes are not kept
         m_known = request.ids;

@@ -347,6 +347,7 @@ public:
         m_isOfSeveral = m_isOfSeveral || request.uavs.size() > 1;
         SolveOptions own = options;
         own.hint.clear();
+        own.inFlight = false; // the cycle made now is kept
         return m_isOfSeveral ? m_several.plan(request, m_solver, own)
                              : m_one.plan(request, m_solver, own);
     }

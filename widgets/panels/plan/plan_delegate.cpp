@@ -96,9 +96,10 @@ void PlanDelegate::paintMark(QPainter& painter, const QStyleOptionViewItem& opti
                              const QModelIndex& index) const
 {
     paintEmpty(painter, option, index);
-    if (const int number = index.data(PlanModel::NumberRole).toInt(); number > 0)
+    const int number = index.data(PlanModel::NumberRole).toInt();
+    if (number > 0)
         paintNumber(painter, option.rect, number, index.data(PlanModel::UavRole).toInt());
-    else
+    else if (number == 0)
         paintChip(painter, option.rect, index.data(PlanModel::UavRole).toInt());
 }
 

@@ -34,8 +34,10 @@ std::vector<PlanLine> linesOf(const std::vector<PlanSection>& sections)
                              .uav = uav,
                              .visits = static_cast<int>(section.rows.size())});
         for (std::size_t k = 0; k < section.rows.size(); ++k)
-            lines.push_back(
-                {.row = section.rows[k], .uav = uav, .number = static_cast<int>(k) + 1});
+            lines.push_back({.row = section.rows[k],
+                             .uav = uav,
+                             .number = section.rows[k].number != 0 ? section.rows[k].number
+                                                                   : static_cast<int>(k) + 1});
     }
     return lines;
 }
@@ -173,7 +175,7 @@ QString PlanModel::text(int row, Column column) const
         return noFigure();
     switch (column) {
     case Number:
-        return fixedText(line(row).number, 0, m_locale);
+        return line(row).number > 0 ? fixedText(line(row).number, 0, m_locale) : QString();
     case Name:
         return planned.searches.empty() ? planned.name : tr("%1 (search)").arg(planned.name);
     case Leg:
@@ -259,8 +261,7 @@ QString PlanModel::searchesText(const std::vector<PlannedSearch>& searches) cons
 {
     QStringList places;
     for (const PlannedSearch& search : searches)
-        places << tr("%1 (%2)", "time and chance")
-                      .arg(arrivalText(search.time_s), chanceText(search.chance, m_locale));
+        places << u"%1 (%2)"_s.arg(arrivalText(search.time_s), chanceText(search.chance, m_locale));
     return tr("Lost: searched for %1", "times and chances of finding it").arg(places.join(u", "_s));
 }
 

@@ -14,7 +14,7 @@ struct PlanLine
 {
     PlanRow row;    ///< of a UAV: its id and name, the whole way and the last arrival
     int uav = -1;   ///< place of the UAV in the scenario; -1: there is but one, it has no line
-    int number = 0; ///< place in the order of the UAV, from 1; 0: it is the UAV
+    int number = 0; ///< place in the order of the UAV, from 1; 0: it is the UAV; -1: none
     int visits = 0; ///< of a UAV
     bool operator==(const PlanLine&) const = default;
 

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -41,6 +43,7 @@ std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecas
     std::vector<PlanRow> rows;
     for (const ForecastVisit& visit : route.visits) {
         PlanRow& row = rows.emplace_back(rowOf(now, visit.iceberg));
+        row.number = static_cast<int>(rows.size());
         row.leg_m = visit.leg_m;
         row.arrival_s = visit.arrival_s;
         row.arrivalSigma_m2 = visit.arrivalSigma_m2;
@@ -52,29 +55,39 @@ std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecas
 /** What comes after the way home has no times yet. */
 void leaveForNextSortie(std::vector<PlanRow>& rows, const PlanEvent& plan)
 {
-    const auto flown = static_cast<std::size_t>(
-        std::max(0, plan.thisSortie.value_or(static_cast<int>(rows.size()))));
-    for (std::size_t k = flown; k < rows.size(); ++k) {
-        PlanRow& row = rows[k];
+    const int flown = plan.thisSortie.value_or(static_cast<int>(rows.size()));
+    for (PlanRow& row : rows) {
+        if (row.number <= flown)
+            continue;
         row.isSeen = false;
         row.leg_m = row.arrival_s = row.arrivalSigma_m2 = 0;
         row.chance.reset();
     }
 }
 
-/** Of a lost iceberg: where it may be, at times from now, and the chance that one of them shows it.
+/** A row for each lost iceberg that the plan searches for, which is in no order until it is found.
  */
-void addSearches(PlanRow& row, int iceberg, const MissionSnapshot& now, const PlanEvent& plan)
+void addSearches(std::vector<PlanRow>& rows, const MissionSnapshot& now, const PlanEvent& plan)
 {
-    for (const PlannedSearch& search : plan.outlook->searches) {
-        if (search.iceberg != iceberg || search.time_s <= now.time_s)
+    std::map<int, PlanRow> byIceberg;
+    for (PlannedSearch search : plan.outlook->searches) {
+        if (search.time_s <= now.time_s)
             continue;
+        search.time_s -= now.time_s;
+        PlanRow& row =
+            byIceberg.try_emplace(search.iceberg, rowOf(now, search.iceberg)).first->second;
+        row.number = -1;
+        row.chance = row.chance.value_or(0) + search.chance; // it is at one of the places
         row.searches.push_back(search);
-        row.searches.back().time_s -= now.time_s;
-        row.chance = row.chance.value_or(0) + search.chance; // it is at one of them
+        row.arrival_s = row.searches.front().time_s;
+        row.arrivalSigma_m2 =
+            now.world.tracks[static_cast<std::size_t>(search.iceberg)].sigmaAfter_m2(row.arrival_s);
     }
+    for (auto& [iceberg, row] : byIceberg)
+        rows.push_back(std::move(row));
 }
 
+/** By time; those that the plan does not see last. */
 std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan)
 {
     const std::vector<AimedPath> paths = pathsAhead(now, plan.uav);
@@ -84,6 +97,7 @@ std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan
     for (std::size_t k = 0; k < plan.order.size(); ++k) {
         const int iceberg = plan.order[k];
         PlanRow& row = rows.emplace_back(rowOf(now, iceberg));
+        row.number = static_cast<int>(k) + 1;
         row.isSeen = k < sightings_s.size();
         if (!row.isSeen)
             continue;
@@ -92,8 +106,11 @@ std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan
         row.leg_m = path_m - std::exchange(before_m, path_m);
         row.arrival_s = std::max(0.0, sightings_s[k] - now.time_s);
         row.arrivalSigma_m2 = track.sigmaAfter_m2(row.arrival_s);
-        addSearches(row, iceberg, now, plan);
     }
+    addSearches(rows, now, plan);
+    std::ranges::stable_sort(rows, {}, [](const PlanRow& row) {
+        return row.isSeen ? row.arrival_s : std::numeric_limits<double>::infinity();
+    });
     return rows;
 }
 

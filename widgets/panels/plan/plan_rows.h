@@ -20,6 +20,7 @@ struct PlanRow
     double arrivalSigma_m2 = 0;        ///< when the UAV is there, unless it is seen on the way
     std::optional<double> chance = {}; ///< of being in view on arrival; none: depends on the aim
     std::vector<PlannedSearch> searches = {}; ///< places where the lost iceberg is looked for
+    int number = 0;          ///< in the order, from 1; 0: as the rows are; -1: searched for
     bool isSeen = true;      ///< false: the plan ends before, legs and arrivals are not known
     bool isAssigned = false; ///< of several UAVs this one alone is to visit it
     bool operator==(const PlanRow&) const = default;

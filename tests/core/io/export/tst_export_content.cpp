@@ -157,11 +157,15 @@ private slots:
         double chance = 0;
         for (const PlannedSearch& search : planned)
             chance += search.iceberg == first.iceberg ? search.chance : 0;
-        const Visit visit{.iceberg = first.iceberg, .time_s = first.time_s};
-        COMPARE_NEAR(chanceInView(content, uav, visit, first.iceberg).value(), chance, 1e-12);
+        const auto visit = std::ranges::find(uav.visits, first.iceberg, &Visit::iceberg);
+        QVERIFY(visit != uav.visits.end());
+        QCOMPARE(visit->time_s, first.time_s);
+        QVERIFY(visit->position_m == first.place_m);
+        QVERIFY(std::ranges::is_sorted(uav.visits, {}, &Visit::time_s));
+        COMPARE_NEAR(chanceInView(content, uav, *visit, first.iceberg).value(), chance, 1e-12);
         for (int other = 0; other < 6; ++other)
             if (std::ranges::find(planned, other, &PlannedSearch::iceberg) == planned.end())
-                QVERIFY(!chanceInView(content, uav, visit, other));
+                QVERIFY(!chanceInView(content, uav, *visit, other));
     }
 
     /** In view, 300 m before the middle, the next leg begins. */

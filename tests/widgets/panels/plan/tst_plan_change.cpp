@@ -177,6 +177,10 @@ private slots:
             told += row.searches.size();
         }
         QCOMPARE(told, searches().size());
+        const auto isBefore = [](const PlanRow& a, const PlanRow& b) {
+            return a.isSeen && (!b.isSeen || a.arrival_s < b.arrival_s);
+        };
+        QVERIFY(std::ranges::is_sorted(sections.front().rows, isBefore));
         QCOMPARE(desk.picture().routes[0].searchPlaces.size(), searches().size());
 
         PlanModel model(QLocale::c());
