@@ -1,8 +1,14 @@
+#include "app/dialogs/export_dialog.h"
+#include "app/dialogs/import_dialog.h"
+#include "app/dialogs/origin_dialog.h"
+#include "app/dialogs/recovery_dialog.h"
 #include "app/dialogs/wind_dialog.h"
+#include "app/start/start_page.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/manual/manual_places.h"
 #include "widgets/manual/manual_window.h"
+#include "widgets/panels/dialogs/generate_dialog.h"
 
 #include <QDockWidget>
 #include <QTextBrowser>
@@ -22,6 +28,15 @@ ManualWindow* openedIn(QWidget& parent, QWidget& focus)
     return parent.findChild<ManualWindow*>(QString(), Qt::FindDirectChildrenOnly);
 }
 
+/** Names of all objects in the widget and of their classes. */
+QStringList namesIn(const QWidget& widget)
+{
+    QStringList names{widget.objectName(), QLatin1String(widget.metaObject()->className())};
+    for (const QObject* inner : widget.findChildren<QObject*>())
+        names << inner->objectName() << QLatin1String(inner->metaObject()->className());
+    return names;
+}
+
 } // namespace
 
 /** F1 in the real window: in each panel, in dialogs, and in the menu. */
@@ -37,17 +52,34 @@ private slots:
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
         const QList<QDockWidget*> docks = w.window().findChildren<QDockWidget*>();
-        QCOMPARE(docks.size(), 14);
+        QCOMPARE(docks.size(), 15);
         for (const QDockWidget* dock : docks) {
             const QString place = manualPlaceOf(dock->widget());
             QVERIFY2(place.startsWith(u"window#"_s), qPrintable(dock->objectName()));
         }
-        for (const char* panel : {"alarmStrip", "mapView", "gotoBar"})
+        for (const char* panel : {"alarmStrip", "mapView", "findBox"})
             QVERIFY2(manualPlaceOf(&test::child<QWidget>(w.window(), QLatin1String(panel)))
                          .startsWith(u"window#"_s),
                      panel);
         QCOMPARE(manualPlaceOf(&test::child<QWidget>(w.window(), u"timeField"_s)),
                  u"window#playback"_s);
+    }
+
+    /** A widget that goes or is renamed takes its place in the manual along. */
+    void everyPlaceIsOfAWidget()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.trigger(u"tourAction"_s);
+        QStringList names =
+            namesIn(w.window()) + namesIn(StartPage(QString(), true, true, &w.window())) +
+            namesIn(GenerateDialog(w.scenario(), w.map().view().visible(w.map().rect())));
+        for (const QMetaObject* dialog :
+             {&ExportDialog::staticMetaObject, &ImportDialog::staticMetaObject,
+              &OriginDialog::staticMetaObject, &RecoveryDialog::staticMetaObject,
+              &WindDialog::staticMetaObject})
+            names << QLatin1String(dialog->className());
+        for (const ManualPlace& known : kManualPlaces)
+            QVERIFY2(names.contains(QLatin1String(known.widget)), known.widget);
     }
 
     void f1OpensThePlaceOfTheFocus()

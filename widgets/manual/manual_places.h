@@ -18,7 +18,7 @@ struct ManualPlace
 /** All of them. */
 inline constexpr std::array kManualPlaces{
     ManualPlace{"mapView", "window#map"},
-    ManualPlace{"gotoBar", "window#goto"},
+    ManualPlace{"findBox", "window#find"},
     ManualPlace{"alarmStrip", "window#alarms"},
     ManualPlace{"berg::PlaybackBar", "window#playback"},
     ManualPlace{"flightCard", "window#end-of-flight"},
@@ -36,6 +36,7 @@ inline constexpr std::array kManualPlaces{
     ManualPlace{"studyDock", "window#study"},
     ManualPlace{"comparisonDock", "window#comparison"},
     ManualPlace{"icebergsDock", "window#icebergs"},
+    ManualPlace{"layersDock", "window#layers"},
     ManualPlace{"startPage", "start#start-page"},
     ManualPlace{"tour", "start#first-flight"},
     ManualPlace{"berg::ExportDialog", "window#export"},

@@ -195,14 +195,9 @@ private slots:
     void placesAreInTheManual()
     {
         const Manual manual = readManual(u"en"_s);
-        for (const ManualPlace& known : kManualPlaces) {
-            const QString place = QLatin1String(known.place);
-            QVERIFY2(leads(manual, manual.chapters.front(), place), known.place);
-            QWidget outer;
-            outer.setObjectName(QLatin1String(known.widget));
-            const QWidget inner(&outer);
-            QCOMPARE(manualPlaceOf(&inner), place);
-        }
+        for (const ManualPlace& known : kManualPlaces)
+            QVERIFY2(leads(manual, manual.chapters.front(), QLatin1String(known.place)),
+                     known.place);
         const QWidget nowhere;
         QCOMPARE(manualPlaceOf(&nowhere), u"start"_s);
         QCOMPARE(manualPlaceOf(nullptr), u"start"_s);
