@@ -148,7 +148,7 @@ private:
     std::optional<QPointF> m_hover; ///< the pointer in the plot
     bool m_picking = false;
     bool m_hasPanned = false;
-    std::optional<QPointF> m_panFrom; ///< last place of the pointer that pans
+    std::optional<QPointF> m_panFrom; ///< the press, then the last place of the pointer that pans
     QValueAxis* m_time = nullptr;
     QValueAxis* m_left = nullptr;
     QValueAxis* m_right = nullptr;

@@ -1,6 +1,7 @@
 #include "widgets/charts/figure_painter.h"
 #include "widgets/charts/time_chart.h"
 
+#include <QApplication>
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -126,7 +127,7 @@ void TimeChart::mousePressEvent(QMouseEvent* event)
     const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
     if (event->button() != Qt::LeftButton || shifted) {
         m_panFrom = event->position();
-        m_hasPanned = false;
+        m_hasPanned = false; // until the pointer has gone as far as a drag begins
         hoverAt({});
         return;
     }
@@ -144,9 +145,12 @@ void TimeChart::mousePressEvent(QMouseEvent* event)
 void TimeChart::mouseMoveEvent(QMouseEvent* event)
 {
     if (m_panFrom) {
-        const double moved_px = event->position().x() - m_panFrom->x();
+        const QPointF moved = event->position() - *m_panFrom;
+        m_hasPanned = m_hasPanned || moved.manhattanLength() >= QApplication::startDragDistance();
+        if (!m_hasPanned)
+            return;
+        const double moved_px = moved.x();
         m_panFrom = event->position();
-        m_hasPanned = m_hasPanned || moved_px != 0;
         pan(-moved_px / m_figure.drawing.plot.width() * window().length_s());
         return;
     }

@@ -436,6 +436,19 @@ private slots:
         QTest::mouseRelease(shown.chart.viewport(), Qt::RightButton, {}, middle + QPoint(30, 0));
         QVERIFY(shown.panel.findChild<QMenu*>(u"chartMenu"_s) == nullptr); // it was panned
     }
+
+    /** A hand is never quite still. */
+    void aPixelIsNoDrag()
+    {
+        test::Shown shown(ChartKind::Zeta);
+        shown.chart.setWindow({.from_s = 100, .to_s = 200});
+        const QPoint middle = shown.chart.viewport()->rect().center();
+        QTest::mousePress(shown.chart.viewport(), Qt::RightButton, {}, middle);
+        QTest::mouseMove(shown.chart.viewport(), middle + QPoint(1, 0));
+        QTest::mouseRelease(shown.chart.viewport(), Qt::RightButton, {}, middle + QPoint(1, 0));
+        delete &test::child<QMenu>(shown.panel, u"chartMenu"_s);
+        QCOMPARE(shown.chart.window(), (TimeWindow{.from_s = 100, .to_s = 200}));
+    }
 };
 
 QTEST_MAIN(TestChartPanel)
