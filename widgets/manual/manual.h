@@ -39,7 +39,7 @@ struct Manual
 
     /** The chapter of a place such as "planning#tau" or "planning.html#tau"; none: no such one. */
     [[nodiscard]] const ManualChapter* chapterAt(const QString& place) const;
-    /** Blocks that hold all the words, whatever their case, in the order of the manual. */
+    /** Lines that hold all the words, whatever their case, in the order of the manual. */
     [[nodiscard]] std::vector<ManualHit> search(const QString& words) const;
 };
 

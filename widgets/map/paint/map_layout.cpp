@@ -43,8 +43,6 @@ constexpr double kFolded_px = 26;
 constexpr double kPanelPart_px = 17;
 constexpr double kLowMap_px = 600; // whose legend is compact
 
-// Times a drift arrow may stand for.
-
 bool fits(const QSizeF& size, const QRectF& rect)
 {
     return !size.isEmpty() && size.width() <= kWidestShare * rect.width() &&

@@ -91,7 +91,7 @@ void drawDirectionMark(QPainter& painter, const QLineF& line, const QColor& colo
 void drawAim(QPainter& painter, const QPointF& centre, const QColor& colour, const Theme& theme);
 
 inline constexpr double kSearchPlace_px = 7;
-/** A place where a lost iceberg may be: a dashed ring of `kSearchPlace_px`. */
+/** A place where a lost iceberg may be: a dotted ring of `kSearchPlace_px`. */
 void drawSearchPlace(QPainter& painter, const QPointF& centre, const QColor& colour);
 
 /** The line of what a plan took the place of: thin and dashed. */

@@ -31,9 +31,9 @@ public:
     void setTheme(const Theme& theme);
     /** While flying, a change of less than half a pixel is left for later. */
     void showRecord(const FlightRecord& record);
-    /** The iceberg whose line stands out among the sigmas; empty or unknown: none. */
     /** From now on both show the same stretch of time, whichever is zoomed or moved. */
     static void linkTimes(ChartPanel& a, ChartPanel& b);
+    /** The iceberg whose line stands out among the sigmas; empty or unknown: none. */
     void setHighlight(const std::string& id);
 
     [[nodiscard]] ChartKind kind() const { return m_series.kind(); }
