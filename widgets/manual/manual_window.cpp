@@ -224,8 +224,26 @@ void ManualWindow::stepHit(int step)
 
 void ManualWindow::go(const QTreeWidgetItem* item)
 {
-    if (item != nullptr)
-        showPlace(item->data(0, kPlaceRole).toString());
+    if (item == nullptr)
+        return;
+    showPlace(item->data(0, kPlaceRole).toString());
+    if (item->parent() != nullptr && !m_search->text().trimmed().isEmpty())
+        showLine(item->text(0));
+}
+
+/** A line that was found, also far down in the table whose place is shown. */
+void ManualWindow::showLine(const QString& line)
+{
+    const QString begin = line.section(u" · "_s, 0, 0); // of a row: its first cell
+    for (QTextBlock block = m_text->cursorForPosition({}).block(); block.isValid();
+         block = block.next())
+        if (const auto at = block.text().indexOf(begin); at >= 0) {
+            QTextCursor cursor(block);
+            cursor.setPosition(block.position() + static_cast<int>(at));
+            m_text->setTextCursor(cursor);
+            m_text->ensureCursorVisible();
+            return;
+        }
 }
 
 void ManualWindow::showPlace(const QString& place)

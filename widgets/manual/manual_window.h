@@ -40,6 +40,7 @@ private:
     void search(const QString& words);
     void stepHit(int step);
     void go(const QTreeWidgetItem* item);
+    void showLine(const QString& line);
     void follow(const QUrl& page);
     void markWords();
     void setLooks();

@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QTemporaryDir>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTreeWidget>
 #include <QtTest>
@@ -262,6 +263,21 @@ private slots:
         QVERIFY(QTest::qWaitForWindowActive(&window));
         QTest::keyClick(&field, Qt::Key_Escape);
         QCOMPARE(list.topLevelItemCount(), int(kManualChapters.size()));
+    }
+
+    /** Also those far down in a table. */
+    void lineFoundIsInView()
+    {
+        ManualWindow window(nullptr);
+        window.resize(900, 500);
+        window.show();
+        const auto& text = test::child<QTextBrowser>(window, u"manualText"_s);
+        auto& field = test::child<QLineEdit>(window, u"manualSearch"_s);
+        field.setText(u"planner.planning_delay_s"_s);
+        QTest::keyClick(&field, Qt::Key_Return);
+        QVERIFY(window.place().startsWith(u"fields#block-"_s));
+        QVERIFY(text.textCursor().block().text().contains(field.text()));
+        QVERIFY(text.viewport()->rect().contains(text.cursorRect().center()));
     }
 
     /** Web pages whose links all lead somewhere, and a PDF; the same bytes each time. */
