@@ -7,7 +7,6 @@ namespace berg {
 namespace {
 
 constexpr double kLongestArrow_px = 44;
-constexpr double kCappedArrow_px = 120; ///< of a horizon that the user has chosen
 constexpr std::array<double, 11> kDriftTimes_s = {60,   120,  300,   600,   1200, 1800,
                                                   3600, 7200, 21600, 43200, 86400};
 

@@ -6,6 +6,8 @@
 
 namespace berg {
 
+inline constexpr double kCappedArrow_px = 120; ///< longest of a horizon that the user has chosen
+
 /** Longest of the usual times whose way at this speed is an arrow of good length; 0: none. */
 [[nodiscard]] double driftTimeFor_s(double speed_mps, double scale_pxpm);
 

@@ -29,10 +29,9 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kLeastArrow = 0.2;  // of one that is being drawn while the others are hidden
-constexpr double kArrowRoom_px = 60; // that a drift arrow may take beside its symbol
-constexpr double kSigmaSteps = 250;  // of the colour of kept drawings
-constexpr double kRingSteps = 4;     // for each pixel, of the rings of kept drawings
+constexpr double kLeastArrow = 0.2; // of one that is being drawn while the others are hidden
+constexpr double kSigmaSteps = 250; // of the colour of kept drawings
+constexpr double kRingSteps = 4;    // for each pixel, of the rings of kept drawings
 
 /** A layer as strongly as the user wants it; a hidden one not at all. */
 template <class Draw>
@@ -81,7 +80,7 @@ void paintIcebergs(const MapPaint& p)
         const LabelDisk& disk = p.layout.icebergs[i];
         if (p.layout.density.marks[i] != IcebergMark::Symbol ||
             !overlaps(p.layout.rect,
-                      {.centre_px = disk.centre_px, .radius_px = disk.radius_px + kArrowRoom_px}))
+                      {.centre_px = disk.centre_px, .radius_px = disk.radius_px + kCappedArrow_px}))
             continue;
         const MapIceberg& iceberg = p.picture.icebergs[i];
         const bool isSmall = p.layout.density.isDense;

@@ -6,6 +6,7 @@
 #include "widgets/panels/dialogs/layers_panel.h"
 
 #include <QComboBox>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QSlider>
 
@@ -85,6 +86,29 @@ private slots:
         QVERIFY(anyCapped);
         layers.set(MapLayer::Drift, 0);
         QCOMPARE(arrangeMap(shown, styleOf(layers), {0, 0, 900, 600}).symbols.driftTime_s, 0.0);
+    }
+
+    /** Of an iceberg beside the map its arrow is seen, as far as the longest goes. */
+    void arrowsReachIntoTheMap()
+    {
+        MapPicture shown;
+        shown.sigmaFull_m2 = 10;
+        shown.icebergs.push_back({.position_m = {-1000, 0}, .velocity_mps = {1, 0}});
+        const MapViewTransform view = arrangeMap(shown, styleOf({}), {0, 0, 900, 600}).view;
+        const auto paint = [&](double horizon_s) {
+            MapLayers layers;
+            layers.horizon_s = horizon_s;
+            const double left_px = view.toPixel({-1000, 0}).x() + 90;
+            const QRectF rect(left_px, 0, 900, 600);
+            QImage image(900, 600, QImage::Format_RGB32);
+            QPainter painter(&image);
+            painter.translate(-rect.topLeft());
+            MapLayout layout = arrangeMap(shown, styleOf(layers), rect, view);
+            layout.legend = {}; // which tells the horizon
+            paintMap(painter, shown, styleOf(layers), layout);
+            return image;
+        };
+        QVERIFY(paint(86400) != paint(1e-3));
     }
 
     void panelTells()
