@@ -270,9 +270,15 @@ int main(int argc, char* argv[])
         print(stdout, parser.helpText());
         return kDone;
     }
-    if (parser.isSet(options.manual))
+    if (parser.isSet(options.manual)) {
+        if (parser.isSet(options.pictures) || parser.isSet(options.screenshot) ||
+            !parser.positionalArguments().isEmpty()) {
+            print(stderr, Main::tr("--manual takes no scenario file, --pictures or --screenshot."));
+            return kWrongUsage;
+        }
         return exitCodeOf(
             [&] { makeManual(parser.value(options.manual), parser.isSet(options.force)); });
+    }
     if (!parser.isSet(options.pictures)) {
         QString fault;
         const berg::WindowOptions window = windowOptionsOf(parser, options, fault);

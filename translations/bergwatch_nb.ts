@@ -4202,6 +4202,10 @@
         <source>Write the manual as web pages and as PDF into &lt;folder&gt;, with the pictures there.</source>
         <translation>Skriv håndboken som nettsider og som PDF i &lt;folder&gt;, med bildene der.</translation>
     </message>
+    <message>
+        <source>--manual takes no scenario file, --pictures or --screenshot.</source>
+        <translation>--manual tar verken scenariofil, --pictures eller --screenshot.</translation>
+    </message>
 </context>
 <context>
     <name>ManualPages</name>

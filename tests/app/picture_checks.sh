@@ -55,6 +55,10 @@ check "a screenshot again" exits 0 "$bergwatch" --screenshot shot.png --force $s
 cp $scenario own.berg
 check "a screenshot over its scenario" exits 2 "$bergwatch" --screenshot own.berg --force own.berg
 check "a screenshot over its scenario: as before" cmp -s $scenario own.berg
+for beside in $scenario "--pictures out" "--screenshot shot.png"; do
+    check "the manual beside $beside" exits 2 "$bergwatch" --manual manual $beside
+    check "the manual beside $beside: says so" says "--manual takes no scenario file, --pictures or --screenshot"
+done
 check "a screenshot into no folder" exits 1 "$bergwatch" --screenshot none/shot.png $scenario
 
 all_checked
