@@ -5,12 +5,25 @@
 #include "widgets/model/workspace.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
 
+#include <QSettings>
+#include <QToolButton>
+
 using namespace Qt::StringLiterals;
 
 namespace berg {
 
+namespace {
+
+constexpr const char* kDetailsKey = "view/planDetails";
+
+} // namespace
+
 PlannerView::PlannerView(WindowContext& context) : WindowPart(context)
 {
+    auto* details = panels().tradeoff->findChild<QToolButton*>(u"planDetails"_s);
+    details->setChecked(settings().value(kDetailsKey, false).toBool());
+    connect(details, &QToolButton::toggled, this,
+            [this](bool isOpen) { settings().setValue(kDetailsKey, isOpen); });
     connect(panels().tradeoff, &TradeoffPanel::tauEdited, &workspace(), &Workspace::setTau);
     connect(panels().tradeoff, &TradeoffPanel::tauEditFinished, &workspace().document(),
             &ScenarioDocument::endGesture);

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QTableView>
+#include <QToolButton>
 #include <QUndoStack>
 
 #include <algorithm>
@@ -194,6 +195,14 @@ private slots:
         QTest::mouseClick(&w.map(), Qt::RightButton, {}, w.pixelOf(iceberg));
         choose(u"mapMenu"_s, u"Any UAV may visit it"_s);
         QVERIFY(w.scenario() == twoUavs());
+    }
+
+    void detailsStayUnfolded()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        test::child<QToolButton>(w.window(), u"planDetails"_s).click();
+        const MainWindow next(w.workspace, w.interaction, w.settings);
+        QVERIFY(test::child<QToolButton>(next, u"planDetails"_s).isChecked());
     }
 };
 
