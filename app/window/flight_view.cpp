@@ -24,7 +24,6 @@ namespace berg {
 
 namespace {
 
-constexpr const char* kSweptKey = "view/swept";
 constexpr const char* kTruthKey = "view/truth";
 
 /** The words of the status bar for what the mission thread is doing. */
@@ -53,7 +52,6 @@ FlightView::FlightView(WindowContext& context, FlightPanels& flightPanels, Statu
     : WindowPart(context)
     , m_flightPanels(flightPanels)
     , m_status(status)
-    , m_sweptShown(settings().value(kSweptKey, true).toBool())
     , m_truthShown(settings().value(kTruthKey, true).toBool())
 {
     connect(&workspace(), &Workspace::flightChanged, this, &FlightView::showFlight);
@@ -67,9 +65,6 @@ void FlightView::showFlight()
 {
     const FlightRecord& record = workspace().record();
     MapPicture picture = missionPicture(record, locale(), m_swept);
-    if (!m_sweptShown)
-        for (MapRoute& route : picture.routes)
-            route.swept.reset();
     if (!m_truthShown)
         hideTruth(picture);
     if (const RunPointer other = workspace().runs().otherIn(record.scenario))
@@ -110,13 +105,6 @@ void FlightView::setInFlight(bool inFlight)
     panels().tradeoff->setInFlight(inFlight);
     if (inFlight)
         panels().map->setTool(MapToolKind::Select);
-}
-
-void FlightView::setSweptShown(bool shown)
-{
-    settings().setValue(kSweptKey, shown);
-    m_sweptShown = shown;
-    showFlight();
 }
 
 void FlightView::setTruthShown(bool shown)

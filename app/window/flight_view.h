@@ -18,9 +18,6 @@ public:
 
     void showFlight();
     void setInFlight(bool inFlight);
-    [[nodiscard]] bool sweptIsShown() const { return m_sweptShown; }
-    /** The water seen so far. */
-    void setSweptShown(bool shown);
     [[nodiscard]] bool truthIsShown() const { return m_truthShown; }
     /** True positions. */
     void setTruthShown(bool shown);
@@ -29,7 +26,6 @@ private:
     FlightPanels& m_flightPanels;
     StatusLine& m_status;
     SweptPaths m_swept;
-    bool m_sweptShown;
     bool m_truthShown;
 };
 

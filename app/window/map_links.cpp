@@ -23,6 +23,7 @@ namespace {
 
 constexpr const char* kPanelsKey = "view/mapPanels";
 constexpr const char* kLayersKey = "view/layers";
+constexpr const char* kFormerSweptKey = "view/swept"; // before it was one of the layers
 constexpr const char* kOverviewKey = "view/overview";
 constexpr const char* kHiddenColumnsKey = "icebergs/hiddenColumns";
 
@@ -35,13 +36,10 @@ MapLinks::MapLinks(WindowContext& context, const Docks& docks) : WindowPart(cont
     panels().map->setPanels(savedPanels());
     panels().layers->showLayers(savedLayers());
     panels().map->setLayers(panels().layers->layers());
-    connect(panels().layers, &LayersPanel::layersEdited, this, [this](const MapLayers& layers) {
-        panels().map->setLayers(layers);
-        QStringList saved{QString::number(layers.horizon_s)};
-        for (const double opacity : layers.opacities)
-            saved << QString::number(opacity);
-        settings().setValue(kLayersKey, saved);
-    });
+    if (!settings().value(kFormerSweptKey, true).toBool())
+        setSweptShown(false);
+    settings().remove(kFormerSweptKey);
+    connect(panels().layers, &LayersPanel::layersEdited, this, &MapLinks::showLayers);
     connect(panels().map, &MapView::panelsChanged, this, &MapLinks::savePanels);
     connectMap(docks);
     connectTables();
@@ -91,6 +89,30 @@ MapLayers MapLinks::savedLayers() const
             layers.set(static_cast<MapLayer>(i - 1), value);
     }
     return layers;
+}
+
+/** On the map, and in the settings. */
+void MapLinks::showLayers(const MapLayers& layers)
+{
+    panels().map->setLayers(layers);
+    QStringList saved{QString::number(layers.horizon_s)};
+    for (const double opacity : layers.opacities)
+        saved << QString::number(opacity);
+    settings().setValue(kLayersKey, saved);
+    emit sweptShown(sweptIsShown());
+}
+
+bool MapLinks::sweptIsShown() const
+{
+    return panels().map->layers().shows(MapLayer::Swept);
+}
+
+void MapLinks::setSweptShown(bool shown)
+{
+    MapLayers layers = panels().layers->layers();
+    layers.set(MapLayer::Swept, shown ? 1 : 0);
+    panels().layers->showLayers(layers);
+    showLayers(layers);
 }
 
 bool MapLinks::panelIsShown(MapPanel panel) const

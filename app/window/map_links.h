@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/window_part.h"
+#include "widgets/map/paint/map_layers.h"
 #include "widgets/map/paint/map_overlays.h"
 
 namespace berg {
@@ -19,6 +20,13 @@ public:
     void setOverviewShown(bool shown);
     [[nodiscard]] bool panelIsShown(MapPanel panel) const;
     void setPanelShown(MapPanel panel, bool shown);
+    [[nodiscard]] bool sweptIsShown() const;
+    /** The layer of the water seen so far, wholly or not at all. */
+    void setSweptShown(bool shown);
+
+signals:
+    /** Whether the layer of the water seen so far is shown now. */
+    void sweptShown(bool shown);
 
 private:
     void connectMap(const Docks& docks);
@@ -26,6 +34,7 @@ private:
     void showOverview();
     void savePanels();
     [[nodiscard]] MapLayers savedLayers() const;
+    void showLayers(const MapLayers& layers);
     [[nodiscard]] MapPanelStates savedPanels() const;
 };
 

@@ -230,8 +230,11 @@ void Menus::buildMapActions(QMenu& menu)
               [this](bool on) { m_targets.mapLinks.setOverviewShown(on); });
     addPanelMenu(*menu.addMenu(tr("Panels on the map")));
     FlightView& flight = m_targets.flightView;
-    addSwitch(menu, {"sweptAction", tr("Swept ar&ea"), {}, std::nullopt}, flight.sweptIsShown(),
-              [&flight](bool on) { flight.setSweptShown(on); });
+    MapLinks& links = m_targets.mapLinks;
+    const QAction* swept =
+        addSwitch(menu, {"sweptAction", tr("Swept ar&ea"), {}, std::nullopt}, links.sweptIsShown(),
+                  [&links](bool on) { links.setSweptShown(on); });
+    connect(&links, &MapLinks::sweptShown, swept, &QAction::setChecked);
     addSwitch(menu, {"truthAction", tr("S&how true positions"), {}, std::nullopt},
               flight.truthIsShown(), [&flight](bool on) { flight.setTruthShown(on); })
         ->setStatusTip(tr("Where the icebergs are in truth, beside where the observer "

@@ -164,12 +164,13 @@ private slots:
         swept.trigger();
         const QImage hidden = w.map().grab().toImage();
         QVERIFY(hidden != shown);
-        QCOMPARE(w.settings.value("view/swept").toBool(), false);
+        QCOMPARE(test::child<QSlider>(w.window(), u"sweptLayer"_s).value(), 0);
         {
             const MainWindow next(w.workspace, w.interaction, w.settings);
             QVERIFY(!test::child<QAction>(next, u"sweptAction"_s).isChecked());
         }
-        swept.trigger();
+        test::child<QSlider>(w.window(), u"sweptLayer"_s).setValue(50);
+        QVERIFY(swept.isChecked());
         QVERIFY(w.map().grab().toImage() != hidden);
     }
 
