@@ -22,9 +22,10 @@ struct IcebergRowText
     Q_DECLARE_TR_FUNCTIONS(IcebergRowText)
 };
 
-constexpr std::array kEditorNumbers{IcebergColumn::Speed,    IcebergColumn::Direction,
-                                    IcebergColumn::Sigma0,   IcebergColumn::Growth,
-                                    IcebergColumn::Observed, IcebergColumn::Appears};
+constexpr std::array kEditorNumbers{IcebergColumn::Speed,     IcebergColumn::Direction,
+                                    IcebergColumn::DriftEast, IcebergColumn::DriftNorth,
+                                    IcebergColumn::Sigma0,    IcebergColumn::Growth,
+                                    IcebergColumn::Observed,  IcebergColumn::Appears};
 
 // Decimals of the minutes.
 constexpr int kAngles = 3;         ///< 2 m

@@ -87,6 +87,20 @@ private slots:
         QCOMPARE(f.document.scenario(), test::fourIcebergs());
     }
 
+    /** Drift to the east and north is shown and edited; what is shown changes nothing. */
+    void driftAsComponents()
+    {
+        const test::UnitsInUse units(test::kComponents);
+        Fixture f;
+        QCOMPARE(f.cell(0, IcebergColumn::DriftEast), u"0.30"_s);
+        QCOMPARE(f.cell(2, IcebergColumn::DriftNorth), u"0.00"_s);
+        for (const IcebergColumn column : {IcebergColumn::DriftEast, IcebergColumn::DriftNorth})
+            QVERIFY(f.put(0, column, f.model.index(0, col(column)).data(Qt::EditRole)));
+        QCOMPARE(f.document.scenario(), test::fourIcebergs());
+        QVERIFY(f.put(0, IcebergColumn::DriftNorth, 0.5));
+        QCOMPARE(f.icebergs()[0].velocity_mps, Point(0.3, 0.5));
+    }
+
     void pasteIsOneUndoStep()
     {
         Fixture f;
