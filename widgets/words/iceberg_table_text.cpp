@@ -149,6 +149,17 @@ QString exactText(double value, const QLocale& locale)
         .replace(u"."_s, locale.decimalPoint());
 }
 
+QString copiedAngle(double angle_deg, const QLocale& locale)
+{
+    constexpr int kMostDecimals = 15; // 1e-10 m; near zero the shortest exact text has hundreds
+    QString text = exactText(angle_deg, locale);
+    if (const qsizetype point = text.indexOf(locale.decimalPoint());
+        point >= 0 && text.size() > point + 1 + kMostDecimals)
+        text =
+            QString::number(angle_deg, 'f', kMostDecimals).replace(u"."_s, locale.decimalPoint());
+    return text;
+}
+
 QString tabSeparated(const std::vector<std::vector<QString>>& cells)
 {
     const auto quoted = [](QString cell) {

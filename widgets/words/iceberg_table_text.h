@@ -27,6 +27,9 @@ namespace berg {
 /** Shortest text with the locale's decimal sign that reads back as the very same number. */
 [[nodiscard]] QString exactText(double value, const QLocale& locale);
 
+/** The same of an angle, but to 1e-15 degrees: near zero that is what a coordinate reader takes. */
+[[nodiscard]] QString copiedAngle(double angle_deg, const QLocale& locale);
+
 /** Lines of cells with tabs between; what would not read back gets quotes. */
 [[nodiscard]] QString tabSeparated(const std::vector<std::vector<QString>>& cells);
 

@@ -366,7 +366,10 @@ QString IcebergTableModel::copiedCell(const IcebergTableRow& row, int column) co
     if (isText(columnOf(column)))
         return cellText(row, columnOf(column), m_kind.isInFlight, m_locale);
     const std::optional<double> value = row.value(columnOf(column));
-    return value ? exactText(spec(column).unit.fromSi(*value), m_locale) : QString();
+    if (!value)
+        return {};
+    return spec(column).half ? copiedAngle(*value, m_locale)
+                             : exactText(spec(column).unit.fromSi(*value), m_locale);
 }
 
 QString IcebergTableModel::copied(const std::vector<int>& rows,

@@ -81,6 +81,7 @@ private:
                                  : *findIceberg(m_outcome.scenario, m_target.ids[row]);
         m_outcome.ids.push_back(iceberg.id);
         Drift drift;
+        m_before = placeOf(iceberg);
         m_place.reset();
         for (std::size_t i = 0; i < line.size() && m_outcome.fault.isEmpty(); ++i) {
             if (line[i].trimmed().isEmpty())
@@ -174,8 +175,19 @@ private:
         return LocalFrame(m_outcome.scenario.origin).toGeographic(iceberg.position_m);
     }
 
+    /** Whether the cell is a half of the place as it is copied. */
+    [[nodiscard]] bool isCopyOf(const LatLon& place, PlaceHalf half, const QString& cell) const
+    {
+        return cell.trimmed() ==
+               copiedAngle(half == PlaceHalf::Latitude ? place.latitude_deg : place.longitude_deg,
+                           m_locale);
+    }
+
     void readPlace(const Iceberg& iceberg, const IcebergColumnSpec& spec, const QString& cell)
     {
+        // An angle that was only copied along does not undo what the cells beside it have changed.
+        if (isCopyOf(m_before, *spec.half, cell) || isCopyOf(placeOf(iceberg), *spec.half, cell))
+            return;
         const auto typed = typedPlace(cell, *spec.half, m_place.value_or(placeOf(iceberg)));
         if (const auto* reason = std::get_if<QString>(&typed))
             fail(IcebergPasteText::tr("Row %1, column \"%2\", \"%3\": %4")
@@ -216,6 +228,7 @@ private:
     const IcebergColumnSpecs& m_specs;
     QLocale m_locale;
     std::size_t m_line = 0;        ///< of the text, from 1
+    LatLon m_before;               ///< where the iceberg of the line was
     std::optional<LatLon> m_place; ///< of the line, as far as it has been read
     PasteOutcome m_outcome;
 };

@@ -120,6 +120,43 @@ private slots:
         QCOMPARE(f.model.rowCount(), 4);
     }
 
+    /** A number changed in a copy counts, though the angles beside it are as they were copied. */
+    void changedCellOfACopyCounts()
+    {
+        Fixture f;
+        QString text = f.model.copied(f.allRows(), kEditorColumns);
+        text.replace(u"berg-1\t2000\t"_s, u"berg-1\t2500\t"_s);
+        const PasteOutcome outcome = f.model.paste(text, 0, 0, kEditorColumns);
+        QCOMPARE(outcome.fault, QString());
+        Scenario wanted = test::fourIcebergs();
+        wanted.icebergs[0].position_m.x() = 2500;
+        QCOMPARE(f.document.scenario(), wanted);
+    }
+
+    /** Angles of many leading zeros. */
+    void anglesNearZeroComeOver()
+    {
+        const Scenario scenario = test::changed([](Scenario& s) {
+            s.origin = {.latitude_deg = 0.001, .longitude_deg = 0};
+            s.icebergs[0].position_m = Point(1.0 / 3, 5.0 / 7);
+            s.icebergs[1].position_m = Point(-1e-9 / 7, 0);
+        });
+        Fixture f(scenario);
+        const QString all = f.model.copied(f.allRows(), kEditorColumns);
+        const QString angles = f.model.copied(
+            f.allRows(), {col(IcebergColumn::Latitude), col(IcebergColumn::Longitude)});
+        for (const QString& text : {all, angles}) {
+            f.document.edit(u"delete"_s, [](Scenario& s) { s.icebergs.clear(); });
+            QCOMPARE(f.model.paste(text, 0, 0, kEditorColumns).fault, QString());
+            QCOMPARE(f.icebergs().size(), scenario.icebergs.size());
+            for (std::size_t i = 0; i < scenario.icebergs.size(); ++i) {
+                const Point off_m = f.icebergs()[i].position_m - scenario.icebergs[i].position_m;
+                // 1e-15 degrees; rounding of the projection
+                COMPARE_NEAR(off_m.norm(), 0, text == all ? 0 : 1e-7);
+            }
+        }
+    }
+
     void brokenCellChangesNothing()
     {
         Fixture f;
