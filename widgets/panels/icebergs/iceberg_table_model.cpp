@@ -317,7 +317,7 @@ bool IcebergTableModel::setAll(const std::vector<int>& rows, IcebergColumn colum
     const IcebergColumnSpec& kind = specOf(m_specs, column);
     QString fault;
     if (kind.half)
-        fault = setPlaces(ids, *kind.half, value.toString());
+        fault = setPlaces(rows, column, value.toString());
     else if (column == IcebergColumn::Name)
         m_document.edit(InspectorRows::tr("Change name"), [&](Scenario& scenario) {
             for (const std::string& id : ids)
@@ -346,13 +346,16 @@ void IcebergTableModel::setNumbers(const std::vector<std::string>& ids, IcebergC
 }
 
 /** Why nothing was set; empty: it was. */
-QString IcebergTableModel::setPlaces(const std::vector<std::string>& ids, PlaceHalf half,
+QString IcebergTableModel::setPlaces(const std::vector<int>& rows, IcebergColumn column,
                                      const QString& text)
 {
+    const PlaceHalf half = *specOf(m_specs, column).half;
     Scenario after = m_document.scenario();
-    for (const std::string& id : ids) {
-        QString fault =
-            takePlace(findIceberg(after, id)->position_m, text, half, after.origin, m_locale);
+    for (const int row : rows) {
+        if (text == cellText(rowAt(row), column, m_kind.isInFlight, m_locale))
+            continue; // what is shown has fewer digits than there are
+        QString fault = takePlace(findIceberg(after, rowAt(row).id)->position_m, text, half,
+                                  after.origin, m_locale);
         if (!fault.isEmpty())
             return fault;
     }

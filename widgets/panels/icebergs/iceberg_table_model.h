@@ -86,7 +86,7 @@ private:
         bool operator==(const Kind&) const = default;
     };
     void setNumbers(const std::vector<std::string>& ids, IcebergColumn column, double value);
-    [[nodiscard]] QString setPlaces(const std::vector<std::string>& ids, PlaceHalf half,
+    [[nodiscard]] QString setPlaces(const std::vector<int>& rows, IcebergColumn column,
                                     const QString& text);
     void setRows(std::vector<IcebergTableRow> rows, const Kind& kind);
     void updateRows(std::vector<IcebergTableRow> rows);

@@ -157,6 +157,19 @@ private slots:
         }
     }
 
+    /** An angle is shown to 2 m: typed as it is shown it moves nothing, of several only others. */
+    void angleAsShownMovesNothing()
+    {
+        Fixture f;
+        for (const IcebergColumn column : {IcebergColumn::Latitude, IcebergColumn::Longitude})
+            QVERIFY(f.put(0, column, f.cell(0, column)));
+        QCOMPARE(f.document.scenario(), test::fourIcebergs());
+        QVERIFY(
+            f.model.setAll({0, 1}, IcebergColumn::Latitude, f.cell(0, IcebergColumn::Latitude)));
+        QCOMPARE(f.icebergs()[0].position_m, test::fourIcebergs().icebergs[0].position_m);
+        QCOMPARE(f.cell(1, IcebergColumn::Latitude), f.cell(0, IcebergColumn::Latitude));
+    }
+
     void brokenCellChangesNothing()
     {
         Fixture f;
