@@ -6,6 +6,8 @@
 #include "widgets/theme/quantity_text.h"
 
 #include <cmath>
+#include <map>
+#include <memory>
 
 using namespace Qt::StringLiterals;
 
@@ -177,9 +179,14 @@ std::vector<InspectorRow> velocityRows(const VelocityRows& given)
     speed.read = [read](const Scenario& scenario, const std::string& id) {
         return read(scenario, id).norm();
     };
-    speed.write = [write, direction_deg](Scenario& scenario, const std::string& id,
-                                         double speed_mps) {
-        write(scenario, id, speed_mps, direction_deg(scenario, id));
+    // By scenario and id: what is stopped, if only while a number is typed, goes on where it went.
+    const auto last_deg = std::make_shared<std::map<std::string, double>>();
+    speed.write = [write, read, direction_deg, last_deg](Scenario& scenario, const std::string& id,
+                                                         double speed_mps) {
+        double& shown_deg = (*last_deg)[scenario.name + '\n' + id];
+        if (!read(scenario, id).isZero(0))
+            shown_deg = direction_deg(scenario, id);
+        write(scenario, id, speed_mps, shown_deg);
     };
     NumberRow direction{
         .words = given.east.words,

@@ -450,6 +450,29 @@ private slots:
         QCOMPARE(f.iceberg(1).velocity_mps, Point(0, -2));
     }
 
+    /** One that was stopped goes on where it went. */
+    void speedThroughZeroKeepsTheDirection()
+    {
+        Fixture f;
+        f.selection.set({"berg-1"});
+        test::enter(f.number(u"icebergVelocityDirection"_s), u"90"_s);
+        test::enter(f.number(u"icebergVelocitySpeed"_s), u"0"_s);
+        QCOMPARE(f.iceberg(0).velocity_mps, Point(0, 0));
+        test::enter(f.number(u"icebergVelocitySpeed"_s), u"0.25"_s);
+        QCOMPARE(f.iceberg(0).velocity_mps, Point(0.25, 0));
+        // One that never went anywhere starts to the north; wind that was turned off comes back.
+        f.selection.set({"berg-3"});
+        QCOMPARE(f.iceberg(2).velocity_mps, Point(0, 0));
+        test::enter(f.number(u"icebergVelocitySpeed"_s), u"0.25"_s);
+        QCOMPARE(f.iceberg(2).velocity_mps, Point(0, 0.25));
+        f.selection.clear();
+        test::enter(f.number(u"scenarioWindSpeed"_s), u"8"_s);
+        test::enter(f.number(u"scenarioWindDirection"_s), u"270"_s);
+        test::enter(f.number(u"scenarioWindSpeed"_s), u"0"_s);
+        test::enter(f.number(u"scenarioWindSpeed"_s), u"8"_s);
+        QCOMPARE(f.document.scenario().wind_mps, Point(8, 0));
+    }
+
     void driftIsComponentsWhereTheUserWants()
     {
         const test::UnitsInUse units(test::kComponents);
