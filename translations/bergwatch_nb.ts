@@ -5011,6 +5011,10 @@
         <source>This is %1 from the origin of the scenario, which reaches %2.</source>
         <translation>Dette er %1 fra scenarioets origo; scenarioet rekker %2.</translation>
     </message>
+    <message>
+        <source>Type one angle: a whole coordinate would put all of them at one place.</source>
+        <translation>Skriv én vinkel: en hel koordinat ville sette alle på ett sted.</translation>
+    </message>
 </context>
 <context>
     <name>PlacingTools</name>

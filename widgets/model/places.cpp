@@ -152,6 +152,16 @@ std::variant<LatLon, QString> typedPlace(const QString& text, PlaceHalf half, co
                                                 : coordinateFaultText(fault);
 }
 
+QString faultForSeveral(const QString& text, PlaceHalf half)
+{
+    constexpr double kNoAngle = 1000; // that a text could say
+    const auto typed = typedPlace(text, half, {kNoAngle, kNoAngle});
+    const auto* at = std::get_if<LatLon>(&typed);
+    if (at == nullptr || at->latitude_deg == kNoAngle || at->longitude_deg == kNoAngle)
+        return {};
+    return PlaceText::tr("Type one angle: a whole coordinate would put all of them at one place.");
+}
+
 std::optional<Point> reachedPoint(const LatLon& place, const LatLon& origin)
 {
     const Point at_m = LocalFrame(origin).toPlane(place);

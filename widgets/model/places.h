@@ -49,6 +49,12 @@ enum class PlaceHalf
 [[nodiscard]] std::variant<LatLon, QString> typedPlace(const QString& text, PlaceHalf half,
                                                        const LatLon& before);
 
+/**
+ * Why a text is not typed over this half of several places, a whole sentence: it sets both, and
+ * would put them all on one. Empty: it can be.
+ */
+[[nodiscard]] QString faultForSeveral(const QString& text, PlaceHalf half);
+
 /** Where a place is on the plane of a scenario; empty: beyond what that reaches. */
 [[nodiscard]] std::optional<Point> reachedPoint(const LatLon& place, const LatLon& origin);
 /** How far away a place is that is not reached, a whole sentence. */

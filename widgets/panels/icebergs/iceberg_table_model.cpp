@@ -350,6 +350,9 @@ QString IcebergTableModel::setPlaces(const std::vector<int>& rows, IcebergColumn
                                      const QString& text)
 {
     const PlaceHalf half = *specOf(m_specs, column).half;
+    if (rows.size() > 1)
+        if (QString fault = faultForSeveral(text, half); !fault.isEmpty())
+            return fault;
     Scenario after = m_document.scenario();
     for (const int row : rows) {
         if (text == cellText(rowAt(row), column, m_kind.isInFlight, m_locale))

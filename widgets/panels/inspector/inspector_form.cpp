@@ -232,7 +232,8 @@ void InspectorForm::add(const EntryRow& row)
 {
     const auto whyNot = [this, row](const QString& text) {
         Scenario tried = m_document.scenario();
-        QString fault;
+        QString fault =
+            m_ids.size() > 1 && row.faultForSeveral ? row.faultForSeveral(text) : QString();
         for (const std::string& id : m_ids)
             if (fault.isEmpty())
                 fault = row.take(tried, id, text, locale());

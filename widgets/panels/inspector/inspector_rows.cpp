@@ -67,7 +67,8 @@ EntryRow angleRow(const RowWords& words, PlaceHalf half)
                     return object == nullptr
                                ? QString()
                                : takePlace(object->position_m, text, half, scenario.origin, locale);
-                }};
+                },
+            .faultForSeveral = [half](const QString& text) { return faultForSeveral(text, half); }};
 }
 
 } // namespace

@@ -62,6 +62,8 @@ struct EntryRow
     /** Takes the text, or changes nothing and says why not. */
     std::function<QString(Scenario&, const std::string& id, const QString& text, const QLocale&)>
         take;
+    /** Why several objects do not take the same text; null: they do. */
+    std::function<QString(const QString& text)> faultForSeveral{};
 };
 
 struct FlagRow

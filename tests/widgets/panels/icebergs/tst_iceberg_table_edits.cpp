@@ -3,6 +3,8 @@
 #include "tests/support/mission_builder.h"
 #include "tests/support/table_fixture.h"
 
+#include <QSignalSpy>
+
 using namespace berg;
 using namespace Qt::StringLiterals;
 using berg::test::col;
@@ -168,6 +170,20 @@ private slots:
             f.model.setAll({0, 1}, IcebergColumn::Latitude, f.cell(0, IcebergColumn::Latitude)));
         QCOMPARE(f.icebergs()[0].position_m, test::fourIcebergs().icebergs[0].position_m);
         QCOMPARE(f.cell(1, IcebergColumn::Latitude), f.cell(0, IcebergColumn::Latitude));
+    }
+
+    /** One angle is set for several, a whole place would put them all on one point. */
+    void wholePlaceIsForOneOnly()
+    {
+        for (const QString& text : {u"47.1 N 48.2 W"_s, u"Hibernia"_s}) {
+            Fixture f;
+            QSignalSpy edits(&f.model, &IcebergTableModel::edited);
+            QVERIFY(!f.model.setAll({0, 1}, IcebergColumn::Latitude, text));
+            QVERIFY(edits.back()[0].toString().startsWith(u"Type one angle:"_s));
+            QCOMPARE(f.document.scenario(), test::fourIcebergs());
+            QVERIFY(f.model.setAll({0}, IcebergColumn::Latitude, text));
+            QVERIFY(f.model.setAll({0, 1}, IcebergColumn::Latitude, u"47.2 N"_s));
+        }
     }
 
     void brokenCellChangesNothing()

@@ -145,6 +145,18 @@ private slots:
         QCOMPARE(f.undoSteps(), 1);
     }
 
+    /** A whole place would put several on one point. */
+    void wholePlaceIsForOneOnly()
+    {
+        Fixture f;
+        f.selection.set({"berg-1", "berg-3"});
+        const Scenario before = f.document.scenario();
+        test::enter(f.line(u"icebergLatitude"_s), u"47.1 N 48.2 W"_s);
+        QVERIFY(f.document.scenario() == before);
+        QCOMPARE(f.label(u"icebergLatitudeFault"_s).text(),
+                 u"Type one angle: a whole coordinate would put all of them at one place."_s);
+    }
+
     void whatIsNoPlaceIsToldAndLeft_data()
     {
         QTest::addColumn<QString>("typed");
