@@ -45,6 +45,9 @@ ScenarioDialogs::ScenarioDialogs(WindowContext& context, ScenarioFiles& files,
     connect(box, &FindBox::whereChosen, this, &ScenarioDialogs::placeNewScenario);
     connect(&start, &StartGuide::newRequested, this, &ScenarioDialogs::newScenario);
     connect(box, &FindBox::favouriteChanged, this, &ScenarioDialogs::setFavourite);
+    // What it lists, and where it would go, is of what it was opened for.
+    connect(&workspace().document(), &ScenarioDocument::replaced, box, &FindBox::dismiss);
+    connect(&workspace(), &Workspace::inFlightChanged, box, &FindBox::dismiss);
 }
 
 void ScenarioDialogs::generateIcebergs()

@@ -117,6 +117,23 @@ private slots:
         QVERIFY(!(w.scenario().origin == there));
     }
 
+    /** Where to is asked of the new scenario, not of whatever is opened while it is asked. */
+    void boxClosesWithWhatItWasOpenedFor()
+    {
+        WindowFixture w(fourIcebergs());
+        auto& box = test::child<FindBox>(w.window(), u"findBox"_s);
+        w.trigger(u"newAction"_s);
+        QVERIFY(box.isVisible());
+        w.document().reset(fourIcebergs());
+        QVERIFY(box.isHidden());
+        QVERIFY(w.untilReady());
+        w.trigger(u"findAction"_s);
+        QVERIFY(box.isVisible());
+        w.trigger(u"playAction"_s);
+        QVERIFY(w.until([&] { return w.workspace.inFlight(); }));
+        QVERIFY(box.isHidden());
+    }
+
     void newScenarioWhereOneLooks()
     {
         WindowFixture w(fourIcebergs());

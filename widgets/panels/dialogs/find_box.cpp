@@ -249,6 +249,8 @@ void FindBox::explain(const QString& reason)
 
 void FindBox::dismiss()
 {
+    if (isHidden())
+        return;
     emit closed(); // first: who takes the focus then is not given it as by the tabulator
     hide();
 }

@@ -36,6 +36,8 @@ public:
 
     void setTheme(const Theme& theme);
     void open(Request request);
+    /** Nothing is chosen. */
+    void dismiss();
 
 signals:
     /** `name` is empty for a coordinate. */
@@ -67,7 +69,6 @@ private:
     [[nodiscard]] bool isFavourite(const QString& key) const;
     [[nodiscard]] const FindItem* current() const;
     void explain(const QString& reason);
-    void dismiss();
     void place();
 
     QLineEdit* m_field = nullptr;
