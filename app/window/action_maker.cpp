@@ -1,6 +1,32 @@
 #include "app/window/action_maker.h"
 
+#include <QMenuBar>
+
+using namespace Qt::StringLiterals;
+
 namespace berg {
+namespace {
+
+void addCommands(const QList<QAction*>& actions, const QString& path,
+                 std::vector<MenuCommand>& commands)
+{
+    for (QAction* action : actions) {
+        const QString text = QString(action->text()).remove(u'&');
+        if (const QMenu* menu = action->menu())
+            addCommands(menu->actions(), path.isEmpty() ? text : path + u", "_s + text, commands);
+        else if (!text.isEmpty())
+            commands.push_back({action, text, path});
+    }
+}
+
+} // namespace
+
+std::vector<MenuCommand> menuCommands(const QMenuBar& bar)
+{
+    std::vector<MenuCommand> commands;
+    addCommands(bar.actions(), {}, commands);
+    return commands;
+}
 
 void ActionMaker::refreshIcons(const Theme& theme) const
 {

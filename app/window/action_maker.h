@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+class QMenuBar;
+
 namespace berg {
 
 struct ActionSpec
@@ -20,6 +22,17 @@ struct ActionSpec
     QKeySequence shortcut;
     std::optional<IconName> icon;
 };
+
+/** An entry of the menu bar that does something. */
+struct MenuCommand
+{
+    QAction* action = nullptr;
+    QString text; ///< without the mark of its letter
+    QString path; ///< of the menu it is in: "View, Layouts"
+};
+
+/** In the order of the menus. What other parts of a window keep as actions is none. */
+[[nodiscard]] std::vector<MenuCommand> menuCommands(const QMenuBar& bar);
 
 /** Makes the actions of menus and tool bar, and keeps their icons in the colours of the theme. */
 class ActionMaker

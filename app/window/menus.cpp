@@ -458,10 +458,9 @@ void Menus::showShortcuts()
         cells << u"<td>%1</td><td style='padding-left:16px; padding-right:32px'><b>%2</b></td>"_s
                      .arg(what.toHtmlEscaped(), how.toHtmlEscaped());
     };
-    for (const QAction* action : window().findChildren<QAction*>())
-        if (!action->shortcut().isEmpty() && !action->text().isEmpty())
-            add(QString(action->text()).remove(u'&'),
-                action->shortcut().toString(QKeySequence::NativeText));
+    for (const MenuCommand& command : menuCommands(*window().menuBar()))
+        if (!command.action->shortcut().isEmpty())
+            add(command.text, command.action->shortcut().toString(QKeySequence::NativeText));
     add(tr("Zoom at the cursor"), tr("wheel"));
     add(tr("Pan"), tr("middle button, or arrow keys"));
     add(tr("Nudge what is selected"), tr("arrow keys"));

@@ -1,6 +1,7 @@
 #include "app/window/scenario_dialogs.h"
 
 #include "app/dialogs/interaction.h"
+#include "app/window/action_maker.h"
 #include "app/window/panels.h"
 #include "app/window/scenario_files.h"
 #include "app/window/start_guide.h"
@@ -13,6 +14,7 @@
 
 #include <QAction>
 #include <QMainWindow>
+#include <QMenuBar>
 
 using namespace Qt::StringLiterals;
 
@@ -34,8 +36,9 @@ ScenarioDialogs::ScenarioDialogs(WindowContext& context, ScenarioFiles& files,
     connect(box, &FindBox::placeChosen, this, &ScenarioDialogs::showPlace);
     connect(box, &FindBox::objectChosen, this, &ScenarioDialogs::showObject);
     connect(box, &FindBox::commandChosen, this, [this](const QString& name) {
-        if (auto* action = window().findChild<QAction*>(name))
-            action->trigger();
+        for (const MenuCommand& command : menuCommands(*window().menuBar()))
+            if (command.action->objectName() == name)
+                return command.action->trigger();
     });
     connect(box, &FindBox::moveRequested, this, &ScenarioDialogs::moveScenario);
     connect(box, &FindBox::newRequested, this, [this](const LatLon& place) {
@@ -119,16 +122,15 @@ void ScenarioDialogs::openBox(bool asksWhere)
 std::vector<FindItem> ScenarioDialogs::commands() const
 {
     std::vector<FindItem> items;
-    for (const QAction* action : window().findChildren<QAction*>()) {
-        const QString text = QString(action->text()).remove(u'&');
-        if (action->objectName().isEmpty() || text.isEmpty() || !action->isEnabled() ||
-            action->menu() != nullptr)
+    for (const auto& [action, text, path] : menuCommands(*window().menuBar())) {
+        if (action->objectName().isEmpty() || !action->isEnabled() || !action->isVisible())
             continue;
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         items.push_back({.kind = FindKind::Command,
                          .key = action->objectName(),
                          .text = text,
                          .other = {},
-                         .hint = action->shortcut().toString(QKeySequence::NativeText),
+                         .hint = keys.isEmpty() ? path : path + u", "_s + keys,
                          .at = {}});
     }
     return items;

@@ -11,6 +11,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QToolButton>
@@ -132,6 +133,29 @@ private slots:
         w.trigger(u"playAction"_s);
         QVERIFY(w.until([&] { return w.workspace.inFlight(); }));
         QVERIFY(box.isHidden());
+    }
+
+    /** Actions that other parts keep for themselves are no commands, whatever they are called. */
+    void commandsAreThoseOfTheMenus()
+    {
+        WindowFixture w(fourIcebergs());
+        QAction own(u"Zeppelin"_s, &w.window());
+        own.setObjectName(u"ownAction"_s);
+        own.setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F12));
+        auto& field = test::child<QLineEdit>(w.window(), u"findField"_s);
+        auto& list = test::child<QListWidget>(w.window(), u"findList"_s);
+        w.trigger(u"findAction"_s);
+        QTest::keyClicks(&field, u"zeppelin"_s);
+        QCOMPARE(list.count(), 0);
+        field.clear();
+        QTest::keyClicks(&field, u"analyse"_s);
+        QVERIFY2(list.item(0)->text().contains(u"View, Layouts"_s),
+                 qPrintable(list.item(0)->text()));
+        QTest::keyClick(&field, Qt::Key_Return);
+        QVERIFY(w.action(u"analyseLayoutAction"_s).isChecked());
+        w.trigger(u"shortcutsAction"_s);
+        const QString shortcuts = w.interaction.informations.back();
+        QVERIFY(shortcuts.contains(u"Save"_s) && !shortcuts.contains(u"Zeppelin"_s));
     }
 
     void newScenarioWhereOneLooks()
