@@ -11,6 +11,7 @@
 #include "widgets/model/workspace.h"
 #include "widgets/panels/dialogs/find_box.h"
 #include "widgets/panels/dialogs/generate_dialog.h"
+#include "widgets/words/error_text.h"
 
 #include <QAction>
 #include <QMainWindow>
@@ -154,9 +155,18 @@ void ScenarioDialogs::setFavourite(const QString& key, bool isFavourite)
 /** Of the empty scenario that was just made. */
 void ScenarioDialogs::placeNewScenario(const LatLon& origin)
 {
-    workspace().document().edit(tr("Place the new scenario"), [&](Scenario& scenario) {
-        scenario = movedTo(scenario, origin, MoveMode::KeepLayout);
-    });
+    ScenarioDocument& document = workspace().document();
+    try {
+        const Scenario placed = movedTo(document.scenario(), origin, MoveMode::KeepLayout);
+        if (document.isClean() && document.filePath().isEmpty() && placed.icebergs.empty())
+            document.reset(placed); // it is still new: nothing of it is unsaved
+        else
+            document.edit(tr("Place the new scenario"),
+                          [&](Scenario& scenario) { scenario = placed; });
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+        return;
+    }
     panels().map->fit();
 }
 
