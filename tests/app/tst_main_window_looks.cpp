@@ -172,6 +172,10 @@ private slots:
         test::child<QSlider>(w.window(), u"sweptLayer"_s).setValue(50);
         QVERIFY(swept.isChecked());
         QVERIFY(w.map().grab().toImage() != hidden);
+        w.settings.setValue("view/swept", false); // of former versions
+        const MainWindow next(w.workspace, w.interaction, w.settings);
+        QVERIFY(!next.mapView().layers().shows(MapLayer::Swept));
+        QVERIFY(!w.settings.contains("view/swept"));
     }
 
     void layersAreKept()
