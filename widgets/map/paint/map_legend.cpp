@@ -85,12 +85,14 @@ SigmaBlock sigmaBlock(const MapPicture& picture, const SymbolScale& scale, bool 
 
 /** Icebergs of round sigmas along the bar. */
 void paintSamples(QPainter& painter, const QPointF& from, const MapPicture& picture,
-                  const Theme& theme, const SymbolScale& scale)
+                  const MapStyle& style, const SymbolScale& scale)
 {
+    const Theme& theme = style.theme;
     for (const double tick_m2 : sigmaTicks(picture.sigmaFull_m2))
         drawIceberg(painter, from + QPointF(kLegendBar_px * tick_m2 / picture.sigmaFull_m2, 0),
                     {.radius_px = kSymbolRadius_px,
                      .ring_px = scale.ringRadius_px(kSymbolRadius_px, tick_m2),
+                     .ringOpacity = style.layers.opacity(MapLayer::Rings),
                      .sigma = theme.sigma.colour(tick_m2, picture.sigmaFull_m2)},
                     theme);
 }
@@ -134,7 +136,7 @@ void paintSigma(QPainter& painter, const QPointF& at, const SigmaBlock& block,
 {
     paintSigmaBar(painter, QRectF(at.x(), at.y() + block.bar_y, kLegendBar_px, kBarHeight_px),
                   picture, style.theme);
-    paintSamples(painter, at + QPointF(0, block.samples_y), picture, style.theme, scale);
+    paintSamples(painter, at + QPointF(0, block.samples_y), picture, style, scale);
     paintSigmaNumbers(painter, at + QPointF(0, block.numbers_y), picture, style);
 }
 

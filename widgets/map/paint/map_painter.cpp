@@ -173,10 +173,11 @@ void paintUavLabels(const MapPaint& p)
 /** What the look of the legend depends on. */
 QString legendKey(const MapPaint& p)
 {
-    QString key = u"legend %1 %2 %3 %4"_s.arg(p.layout.symbols.ring_pxpm)
+    QString key = u"legend %1 %2 %3 %4 %5"_s.arg(p.layout.symbols.ring_pxpm)
                       .arg(p.picture.sigmaFull_m2)
                       .arg(int(p.layout.isLegendCompact))
-                      .arg(p.style.locale.name());
+                      .arg(p.style.locale.name())
+                      .arg(p.style.layers.opacity(MapLayer::Rings));
     for (const LegendRow& row : legendRows(p.picture, p.style, p.layout.symbols))
         key += u'\n' + row.text;
     for (const MapUav& uav : p.picture.uavs)

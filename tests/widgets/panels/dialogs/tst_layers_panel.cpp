@@ -2,6 +2,7 @@
 #include "tests/support/panel_test.h"
 #include "widgets/map/paint/map_drift.h"
 #include "widgets/map/paint/map_layout.h"
+#include "widgets/map/paint/map_overlays.h"
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/panels/dialogs/layers_panel.h"
 
@@ -109,6 +110,25 @@ private slots:
             return image;
         };
         QVERIFY(paint(86400) != paint(1e-3));
+    }
+
+    /** The samples of the legend have rings as strong as those of the map. */
+    void legendHasTheRingsOfTheMap()
+    {
+        MapLayers hidden;
+        hidden.set(MapLayer::Rings, 0);
+        const MapPicture shown = picture();
+        const QRectF rect(0, 0, 900, 700);
+        const MapLayout map = arrangeMap(shown, styleOf({}), rect);
+        QVERIFY(!map.isLegendCompact && !map.legend.isNull());
+        const auto legend = [&](const MapLayers& layers) {
+            QImage image(rect.size().toSize(), QImage::Format_RGB32);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            paintLegend(painter, map.legend, shown, styleOf(layers), map.symbols, false);
+            return image;
+        };
+        QVERIFY(legend(hidden) != legend({}));
     }
 
     void panelTells()
