@@ -7,6 +7,8 @@
 #include <QFormLayout>
 #include <QSlider>
 
+#include <cmath>
+
 using namespace Qt::StringLiterals;
 
 namespace berg {
@@ -68,7 +70,7 @@ void LayersPanel::showLayers(const MapLayers& layers)
 {
     m_layers = layers;
     for (std::size_t i = 0; i < kMapLayers; ++i)
-        m_opacities[i]->setValue(static_cast<int>(layers.opacities[i] * kFull + 0.5));
+        m_opacities[i]->setValue(static_cast<int>(std::lround(layers.opacities[i] * kFull)));
     m_horizon->setCurrentIndex(std::max(0, m_horizon->findData(layers.horizon_s)));
 }
 

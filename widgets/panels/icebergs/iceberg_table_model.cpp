@@ -316,15 +316,16 @@ bool IcebergTableModel::setAll(const std::vector<int>& rows, IcebergColumn colum
         ids.push_back(rowAt(row).id);
     const IcebergColumnSpec& kind = specOf(m_specs, column);
     QString fault;
-    if (kind.half)
+    if (kind.half) {
         fault = setPlaces(rows, column, value.toString());
-    else if (column == IcebergColumn::Name)
+    } else if (column == IcebergColumn::Name) {
         m_document.edit(InspectorRows::tr("Change name"), [&](Scenario& scenario) {
             for (const std::string& id : ids)
                 findIceberg(scenario, id)->name = value.toString().toStdString();
         });
-    else
+    } else {
         setNumbers(ids, column, value.toDouble());
+    }
     emit edited(fault);
     return fault.isEmpty();
 }
