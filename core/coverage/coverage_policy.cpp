@@ -260,7 +260,8 @@ private:
 };
 
 /** What is left of a plan some time after it was made, when a first leg that is over is cut. */
-void shorten(CoveragePlan& plan, const FlightPicture& picture, double flown_s)
+void shorten(CoveragePlan& plan, const CoverageModel& model, const FlightPicture& picture,
+             double flown_s)
 {
     constexpr double kLeastOfHold_s = 0.05;
     constexpr double kLeastStay_s = 0.3;
@@ -271,7 +272,7 @@ void shorten(CoveragePlan& plan, const FlightPicture& picture, double flown_s)
         first.stay_s -= flown_s;
         if (first.stay_s < kLeastOfHold_s)
             plan.erase(plan.begin());
-    } else if (picture.tracks[static_cast<std::size_t>(first.iceberg)].inView &&
+    } else if (picture.tracks[static_cast<std::size_t>(model.icebergAt(first.iceberg))].inView &&
                first.stay_s > kLeastStay_s) {
         first = holdOf(first.stay_s);
     }
@@ -375,12 +376,11 @@ std::optional<Plans> CoveragePolicy::warmStart(const PlanRequest& request,
     for (std::size_t u = 0; u < models.size(); ++u) {
         const UavRequest& uav = request.uavs[u];
         const auto last = m_last.find(uav.uav);
-        if (last == m_last.end()) {
-            rests.emplace_back();
+        CoveragePlan& rest = rests.emplace_back();
+        if (last == m_last.end())
             continue;
-        }
-        rests.push_back(restOf(last->second.plan, models[u], request.ids));
-        shorten(rests.back(), *uav.picture, uav.picture->time_s - last->second.planned_s);
+        rest = restOf(last->second.plan, models[u], request.ids);
+        shorten(rest, models[u], *uav.picture, uav.picture->time_s - last->second.planned_s);
     }
     return rests;
 }

@@ -114,6 +114,14 @@ IcebergTable::IcebergTable(ScenarioDocument& document, Selection& selection, QWi
     refresh();
 }
 
+/** An open editor edits for the last time when it loses the focus: by then this is a mere widget.
+ */
+IcebergTable::~IcebergTable()
+{
+    m_model->disconnect(this);
+    m_delegate->disconnect(this);
+}
+
 void IcebergTable::setUpTable()
 {
     m_table->setObjectName(u"icebergTable"_s);

@@ -30,6 +30,7 @@ class IcebergTable : public QWidget
 public:
     /** Both are borrowed and must outlive the panel. */
     IcebergTable(ScenarioDocument& document, Selection& selection, QWidget* parent = nullptr);
+    ~IcebergTable() override;
 
     void setTheme(const Theme& theme);
     /** sigma at the end of the colour scale, the same as on the map. */
