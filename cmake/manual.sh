@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Writes the manual as web pages and PDF, with pictures of the program as it is, in both languages:
 #   cmake/manual.sh build/release/app/bergwatch build/release/app/cli/bergwatch-cli OUTPUT_FOLDER
-# Needs no display. The same programs make the same files, but for the time of a solve in the picture of the
-# window, where it is not "under 1 ms".
+# Needs no display. The same programs make the same files.
 set -euo pipefail
 program=$(realpath "$1")
 cli=$(realpath "$2")

@@ -5226,6 +5226,10 @@
         <source>Run complete</source>
         <translation>Flyging fullført</translation>
     </message>
+    <message>
+        <source>under 0.1 s</source>
+        <translation>under 0,1 s</translation>
+    </message>
 </context>
 <context>
     <name>PolicyText</name>

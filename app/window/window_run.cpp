@@ -60,10 +60,10 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
         QApplication::exit(code);
     };
     const auto whenPredicted = [&window, &workspace, done] {
-        constexpr int kLongestWait_ms = 30000;
+        constexpr int kLongestWait_ms = 60000;
         constexpr int kUntilDrawn_ms = 300;
         const auto isPredicted = [&workspace] {
-            return workspace.forecasts().isComplete() && workspace.bound().isComplete();
+            return workspace.forecasts().isDrawn() && workspace.bound().isComplete();
         };
         if (isPredicted()) {
             done();

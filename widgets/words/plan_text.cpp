@@ -74,7 +74,9 @@ QString detailsOf(const PlanEvent& plan, const QLocale& locale)
 PlanState stateOfSolve(const PlanReadout& readout, const QLocale& locale)
 {
     const PlanEvent& plan = *readout.plan;
-    const QString time = solveTimeText(plan.elapsed_s, locale);
+    // Shorter times differ from run to run and matter to nobody; the details tell them.
+    const QString time = plan.elapsed_s < 0.0995 ? PlanText::tr("under 0.1 s")
+                                                 : solveTimeText(plan.elapsed_s, locale);
     if (plan.status == SolveStatus::Optimal)
         return {PlanVerdict::Proven,
                 PlanText::tr("Proven optimal, %1 (%2)").arg(time, solverText(plan.source)),
