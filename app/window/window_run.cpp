@@ -61,7 +61,7 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
     };
     const auto whenPredicted = [&window, &workspace, done] {
         constexpr int kLongestWait_ms = 60000;
-        constexpr int kUntilDrawn_ms = 300;
+        constexpr int kUntilDrawn_ms = 1000;
         const auto isPredicted = [&workspace] {
             return workspace.forecasts().isDrawn() && workspace.bound().isComplete();
         };
