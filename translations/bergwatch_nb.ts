@@ -9228,6 +9228,24 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <source>Choose a point of the picture or a setting.</source>
         <translation>Velg et punkt i bildet eller en innstilling.</translation>
     </message>
+    <message>
+        <source>Lowest ζ: %1. One case recommends no policy: fly more of them.</source>
+        <translation>Lavest ζ: %1. Ett tilfelle gir ingen anbefaling: fly flere.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the best of another policy, in %n cases.</source>
+        <translation>
+            <numerusform>Anbefalt: %1. Dens ζ er %2 (95 %: %3 til %4) mot %5, den beste med en annen strategi, i %n tilfelle.</numerusform>
+            <numerusform>Anbefalt: %1. Dens ζ er %2 (95 %: %3 til %4) mot %5, den beste med en annen strategi, i %n tilfeller.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No policy is surely the best: the ζ of %1 is %2 (95 %: %3 to %4) against %5, in %n cases.</source>
+        <translation>
+            <numerusform>Ingen strategi er sikkert best: ζ for %1 er %2 (95 %: %3 til %4) mot %5, i %n tilfelle.</numerusform>
+            <numerusform>Ingen strategi er sikkert best: ζ for %1 er %2 (95 %: %3 til %4) mot %5, i %n tilfeller.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>berg::StudyRunBar</name>

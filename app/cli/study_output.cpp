@@ -58,6 +58,18 @@ std::string bestTauText(const BestTau& best)
            percent(best.relative.mean) + " (" + intervalText(best.relative) + ")\n";
 }
 
+std::string recommendedText(const StudySummary& summary)
+{
+    const Recommendation& best = *summary.recommendation;
+    if (!best.next || summary.cases.size() == 1)
+        return {};
+    const auto name = [&](std::size_t s) { return settingText(summary.settings[s].setting); };
+    return (best.isSure ? "recommended: " : "no policy is surely the best; lowest: ") +
+           name(best.setting) + ", " + percent(best.relative.mean) + " (" +
+           intervalText(best.relative) + ") to " + name(*best.next) +
+           ", the best of another policy\n";
+}
+
 std::string tableText(const StudySummary& summary)
 {
     std::string text = "policy          tau      n      mean      +-    median      25 %      75 %"
@@ -71,6 +83,8 @@ std::string tableText(const StudySummary& summary)
                 "; lower: share of cases below it; worst: the largest difference of a case\n";
     if (summary.bestTau)
         text += bestTauText(*summary.bestTau);
+    if (summary.recommendation)
+        text += recommendedText(summary);
     return text;
 }
 

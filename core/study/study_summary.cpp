@@ -120,6 +120,33 @@ BestTau bestTauOf(const std::vector<StudySetting>& settings, const CompleteCases
     return best;
 }
 
+/** The first of the lowest means among the settings that are `eligible`. */
+template <class Eligible>
+std::optional<std::size_t> lowestMean(const std::vector<SettingSummary>& settings,
+                                      const Eligible& eligible)
+{
+    std::optional<std::size_t> lowest;
+    for (std::size_t s = 0; s < settings.size(); ++s)
+        if (eligible(settings[s]) &&
+            (!lowest || settings[s].zeta_m2s.mean < settings[*lowest].zeta_m2s.mean))
+            lowest = s;
+    return lowest;
+}
+
+Recommendation recommendationOf(const std::vector<SettingSummary>& settings,
+                                const CompleteCases& complete)
+{
+    Recommendation best{.setting = *lowestMean(settings, [](const auto&) { return true; })};
+    best.next = lowestMean(settings, [&](const SettingSummary& other) {
+        return other.setting.policy != settings[best.setting].setting.policy;
+    });
+    if (best.next)
+        best.relative = meanInterval(
+            relativeDifferences(complete.zeta_m2s(best.setting), complete.zeta_m2s(*best.next)));
+    best.isSure = best.next && complete.cases().size() > 1 && best.relative.high < 0;
+    return best;
+}
+
 } // namespace
 
 std::size_t usualReference(const StudySpec& spec)
@@ -147,6 +174,8 @@ StudySummary summarise(const Study& study, std::size_t reference)
                                     [](const StudySetting& s) { return s.tau.has_value(); });
     if (taus >= 2 && !complete.cases().empty())
         summary.bestTau = bestTauOf(settings, complete, reference_m2s);
+    if (!complete.cases().empty())
+        summary.recommendation = recommendationOf(summary.settings, complete);
     return summary;
 }
 

@@ -33,6 +33,15 @@ struct BestTau
     MeanInterval relative; ///< against the reference
 };
 
+/** The setting of lowest mean zeta against the best one of another policy. */
+struct Recommendation
+{
+    std::size_t setting = 0;
+    std::optional<std::size_t> next; ///< best setting of another policy; none: there is none
+    MeanInterval relative;           ///< zeta of `setting` / zeta of `next` - 1, case by case
+    bool isSure = false;             ///< two cases or more, and the interval is below 0
+};
+
 /** Statistics of the cases that every setting has flown; with none of them all numbers are 0. */
 struct StudySummary
 {
@@ -41,6 +50,7 @@ struct StudySummary
     std::size_t reference = 0;                 ///< index of a setting
     std::vector<PairedDifference> differences; ///< of all settings, the reference included
     std::optional<BestTau> bestTau; ///< with two values of tau or more and a complete case
+    std::optional<Recommendation> recommendation; ///< with a complete case
 };
 
 /** tau = 1 when it is there, else the first setting. */

@@ -113,18 +113,33 @@ std::string bestTauTable(const BestTau& best)
     return table.html();
 }
 
+/** The policy to fly by these cases, where one is surely the best. */
+std::string recommendedText(const StudySummary& summary)
+{
+    const Recommendation& best = *summary.recommendation;
+    if (!best.next)
+        return {};
+    const auto name = [&](std::size_t s) { return settingName(summary.settings[s].setting); };
+    if (summary.cases.size() == 1)
+        return "<li>One case recommends no policy: fly more of them.</li>\n";
+    const std::string against =
+        change(best.relative.mean) + " (" + interval(best.relative, 100, 1) + ") against ";
+    if (best.isSure)
+        return "<li>Recommended: <strong>" + name(best.setting) + "</strong>, " + against +
+               name(*best.next) + ", the best of another policy.</li>\n";
+    return "<li>No policy is surely the best: " + name(best.setting) + " is " + against +
+           name(*best.next) + ".</li>\n";
+}
+
 /** The setting of lowest mean zeta, and how it compares. */
 std::string lowestText(const StudySummary& summary)
 {
-    const auto lowest = std::min_element(summary.settings.begin(), summary.settings.end(),
-                                         [](const SettingSummary& a, const SettingSummary& b) {
-                                             return a.zeta_m2s.mean < b.zeta_m2s.mean;
-                                         });
-    const auto index = static_cast<std::size_t>(lowest - summary.settings.begin());
+    const std::size_t index = summary.recommendation->setting;
+    const SettingSummary& lowest = summary.settings[index];
     const bool isOneCase = summary.cases.size() == 1;
     std::string text = (isOneCase ? "Lowest ζ: <strong>" : "Lowest mean ζ: <strong>") +
-                       settingName(lowest->setting) + "</strong>, " +
-                       printedNumber(lowest->zeta_m2s.mean, zetaDecimals(summary)) + " m² s";
+                       settingName(lowest.setting) + "</strong>, " +
+                       printedNumber(lowest.zeta_m2s.mean, zetaDecimals(summary)) + " m² s";
     const MeanInterval& relative = summary.differences[index].relative;
     if (index != summary.reference)
         text += ", " + change(relative.mean) +
@@ -169,8 +184,8 @@ std::string reportFindings(const Study& study, const StudySummary& summary)
                (summary.settings.size() == 1 ? " setting" : " settings") + ".</p>\n";
     if (summary.cases.empty())
         return html;
-    return html + "<ul class=\"findings\">\n" + lowestText(summary) + bestTauText(summary) +
-           "</ul>\n";
+    return html + "<ul class=\"findings\">\n" + recommendedText(summary) + lowestText(summary) +
+           bestTauText(summary) + "</ul>\n";
 }
 
 std::string reportTables(const StudySummary& summary)

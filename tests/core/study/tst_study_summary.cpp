@@ -68,6 +68,43 @@ private slots:
         COMPARE_NEAR(last.stuckShare, 0, 0);
     }
 
+    /** Mean zeta: tau 0.5 and tau 1 700/3, tau 2 710/3, path 770/3. */
+    void recommendationIsAgainstTheBestOfAnotherPolicy()
+    {
+        Study study = threeCases();
+        const StudySummary summary = summarise(study, 1);
+        QVERIFY(summary.recommendation);
+        const Recommendation& best = *summary.recommendation;
+        QCOMPARE(best.setting, std::size_t{0}); // 700/3, as tau = 1; the first of a tie
+        QCOMPARE(best.next, std::size_t{3});
+        COMPARE_NEAR(best.relative.mean, (110.0 / 120 + 190.0 / 150 + 400.0 / 500) / 3 - 1, 1e-12);
+        QVERIFY(!best.isSure); // one case speaks against it
+        setZeta(study, 0, {96, 100, 110, 120});
+        setZeta(study, 1, {165, 170, 180, 200});
+        QVERIFY(summarise(study, 1).recommendation->isSure); // -20, -17.5 and -20 %
+        QVERIFY(!summarise(madeUp(2), 1).recommendation);
+    }
+
+    void oneCaseIsSureOfNothing()
+    {
+        Study study = madeUp(1);
+        setZeta(study, 0, {110, 100, 90, 120});
+        const Recommendation best = *summarise(study, 1).recommendation;
+        QCOMPARE(best.setting, std::size_t{2});
+        QVERIFY(!best.isSure);
+    }
+
+    void onePolicyHasNoOther()
+    {
+        Study study;
+        study.spec = {.random = 1, .taus = {1}, .policies = {PolicyKind::Visitation}};
+        study.outcomes = {MissionOutcome{.metrics = {.zeta_m2s = 5}}};
+        const Recommendation best = *summarise(study, 0).recommendation;
+        QCOMPARE(best.setting, std::size_t{0});
+        QVERIFY(!best.next);
+        QVERIFY(!best.isSure);
+    }
+
     /** Relative to tau = 1: -0.1, 0.1, 0 for tau = 2; t(2) = 4.3027, standard error 0.1/sqrt(3). */
     void differencesAreTakenCaseByCase()
     {

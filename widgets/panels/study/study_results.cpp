@@ -99,6 +99,11 @@ void StudyResults::addHeader(QBoxLayout& column)
     connect(m_exports[2], &QToolButton::clicked, this, &StudyResults::tableRequested);
     connect(m_exports[3], &QToolButton::clicked, this, &StudyResults::pictureRequested);
     column.addLayout(row);
+    m_recommendation = new QLabel;
+    m_recommendation->setObjectName(u"studyRecommendation"_s);
+    m_recommendation->setWordWrap(true);
+    m_recommendation->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column.addWidget(m_recommendation);
 }
 
 QWidget* StudyResults::makePictures()
@@ -215,9 +220,41 @@ void StudyResults::showResult()
     m_chart->setResult(result);
     m_differences->setResult(result);
     m_settingsModel->setResult(result);
+    showRecommendation();
     showReferences();
     choose(m_setting);
     showCases();
+}
+
+void StudyResults::showRecommendation()
+{
+    const StudyPointer& result = m_runner.result();
+    const bool isKnown =
+        result && result->summary.recommendation && result->summary.recommendation->next;
+    m_recommendation->setVisible(isKnown);
+    if (!isKnown)
+        return;
+    const StudySummary& summary = result->summary;
+    const Recommendation& best = *summary.recommendation;
+    const auto name = [&](std::size_t s) {
+        return settingText(summary.settings[s].setting, locale());
+    };
+    if (summary.cases.size() == 1) {
+        m_recommendation->setText(
+            tr("Lowest ζ: %1. One case recommends no policy: fly more of them.")
+                .arg(name(best.setting)));
+        return;
+    }
+    m_recommendation->setText(
+        (best.isSure ? tr("Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the best of "
+                          "another policy, in %n cases.",
+                          nullptr, static_cast<int>(summary.cases.size()))
+                     : tr("No policy is surely the best: the ζ of %1 is %2 (95 %: %3 to %4) "
+                          "against %5, in %n cases.",
+                          nullptr, static_cast<int>(summary.cases.size())))
+            .arg(name(best.setting), changeText(best.relative.mean, locale()),
+                 changeText(best.relative.low, locale()), changeText(best.relative.high, locale()),
+                 name(*best.next)));
 }
 
 void StudyResults::showReferences()

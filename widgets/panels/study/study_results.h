@@ -10,6 +10,7 @@
 
 class QBoxLayout;
 class QComboBox;
+class QLabel;
 class QPushButton;
 class QTableView;
 class QTabWidget;
@@ -68,6 +69,7 @@ private:
                                         StudyTableModel& model);
     void connectPicture(StudyPicture& picture);
     void showResult();
+    void showRecommendation();
     void showReferences();
     void showCases();
     void updateEnabled();
@@ -79,6 +81,7 @@ private:
     StudyRunner& m_runner;
     std::optional<std::size_t> m_setting; ///< chosen
     QComboBox* m_reference = nullptr;
+    QLabel* m_recommendation = nullptr;
     QToolButton* m_openStudy = nullptr;
     std::array<QToolButton*, 4> m_exports{};
     QTabWidget* m_pictures = nullptr;

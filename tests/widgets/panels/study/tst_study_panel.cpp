@@ -9,6 +9,7 @@
 #include "widgets/panels/study/study_run_bar.h"
 #include "widgets/panels/study/study_setup.h"
 #include "widgets/panels/study/study_tables.h"
+#include "widgets/theme/quantity_text.h"
 #include "widgets/words/policy_words.h"
 
 #include <QCheckBox>
@@ -348,6 +349,20 @@ private slots:
         QVERIFY(QTest::qWaitFor([&] { return f.runner.result()->summary.reference == 3; },
                                 kPatience_ms));
         QCOMPARE(combo.currentText(), u"Shortest path"_s);
+    }
+
+    void policyIsRecommended()
+    {
+        Fixture f;
+        const auto& told = f.get<QLabel>(u"studyRecommendation"_s);
+        QVERIFY(!told.isVisibleTo(&f.panel));
+        f.show(test::fourCases());
+        const Recommendation best = *f.runner.result()->summary.recommendation;
+        QVERIFY(told.isVisibleTo(&f.panel));
+        QVERIFY(told.text().startsWith(best.isSure ? u"Recommended: "_s
+                                                   : u"No policy is surely the best: "_s));
+        QVERIFY(told.text().contains(changeText(best.relative.mean, QLocale(QLocale::English))));
+        QVERIFY(told.text().contains(u"in 4 cases."));
     }
 
     void casesAreNamed()
