@@ -61,3 +61,9 @@ function(berg_add_module name)
                                      PRIVATE ${arg_PRIVATE_LINKS})
   berg_unity(berg_${name})
 endfunction()
+
+# berg_add_resources(target name PREFIX "/x" BASE folder FILES ...): files that become part of the target, without
+# their times, so that the same sources give the same bytes.
+function(berg_add_resources target name)
+  qt_add_resources(${target} ${name} OPTIONS --format-version 1 ${ARGN})
+endfunction()
