@@ -1,13 +1,12 @@
 #include "widgets/model/recovery_store.h"
 
+#include "core/io/files/recovery_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/text/atomic_file.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QUuid>
 
 #include <algorithm>
@@ -30,17 +29,18 @@ RecoveryInfo readInfo(const RecoveryFiles& files, const Scenario& scenario)
 {
     RecoveryInfo info{.name = QString::fromStdString(scenario.name),
                       .edited = QFileInfo(files.scenario()).lastModified()};
-    QFile file(files.info());
-    if (!file.open(QIODevice::ReadOnly))
-        return info;
-    const QJsonObject object = QJsonDocument::fromJson(file.readAll()).object();
-    info.originalPath = object.value("original_path"_L1).toString();
-    info.pid = object.value("pid"_L1).toInteger();
-    info.host = object.value("host"_L1).toString();
-    const QDateTime edited =
-        QDateTime::fromString(object.value("edited_utc"_L1).toString(), Qt::ISODateWithMs);
-    if (edited.isValid())
-        info.edited = edited.toLocalTime();
+    try {
+        const std::string path = nativePath(files.info());
+        const RecoveryNote note = recoveryFromJson(readFile(path), path);
+        info.originalPath = QString::fromStdString(note.originalPath);
+        info.pid = note.pid;
+        info.host = QString::fromStdString(note.host);
+        const QDateTime edited =
+            QDateTime::fromString(QString::fromStdString(note.editedUtc), Qt::ISODateWithMs);
+        if (edited.isValid())
+            info.edited = edited.toLocalTime();
+    } catch (const Error&) { // the scenario is what counts
+    }
     return info;
 }
 
@@ -71,15 +71,13 @@ QString RecoveryFiles::lock() const
 
 void writeRecovery(const RecoveryFiles& files, const Scenario& scenario, const RecoveryInfo& info)
 {
-    const QJsonObject object{
-        {u"name"_s, info.name},
-        {u"original_path"_s, info.originalPath},
-        {u"edited_utc"_s, info.edited.toUTC().toString(Qt::ISODateWithMs)},
-        {u"pid"_s, info.pid},
-        {u"host"_s, info.host},
-    };
+    const RecoveryNote note{.originalPath = info.originalPath.toStdString(),
+                            .editedUtc =
+                                info.edited.toUTC().toString(Qt::ISODateWithMs).toStdString(),
+                            .pid = info.pid,
+                            .host = info.host.toStdString()};
     writeFileAtomically(nativePath(files.scenario()), scenarioToJson(scenario));
-    writeFileAtomically(nativePath(files.info()), QJsonDocument(object).toJson().toStdString());
+    writeFileAtomically(nativePath(files.info()), recoveryToJson(note));
 }
 
 void removeRecovery(const RecoveryFiles& files)

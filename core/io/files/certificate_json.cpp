@@ -1,5 +1,6 @@
 #include "core/io/files/certificate_json.h"
 
+#include "core/base/number_text.h"
 #include "core/io/text/json_writer.h"
 #include "core/plan/solve/layered_graph.h"
 #include "core/plan/solve/names.h"
@@ -78,9 +79,9 @@ std::string claimOf(const Proof& proof)
     const double gap = proof.cost > 0 ? (proof.cost - proof.bound) / proof.cost : 0.0;
     if (gap <= kOptimal)
         return "the orders are optimal";
-    std::array<char, 80> text{};
-    std::snprintf(text.data(), text.size(), "the orders are within %.3g %% of optimal", 100 * gap);
-    return text.data();
+    constexpr int kDigits = 3;
+    return "the orders are within " + fixedText(100 * gap, decimalsFor(100 * gap, kDigits)) +
+           " % of optimal";
 }
 
 std::string proofText(const Proof& proof)
