@@ -96,12 +96,15 @@ public:
             *value *= m_texts.factor(field);
         if (value && !outOfLimits(*value, limits))
             return value;
-        if (m_wrong.empty())
+        if (m_wrong.empty()) {
             m_wrong = text;
+            m_fault = !value && isGrouped(text) ? IssueId::DecimalComma : IssueId::NumberWrong;
+        }
         return std::nullopt;
     }
     /** Text of the first number that was wrong, empty when none was. */
     [[nodiscard]] const std::string& wrong() const { return m_wrong; }
+    [[nodiscard]] IssueId fault() const { return m_fault; }
 
 private:
     /** What a comma among digits means is told by the place of the row; by nothing, it is wrong. */
@@ -122,6 +125,7 @@ private:
 
     const FieldTexts& m_texts;
     std::string m_wrong;
+    IssueId m_fault = IssueId::NumberWrong;
 };
 
 std::optional<IssueId> readPlace(const FieldTexts& texts, LatLon& place)
@@ -266,7 +270,7 @@ std::variant<Sighting, RejectedRow> sightingOf(const FieldTexts& texts, const Ro
     const auto area = numbers.read(SightingField::Area, {.low = 0, .high = 1e12});
     sighting.radius_m = numbers.read(SightingField::Radius, length_m);
     if (!numbers.wrong().empty())
-        return rejected(IssueId::NumberWrong, numbers.wrong());
+        return rejected(numbers.fault(), numbers.wrong());
     if (!sighting.radius_m && length)
         sighting.radius_m = *length / 2;
     if (!sighting.radius_m && area)

@@ -155,6 +155,12 @@ private slots:
             QCOMPARE(table.sightings[0].radius_m, std::optional(radius_m));
     }
 
+    void commasThatMayMeanEitherAreTold()
+    {
+        const SightingTable table = readText("lat;lon;radius_m\n60;-50;1,200\n1.5;1.5;1\n");
+        QCOMPARE(faultAt(table, 2), std::string("\"1,200\" is no number: decimals follow a point"));
+    }
+
     /** 05/02/2021 is the fifth of February or the second of May. */
     void datesThatCanBeReadTwoWays()
     {
