@@ -172,10 +172,14 @@ void addOptions(CLI::App& command, ExportArguments& arguments)
         ->check(numberFrom(limits::kExtent_m.low, limits::kExtent_m.high));
     command.add_option("--loiter", options.loiterTurns, "Turns over each iceberg (0)")
         ->transform(wholeFrom(0, kMostLoiterTurns));
-    command.add_flag_function(
-        "--return-home,!--no-return-home", // a flag bound to the option would be false without it
-        [&options](std::int64_t count) { options.returnHome = count > 0; },
-        "End at home, or not (with limited endurance or a closed route)");
+    CLI::Option* home = command.add_flag_callback(
+        "--return-home", [&options] { options.returnHome = true; },
+        "End at home (with limited endurance or a closed route)");
+    command
+        .add_flag_callback(
+            "--no-return-home", [&options] { options.returnHome = false; },
+            "End over the last iceberg")
+        ->excludes(home);
     addForce(command, arguments.force);
 }
 

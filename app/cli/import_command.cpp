@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
+#include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_report.h"
@@ -181,6 +182,24 @@ void printDetails(const std::string& file, const ImportResult& result)
         tell(word(file) + ": and " + std::to_string(notes - kMostRows) + " more notes on icebergs");
 }
 
+SightingTable sightingsOf(const std::string& file, const ReadOptions& formats)
+{
+    const std::string text = readFile(file);
+    try {
+        return readSightings(text, file, formats);
+    } catch (const Error& error) {
+        constexpr std::size_t kHead = 100;
+        const bool isOurs =
+            std::string_view(text).substr(0, kHead).find("\"bergwatch-") != std::string_view::npos;
+        if (!isOurs || error.issues().front().reason.id != IssueId::UnknownFormat)
+            throw;
+        throw Error(ErrorCode::WrongFormat, file,
+                    {{Severity::Error,
+                      "format",
+                      {IssueId::OtherFormat, {"sightings", formatOf(text, file)}}}});
+    }
+}
+
 std::pair<SightingTable, ImportResult>
 imported(const ImportArguments& arguments, const ReadOptions& formats, const ImportOptions& options)
 {
@@ -188,9 +207,15 @@ imported(const ImportArguments& arguments, const ReadOptions& formats, const Imp
     const std::filesystem::path named = isOpenDescriptor(output) ? arguments.file : output;
     const Scenario base = arguments.intoFile.empty() ? newScenarioForImport(named.stem().string())
                                                      : loadScenario(arguments.intoFile);
-    SightingTable table = readSightings(readFile(arguments.file), arguments.file, formats);
-    ImportResult result = importSightings(base, table, options);
-    return {std::move(table), std::move(result)};
+    SightingTable table = sightingsOf(arguments.file, formats);
+    try {
+        ImportResult result = importSightings(base, table, options);
+        return {std::move(table), std::move(result)};
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::FileTooLarge)
+            throw;
+        throw Error(error.code(), arguments.file, error.issues());
+    }
 }
 
 int importFile(const ImportArguments& arguments)
@@ -208,11 +233,13 @@ int importFile(const ImportArguments& arguments)
                 .json = arguments.json});
     const auto [table, result] = reading([&] { return imported(arguments, formats, options); });
     if (!table.guessedDate.empty())
-        std::fprintf(
-            stderr,
-            "%s: warning: line %zu: dates such as %s are read month first, which nothing in the "
-            "file tells: --dates day-first or month-first says how\n",
-            shown(arguments.file).c_str(), table.guessedLine, shown(table.guessedDate).c_str());
+        printWarnings(arguments.file,
+                      {{Severity::Warning,
+                        "line " + std::to_string(table.guessedLine),
+                        {IssueId::Verbatim,
+                         {"dates such as " + table.guessedDate +
+                          " are read month first, which nothing in the file tells: --dates "
+                          "day-first or month-first says how"}}}});
     if (!arguments.json)
         printDetails(arguments.file, result);
     if (result.added + result.updated + result.unchanged == 0)

@@ -53,6 +53,12 @@ std::string hintOf(const Error& error)
         {"bergwatch-run", "This is a run: use 'simulate' or 'export'."},
         {"bergwatch-study", "This is a study: use 'study'."}};
     const IssueReason& reason = error.issues().front().reason;
+    if (reason.id == IssueId::UnknownFormat)
+        return "\nName the columns of a table: --map latitude=COLUMN --map longitude=COLUMN.";
+    constexpr std::int64_t kLiteral = 5; // a word may begin as "false" does
+    if (reason.id == IssueId::JsonSyntax && std::get<std::int64_t>(reason.arguments[0]) == 1 &&
+        std::get<std::int64_t>(reason.arguments[1]) <= kLiteral)
+        return "\nIs this a file of Bergwatch? Sightings are read by 'import'.";
     if (reason.id == IssueId::OtherFormat)
         for (const auto& [given, hint] : kHints)
             if (std::get<std::string>(reason.arguments.back()) == given)
@@ -90,7 +96,13 @@ void addCompletion(CLI::App& app, Action& action)
 {
     CLI::App* command = app.add_subcommand("completion", "Print a script that completes commands");
     const auto shell = std::make_shared<std::string>();
-    command->add_option("SHELL", *shell, "bash")->required()->check(CLI::IsMember({"bash"}));
+    command->add_option("SHELL", *shell, "bash")
+        ->required()
+        ->check(CLI::Validator(
+            [](const std::string& name) {
+                return name == "bash" ? std::string() : "there is no script for " + name;
+            },
+            ""));
     command->callback([shell, &app, &action] {
         action = [&app](const std::stop_token&) {
             print(bashCompletion(app));
@@ -133,12 +145,15 @@ int run(const Line& line, const std::stop_token& stop)
     Action action;
     program.addCommands(app, action);
     addCompletion(app, action);
+    readDashFromStandardInput(app);
     addExamples(app);
     bool isVerbose = false;
     for (CLI::App* command : app.get_subcommands({})) {
         command->add_flag_callback("-q,--quiet", beQuiet, "No progress, warnings and hints");
         command->add_flag("-v,--verbose", isVerbose, "Tell the time and memory taken");
     }
+    if (const std::optional<std::string> fault = unknownCommand(app, words))
+        return wrongUsage(app, line, *fault);
     try {
         app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // from the back
     } catch (const CLI::Success& asked) {
@@ -148,8 +163,10 @@ int run(const Line& line, const std::stop_token& stop)
             print(wrapped(text.str(), terminalWidth()));
         return kDone;
     } catch (const CLI::ParseError& error) {
-        return wrongUsage(app, line, unknownWord(app, words).value_or(error.what()));
+        return wrongUsage(app, line, unknownWord(app, words).value_or(plainWords(error)));
     }
+    if (const std::string name = emptyOption(app); !name.empty())
+        return wrongUsage(app, line, name + " is empty");
     try {
         const int exitCode = action(stop);
         if (isVerbose && !program.isSilent)

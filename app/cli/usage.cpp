@@ -4,6 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
 #include <numeric>
 #include <span>
 #include <sstream>
@@ -51,6 +54,13 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
 std::vector<const CLI::App*> commandsOf(const CLI::App& app)
 {
     return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+std::string unknownOption(const std::string& name, const std::vector<std::string>& known)
+{
+    constexpr std::size_t kShort = 2; // all of those are near
+    return "there is no option '" + name + '\'' +
+           (name.size() > kShort ? suggestion(name, known) : std::string());
 }
 
 /** "--tau", "-t", ... */
@@ -122,31 +132,76 @@ std::vector<std::string> wordsOf(int argc, const char* const* argv)
         words.resize(std::min<std::size_t>(words.size(), 1));
         words.emplace_back("--help");
     }
-    for (std::size_t i = 1; i < words.size(); ++i)
-        if (words[i] == "-" && !words[i - 1].starts_with('-')) // after an option: standard output
-            words[i] = "/dev/stdin";
     return words;
+}
+
+std::optional<std::string> unknownCommand(const CLI::App& app,
+                                          const std::vector<std::string>& words)
+{
+    if (words.empty() || words.front().starts_with('-') || chosen(app, words) != nullptr)
+        return std::nullopt;
+    std::vector<std::string> names;
+    for (const CLI::App* one : commandsOf(app))
+        names.push_back(one->get_name());
+    return "there is no command '" + words.front() + '\'' + suggestion(words.front(), names);
 }
 
 std::optional<std::string> unknownWord(const CLI::App& app, const std::vector<std::string>& words)
 {
+    if (words.empty())
+        return "a command is required";
     const CLI::App* command = chosen(app, words);
-    if (command == nullptr) {
-        if (words.empty())
-            return "a command is required";
-        if (words.front().starts_with('-'))
-            return std::nullopt;
-        std::vector<std::string> names;
-        for (const CLI::App* one : commandsOf(app))
-            names.push_back(one->get_name());
-        return "there is no command '" + words.front() + '\'' + suggestion(words.front(), names);
-    }
+    if (command == nullptr)
+        return words.front().starts_with('-') ? unknownOption(words.front(), optionsOf(app))
+                                              : unknownCommand(app, words);
+    const auto exists = [command](const std::string& name) {
+        return command->get_option_no_throw(name) != nullptr;
+    };
     for (std::size_t i = 1; i < words.size() && words[i] != "--"; ++i) {
         const std::string name = words[i].substr(0, words[i].find('='));
-        if (name.starts_with("--") && command->get_option_no_throw(name) == nullptr)
-            return "there is no option '" + name + '\'' + suggestion(name, optionsOf(*command));
+        const bool isLong = name.starts_with("--");
+        const bool isShort = name.size() > 1 && name[0] == '-' && std::isalpha(name[1]) != 0;
+        if ((isLong && !exists(name)) || (isShort && !exists(name.substr(0, 2))))
+            return unknownOption(name, optionsOf(*command));
+        if (isShort && exists('-' + name)) // -tau would be -t with the value au
+            return unknownOption(name, {'-' + name});
     }
     return std::nullopt;
+}
+
+void readDashFromStandardInput(CLI::App& app)
+{
+    for (CLI::App* command : app.get_subcommands({}))
+        for (CLI::Option* option : command->get_options())
+            if (option->get_positional())
+                option->transform(CLI::Validator(
+                    [](std::string& file) {
+                        if (file == "-")
+                            file = "/dev/stdin";
+                        return std::string();
+                    },
+                    ""));
+}
+
+std::string emptyOption(const CLI::App& app)
+{
+    for (const CLI::App* command : app.get_subcommands())
+        for (const CLI::Option* option : command->get_options())
+            if (option->get_expected_max() > 0 && std::ranges::count(option->results(), "") > 0)
+                return option->get_name();
+    return {};
+}
+
+std::string plainWords(const CLI::ParseError& error)
+{
+    const std::string text = error.what();
+    const std::string subject = text.substr(0, text.find(": "));
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
+        return subject +
+               (text.ends_with("missing") ? " needs a value" : " is given more than once");
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+        return "not expected: " + text.substr(subject.size() + 2);
+    return text;
 }
 
 std::string commandOf(const CLI::App& app, const std::vector<std::string>& words)
@@ -172,9 +227,14 @@ std::string wrapped(const std::string& help, std::size_t width)
 std::size_t terminalWidth()
 {
     winsize size = {};
-    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
-        return kUsualWidth;
-    return std::min<std::size_t>(size.ws_col, kMostWidth);
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+        return std::min<std::size_t>(size.ws_col, kMostWidth);
+    const char* const given =
+        std::getenv("COLUMNS"); // NOLINT(concurrency-mt-unsafe): nobody sets it
+    const std::string_view text = given == nullptr ? "" : given;
+    std::size_t columns = kUsualWidth;
+    std::from_chars(text.data(), text.data() + text.size(), columns);
+    return std::min(columns, kMostWidth);
 }
 
 void addExamples(CLI::App& app)

@@ -6,14 +6,12 @@
 
 namespace CLI { // NOLINT(readability-identifier-naming): of CLI11
 class App;
-}
+class ParseError;
+} // namespace CLI
 
 namespace berg::cli {
 
-/**
- * The words of a command line after the program's name: `help COMMAND` as `COMMAND --help`, and `-`
- * in place of a file to read as /dev/stdin.
- */
+/** The words of a command line after the program's name: `help COMMAND` as `COMMAND --help`. */
 [[nodiscard]] std::vector<std::string> wordsOf(int argc, const char* const* argv);
 
 /**
@@ -23,13 +21,26 @@ namespace berg::cli {
 [[nodiscard]] std::optional<std::string> unknownWord(const CLI::App& app,
                                                      const std::vector<std::string>& words);
 
+/** The same of the command alone, which CLI11 overlooks beside --help. */
+[[nodiscard]] std::optional<std::string> unknownCommand(const CLI::App& app,
+                                                        const std::vector<std::string>& words);
+
+/** A file to read that is `-` becomes /dev/stdin. */
+void readDashFromStandardInput(CLI::App& app);
+
+/** The first option or argument of the command that was given as an empty text; none: "". */
+[[nodiscard]] std::string emptyOption(const CLI::App& app);
+
+/** What CLI11 found wrong, in words of a user. */
+[[nodiscard]] std::string plainWords(const CLI::ParseError& error);
+
 /** "bergwatch-cli plan": the program and the command that `words` name. */
 [[nodiscard]] std::string commandOf(const CLI::App& app, const std::vector<std::string>& words);
 
 /** Lines of a help text longer than `width` are broken between words, under their second column. */
 [[nodiscard]] std::string wrapped(const std::string& help, std::size_t width);
 
-/** Columns of the terminal on standard output, 80 where there is none. */
+/** Columns of the terminal on standard output; where there is none, COLUMNS or 80. */
 [[nodiscard]] std::size_t terminalWidth();
 
 /** A few lines to copy, at the end of the help of each command that is known here. */

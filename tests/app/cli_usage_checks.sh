@@ -9,6 +9,8 @@ check "a run to read" exits 0 "$cli" simulate four.berg --duration 60 -q -o run
 check "-q: nothing on stderr" test ! -s stderr.txt
 echo '{"format": "bergwatch-scenario", "version": 1,' >broken.berg
 printf 'id,latitude,longitude\na,-62.4S,54W\nb,91,54W\n' >sightings.csv
+printf 'id,y,x\na,62.4S,54W\n' >columns.csv
+printf 'id,latitude,longitude,length\na,62S,54W,"1,200"\n' >lengths.csv
 sed 's/"sigma0_m2": [0-9.]*/"sigma0_m2": -1/' four.berg >negative.berg
 
 # --- mistakes --------------------------------------------------------------------------------
@@ -59,6 +61,8 @@ for command in solve plan curve simulate sweep study benchmark export validate i
     check "help $command: has an example" grep -q "^  bergwatch-cli $command" stdout.txt
     check "help $command: 80 columns" test "$(wc -L <stdout.txt)" -le 80
 done
+check "help: as wide as COLUMNS" test "$(COLUMNS=110 "$cli" import --help | wc -L)" -gt 80
+check "help: no wider than COLUMNS" test "$(COLUMNS=70 "$cli" import --help | wc -L)" -le 70
 check "-V" test "$("$cli" -V)" = "$("$cli" --version)"
 check "completion" exits 0 "$cli" completion bash
 check "completion: is a script" bash -n stdout.txt
@@ -77,6 +81,9 @@ check "plan from a file" exits 0 "$cli" plan four.berg --json
 check "plan from a pipe: the same" cmp -s piped.json <(grep -v '"seconds"' stdout.txt)
 check "plan from a real pipe" exits 0 bash -c 'cat four.berg | "$0" plan - --json' "$cli"
 check "plan from a real pipe: the same" cmp -s piped.json <(grep -v '"seconds"' stdout.txt)
+check "plan from a pipe, named last" exits 0 "$cli" plan --json - <four.berg
+check "plan from a pipe, named last: the same" cmp -s piped.json <(grep -v '"seconds"' stdout.txt)
+check "from pipe to pipe" exits 0 "$cli" export -f csv -o - - <four.berg
 check "a plan to a pipe" exits 0 "$cli" export four.berg -f csv -o -
 check "a plan to a pipe: a table" grep -q , stdout.txt
 check "format from the suffix" exits 0 "$cli" export four.berg -o plan.csv
