@@ -61,6 +61,29 @@ for kind, ending in (("scenario", "berg"), ("run", "bergrun"), ("study", "bergst
     put(f"escapes.{ending}", start + '"' + "\\u0041" * 2_000_000 + '"}')
     put(f"faults.{ending}", (head % kind)[:-5] + '"icebergs": [' + ",".join(['{"sigma0_m2": "x"}'] * many) + "]}")
     put(f"unknown.{ending}", start + "1" + "".join(f', "y{i}": 1' for i in range(many)) + "}")
+# Lists of what takes far more memory than its text, and so many that each must be looked at quickly.
+uav = '{"id": "u%d", "position_m": [0, %d]}'
+scenario = '{"format": "bergwatch-scenario", "version": 1, "uavs": [%s], "icebergs": [{"id": "b", "position_m": [100, 100]%s}]}'
+run = (head % "run")[:-5] + '"scenario": %s, "options": {}, "flown_until_s": 900, "metrics": {}, "%s": [%s]}'
+one = scenario % (uav % (0, 0), "")
+hundred = scenario % (",".join(uav % (i, 100 * i) for i in range(100)), "")
+track = ', "track": {"time_s": [%s], "position_m": [%s]}' % (",".join(map(str, range(-10_000, 0))), ",".join(["[0,0]"] * 10_000))
+put("changes.bergrun", run % (one, "interventions", ",".join(["{}"] * many)))
+put("winds.bergrun", run % (hundred, "interventions", ",".join(['{"time_s":0,"wind_mps":[0,0]}' + " " * 200] * (many // 2))))
+put("appears.bergrun", run % (scenario % (uav % (0, 0), track), "interventions", ",".join(['{"time_s":0,"appears":{"position_m":[0,0]}}'] * many)))
+put("plans.bergrun", run % (one, "plans", ",".join(["{}"] * many)))
+put("legs.bergrun", run % (one, "plans", '{"time_s":0,"legs":[' + ",".join(["[0,0,0,0,0,0,0]"] * many) + "]}"))
+put("clusters.bergrun", run % (one, "plans", '{"time_s":0,"clusters":[' + ",".join(["[]"] * many) + "]}"))
+put("keyframes.bergrun", run % (one, "keyframes", ",".join(["{}"] * many)))
+put("uavs.bergrun", run % (hundred, "keyframes", ",".join(['{"other_uavs":[' + ",".join(["{}"] * 99) + "]}"] * (many // 50))))
+put("tracks.bergrun", run % (one, "keyframes", '{"tracks":[' + ",".join(["[]"] * many) + "]}"))
+study = (head % "study")[:-5] + '"policies": ["visitation"], '
+put("scenarios.bergstudy", study + '"taus": [1], "scenarios": [' + ",".join(["{}"] * many) + "]}")
+put("outcomes.bergstudy", study + '"taus": [1], "random": 1, "runs": 1000000, "outcomes": [' + ",".join(["null"] * 1_000_000) + "]}")
+put("settings.bergstudy", study + '"random": 1, "runs": 1000, "taus": [' + ",".join(["1"] * 1000) + '], "outcomes": [' + ",".join(["null"] * 1000) + "]}")
+put("matrix.json", (head % "problem")[:-5] + '"sigma": [0' + ",1" * 999 + '], "distance_m": [' + ",".join(["[]"] * 1000) + "]}")
+put("fences.berg", (head % "scenario")[:-5] + '"uavs": [' + uav % (0, 0) + '], "icebergs": [], "no_fly": ['
+    + ",".join(['{"area_m": [' + ",".join(f"[{9000 + i},{i * i // 5}]" for i in range(2000)) + "]}"] * 100) + "]}")
 put("taus.bergstudy", '{"format": "bergwatch-study", "version": 1, "random": 1, "policies": ["visitation"], "taus": ['
     + ",".join(["1"] * many) + "]}")
 point = '{"type":"Feature","properties":{%s},"geometry":{"type":"Point","coordinates":[-48,47]}}'
@@ -83,6 +106,7 @@ put("whens.kml", '<kml xmlns:gx="g"><Placemark><gx:Track>' + "<when>2021-01-01T0
 put("points.gpx", '<gpx><trk><trkseg>' + '<trkpt lat="47" lon="-48"><time>2021-01-01T00:00:00Z</time></trkpt>' * (many // 4) + "</trkseg></trk></gpx>")
 put("rows.csv", "id,latitude,longitude\n" + "".join(f"b{i % 900},47.{i % 10000:04},-48.{i % 10000:04}\n" for i in range(many)))
 put("columns.csv", "latitude,longitude" + ",x" * many + "\n47,-48\n")
+put("many.csv", "id,latitude,longitude\n" + "".join(f"b{i},47,-48\n" for i in range(many // 4)))
 put("quotes.csv", "latitude,longitude\n" + 'a","\n' * many)
 put("cell.csv", "latitude,longitude,name\n47,-48,\"" + "x" * 20_000_000 + "\"\n")
 put("rows_short.csv", "latitude,longitude\n" + "0,0\n" * (2 * many))
@@ -123,6 +147,8 @@ for file in *.csv *.kml *.gpx *.geojson *.czml *.waypoints *.plan many.kmz; do
 done
 check "import bomb.kmz" frugal bomb.kmz "$cli" import bomb.kmz --output imported.berg --force
 check "import bomb.kmz: says why" says "would take more than 58 MB of memory, the limit for a file of its size"
+check "import many.csv" exits 3 "$cli" import many.csv --output imported.berg --force
+check "import many.csv: says why, and of which file" says "many.csv: there are more than 50000 icebergs to choose from"
 check "import rows_short.csv" exits 3 "$cli" import rows_short.csv --output imported.berg --force
 check "import rows_short.csv: says how to raise the limit" says "BERGWATCH_READ_LIMITS=2 in the environment"
 check "import rows_short.csv: the limit raised" exits 0 env BERGWATCH_READ_LIMITS=6 "$cli" import rows_short.csv --output imported.berg --force

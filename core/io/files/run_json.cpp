@@ -146,6 +146,7 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
 {
     std::vector<Intervention> interventions;
     const Json* list = run.array("interventions");
+    makeRoom(interventions, list, run.faults());
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
         ObjectReader object((*list)[i], entryPath(run.path("interventions"), i), run.faults());
         Intervention intervention;
@@ -173,14 +174,21 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
     return interventions;
 }
 
+/** Of the whole run, those that appear included. */
+std::size_t icebergCount(const RunFile& file)
+{
+    return file.scenario.icebergs.size() + static_cast<std::size_t>(std::ranges::count_if(
+                                               file.interventions, [](const Intervention& change) {
+                                                   return change.appears.has_value();
+                                               }));
+}
+
 /** Who is reported seen or kept for a UAV must be there by then. */
 void checkNamed(const RunFile& file, Faults& faults)
 {
-    std::vector<Iceberg> there = file.scenario.icebergs;
-    const auto appearing = std::ranges::count_if(
-        file.interventions, [](const Intervention& change) { return change.appears.has_value(); });
-    if (there.size() + static_cast<std::size_t>(appearing) > kMostIcebergs)
+    if (icebergCount(file) > kMostIcebergs)
         return; // `checkAppearing` says so
+    std::vector<Iceberg> there = file.scenario.icebergs;
     for (std::size_t i = 0; i < file.interventions.size(); ++i) {
         const Intervention& change = file.interventions[i];
         if (change.appears)
@@ -213,8 +221,10 @@ void checkNamed(const RunFile& file, Faults& faults)
 /** Wind and asset must be such as a scenario may hold. */
 void checkSurroundings(const RunFile& file, Faults& faults)
 {
-    Scenario after; // without what takes time to check and does not change
-    after.uavs = file.scenario.uavs;
+    Scenario after;                  // without what takes time to check and does not change
+    if (!file.scenario.uavs.empty()) // the slowest one decides
+        after.uavs.push_back(*std::ranges::min_element(
+            file.scenario.uavs, {}, [](const Uav& uav) { return uav.spec.airspeed_mps; }));
     for (std::size_t i = 0; i < file.interventions.size(); ++i) {
         const Intervention& change = file.interventions[i];
         if (!change.wind_mps && !change.asset)
@@ -252,6 +262,11 @@ void checkRecording(const RunFile& file, Faults& faults)
 /** The icebergs of the interventions must fit to the scenario as those in it do. */
 void checkAppearing(const RunFile& file, Faults& faults)
 {
+    if (const std::size_t count = icebergCount(file); count > kMostIcebergs) {
+        faults.add("interventions",
+                   {IssueId::RunIcebergCount, {countOf(kMostIcebergs), countOf(count)}});
+        return;
+    }
     Scenario after = file.scenario;
     std::vector<std::size_t> origin; // intervention that each further iceberg comes from
     for (std::size_t i = 0; i < file.interventions.size(); ++i)
@@ -264,8 +279,6 @@ void checkAppearing(const RunFile& file, Faults& faults)
     for (const Issue& issue : validate(after)) {
         if (issue.severity != Severity::Error)
             continue;
-        if (issue.field == "icebergs")
-            faults.add("interventions", {IssueId::RunIcebergCount, issue.reason.arguments});
         for (std::size_t k = 0; k < origin.size(); ++k) {
             const std::string path = entryPath("icebergs", file.scenario.icebergs.size() + k);
             const std::string field = entryPath("interventions", origin[k]) + ".appears" +
@@ -284,6 +297,7 @@ std::vector<std::vector<int>> readClusters(ObjectReader& object, const RunContex
         return clusters;
     std::vector<bool> seen(context.icebergs, false);
     const Json* list = object.array("clusters");
+    makeRoom(clusters, list, object.faults());
     for (std::size_t k = 0; list != nullptr && k < list->size(); ++k) {
         const std::string path = entryPath(object.path("clusters"), k);
         clusters.push_back(readIcebergs((*list)[k], path, object.faults(), context, seen));
@@ -299,6 +313,7 @@ std::vector<AimedLeg> readLegs(ObjectReader& object, const RunContext& context)
     if (object.find("legs") == nullptr)
         return legs;
     const Json* list = object.array("legs");
+    makeRoom(legs, list, object.faults());
     for (std::size_t k = 0; list != nullptr && k < list->size(); ++k)
         legs.push_back(
             readLeg((*list)[k], entryPath(object.path("legs"), k), object.faults(), context));
@@ -309,6 +324,7 @@ std::vector<RecordedPlan> readPlans(ObjectReader& run, const RunContext& context
 {
     std::vector<RecordedPlan> plans;
     const Json* list = run.array("plans");
+    makeRoom(plans, list, run.faults());
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
         ObjectReader object((*list)[i], entryPath(run.path("plans"), i), run.faults());
         RecordedPlan plan;
@@ -330,6 +346,7 @@ std::vector<WorldState> readKeyframes(ObjectReader& run, const RunContext& conte
 {
     std::vector<WorldState> keyframes;
     const Json* list = run.array("keyframes");
+    makeRoom(keyframes, list, run.faults());
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
         const std::string path = entryPath(run.path("keyframes"), i);
         keyframes.push_back(readKeyframe((*list)[i], path, run.faults(), context));
@@ -356,16 +373,12 @@ Metrics readMetrics(const Json& value, const std::string& path, Faults& faults)
 RunContext contextOf(const RunFile& file)
 {
     const Scenario& scenario = file.scenario;
-    RunContext context{
-        .flownUntil_s = file.flownUntil_s,
-        .lastStep = std::max<std::int64_t>(1, std::llround(scenario.duration_s / scenario.dt_s)),
-        .icebergsAtStart = scenario.icebergs.size(),
-        .icebergs = scenario.icebergs.size(),
-        .uavs = scenario.uavs.size()};
-    for (const Intervention& intervention : file.interventions)
-        if (intervention.appears)
-            ++context.icebergs;
-    return context;
+    return {.flownUntil_s = file.flownUntil_s,
+            .lastStep =
+                std::max<std::int64_t>(1, std::llround(scenario.duration_s / scenario.dt_s)),
+            .icebergsAtStart = scenario.icebergs.size(),
+            .icebergs = icebergCount(file),
+            .uavs = scenario.uavs.size()};
 }
 
 RunFile readRun(ObjectReader& run)

@@ -113,6 +113,7 @@ std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
             object.path("tracks"),
             {IssueId::EntryRange,
              {countOf(context.icebergsAtStart), countOf(context.icebergs), countOf(list->size())}});
+    makeRoom(tracks, list, object.faults());
     for (std::size_t i = 0; i < list->size(); ++i)
         tracks.push_back(
             readTrack((*list)[i], entryPath(object.path("tracks"), i), object.faults()));
@@ -170,11 +171,12 @@ std::vector<double> readList(ObjectReader& object, const char* member)
     std::vector<double> numbers;
     if (object.need(member) == nullptr)
         return numbers;
-    if (const Json* list = object.array(member))
-        for (std::size_t i = 0; i < list->size(); ++i)
-            if (const auto number =
-                    numberOf((*list)[i], entryPath(object.path(member), i), object.faults()))
-                numbers.push_back(*number);
+    const Json* list = object.array(member);
+    makeRoom(numbers, list, object.faults());
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
+        if (const auto number =
+                numberOf((*list)[i], entryPath(object.path(member), i), object.faults()))
+            numbers.push_back(*number);
     return numbers;
 }
 
@@ -184,11 +186,12 @@ Search readSearch(const Json& value, const std::string& path, Faults& faults,
     ObjectReader object(value, path, faults);
     Search search{.iceberg = asInt(object.whole("iceberg", 0, context.indices()))};
     std::vector<Point> corners_m;
-    if (const Json* list = object.array("corners_m"))
-        for (std::size_t i = 0; i < list->size(); ++i)
-            if (const auto corner_m =
-                    pointOf((*list)[i], entryPath(object.path("corners_m"), i), faults))
-                corners_m.push_back(*corner_m);
+    const Json* list = object.array("corners_m");
+    makeRoom(corners_m, list, faults);
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
+        if (const auto corner_m =
+                pointOf((*list)[i], entryPath(object.path("corners_m"), i), faults))
+            corners_m.push_back(*corner_m);
     const auto next = object.whole("next", 0, {.low = 0, .high = kLargestCount});
     const double spread_m = object.number("spread_m", 0);
     search.path = LostSearch::restored(std::move(corners_m), static_cast<std::size_t>(next),
@@ -248,6 +251,7 @@ std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults
         faults.add(path, {IssueId::WrongType, {ValueKind::Array, kindOf(value)}});
         return icebergs;
     }
+    makeRoom(icebergs, &value, faults);
     const WholeLimits indices{.low = 0, .high = context.indices().high};
     if (context.icebergs == 0 && !value.empty()) {
         faults.add(path, {IssueId::NoIcebergInRun});
@@ -287,6 +291,7 @@ ReturnPath readReturnPath(const Json& value, const std::string& path, Faults& fa
         faults.add(path, {IssueId::WrongType, {ValueKind::Pairs, entriesOf(value)}});
         return read;
     }
+    faults.take(value.size() / 2 * sizeof(ReturnPath::Part));
     for (std::size_t i = 0; i < value.size(); i += 2) {
         const auto rate_radps = numberOf(value[i], entryPath(path, i), faults);
         const auto commands = wholeOf(value[i + 1], entryPath(path, i + 1), faults,
@@ -369,13 +374,16 @@ std::vector<UavState> readOtherUavs(ObjectReader& keyframe, const RunContext& co
     const std::string path = keyframe.path("other_uavs");
     const Json* list = keyframe.find("other_uavs");
     const std::size_t count = list != nullptr && list->is_array() ? list->size() : 0;
+    if (count + 1 != context.uavs) {
+        keyframe.faults().add(path,
+                              {IssueId::EntryCount, {countOf(context.uavs - 1), countOf(count)}});
+        return uavs;
+    }
+    makeRoom(uavs, list, keyframe.faults());
     for (std::size_t i = 0; i < count; ++i) {
         ObjectReader object((*list)[i], entryPath(path, i), keyframe.faults());
         uavs.push_back(readUav(object, context));
     }
-    if (count + 1 != context.uavs)
-        keyframe.faults().add(path,
-                              {IssueId::EntryCount, {countOf(context.uavs - 1), countOf(count)}});
     return uavs;
 }
 
@@ -420,17 +428,21 @@ WorldState readKeyframe(const Json& value, const std::string& path, Faults& faul
     WorldState state;
     if (object.need("step") != nullptr)
         state.step = object.whole("step", 0, {.low = 0, .high = context.lastStep});
+    faults.take(sizeof(UavState));
     state.uavs.push_back(readUav(object, context));
-    for (UavState& uav : readOtherUavs(object, context))
-        state.uavs.push_back(std::move(uav));
+    std::vector<UavState> others = readOtherUavs(object, context);
+    state.uavs.reserve(1 + others.size());
+    std::ranges::move(others, std::back_inserter(state.uavs));
     state.sigmaSum_m2 = object.number("sigma_sum_m2", 0, kAmount);
     state.zeta_m2s = object.number("zeta_m2s", 0, kAmount);
     state.unclustered = readGroup(object, "apart", context);
     if (object.find("given_up") != nullptr)
-        if (const Json* list = object.array("given_up"))
+        if (const Json* list = object.array("given_up")) {
+            makeRoom(state.givenUp, list, faults);
             for (std::size_t i = 0; i < list->size(); ++i)
                 state.givenUp.push_back(
                     readSearch((*list)[i], entryPath(object.path("given_up"), i), faults, context));
+        }
     state.closest_m = object.optionalNumber("closest_m", kAmount);
     state.tracks = readTracks(object, context);
     return state;

@@ -80,6 +80,7 @@ std::vector<double> readTaus(ObjectReader& study)
 {
     std::vector<double> taus;
     const Json* list = study.array("taus");
+    makeRoom(taus, list, study.faults());
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
         taus.push_back(
             numberOf((*list)[i], entryPath(study.path("taus"), i), study.faults()).value_or(0));
@@ -107,6 +108,7 @@ std::vector<Scenario> readScenarios(ObjectReader& study)
 {
     std::vector<Scenario> scenarios;
     const Json* list = study.array("scenarios");
+    makeRoom(scenarios, list, study.faults());
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
         ObjectReader scenario((*list)[i], entryPath(study.path("scenarios"), i), study.faults());
         scenarios.push_back(readScenario(scenario));
@@ -212,6 +214,7 @@ void readOutcomes(ObjectReader& object, Study& study)
                             {IssueId::EntryCount, {countOf(cases), countOf(list->size())}});
         return;
     }
+    object.faults().take(cases * settings * sizeof(study.outcomes.front()));
     study.outcomes.reserve(cases * settings);
     for (std::size_t c = 0; c < cases; ++c)
         readCase((*list)[c], settings, entryPath(object.path("outcomes"), c), study,

@@ -65,6 +65,15 @@ private:
     std::size_t m_notKept = 0;
 };
 
+/** Makes room for what is made of the list's entries, counted as memory of the reading. */
+template <class Entry>
+void makeRoom(std::vector<Entry>& entries, const Json* list, const Faults& faults)
+{
+    const std::size_t count = list == nullptr ? 0 : list->size();
+    faults.take(count * sizeof(Entry));
+    entries.reserve(count);
+}
+
 /** A file's content and the faults found so far (duplicate members). */
 struct ParsedJson
 {
