@@ -2,6 +2,7 @@
 
 #include "widgets/panels/fields/wheel_guard.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -86,7 +87,7 @@ void ExportOptionsView::addUavs(const Scenario& scenario)
         m_uav->addItem(QString::fromStdString(uav.name.empty() ? uav.id : uav.name),
                        QString::fromStdString(uav.id));
     m_form->addRow(tr("&UAV"), m_uav);
-    m_form->setRowVisible(m_uav, scenario.uavs.size() > 1);
+    m_form->setRowVisible(m_uav, areToldApart(scenario.uavs));
 }
 
 QDoubleSpinBox* ExportOptionsView::addNumber(const QString& label, const QString& name,

@@ -3,6 +3,7 @@
 #include "widgets/map/view/map_view.h"
 #include "widgets/print/export_picture.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
 
 #include <QDateTime>
 #include <QFontDatabase>
@@ -144,7 +145,7 @@ CellSheet waypointSheet(const ExportPreviewPointer& preview, const QLocale& loca
                             return waypoint.visit->time_s;
                         return cellText(preview->content, waypoint, cell, locale);
                     }};
-    if (content.uavs.size() > 1)
+    if (areToldApart(content.uavs))
         sheet.titles << ExportPreviewView::tr("UAV");
     return sheet;
 }

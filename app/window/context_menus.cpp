@@ -69,7 +69,7 @@ void ContextMenus::showOnPlan(const QPoint& globalPos, const std::string& id)
 void ContextMenus::addHandOverActions(QMenu& menu, const std::string& id)
 {
     const std::vector<Uav>& uavs = workspace().document().scenario().uavs;
-    if (uavs.size() < 2)
+    if (!areToldApart(uavs))
         return;
     const std::string keeper = workspace().assignedUavOf(id);
     const auto add = [&](const QString& text, const std::string& uav) {

@@ -20,11 +20,6 @@ struct MissionCharts
     Q_DECLARE_TR_FUNCTIONS(MissionCharts)
 };
 
-bool areSeveral(const FlightRecord& record)
-{
-    return record.scenario.uavs.size() > 1;
-}
-
 void addUavLines(TimeChartContent& content, const FlightRecord& record, const QString& unit,
                  const QString& column)
 {
@@ -43,7 +38,7 @@ void addUavLines(TimeChartContent& content, const FlightRecord& record, const QS
 void addReadings(TimeChartContent& content, const FlightRecord& record, const QString& unit,
                  const QString& column)
 {
-    if (areSeveral(record))
+    if (areToldApart(record.scenario.uavs))
         return addUavLines(content, record, unit, column);
     content.lines.push_back({.label = content.title,
                              .points = {},
@@ -92,7 +87,7 @@ void fillDistance(TimeChartContent& content, const FlightRecord& record, const Q
                              .key = column});
     content.summary =
         MissionCharts::tr("Distance flown by %1: %2.").arg(clockText(record.now.time_s), flown);
-    if (!areSeveral(record))
+    if (!areToldApart(record.scenario.uavs))
         return;
     content.lines.back().label = MissionCharts::tr("All %1").arg(flown);
     content.lines.back().name = MissionCharts::tr("All");

@@ -3,6 +3,7 @@
 #include "core/sim/clusters.h"
 #include "core/sim/mission_instant.h"
 #include "core/sim/plan_requests.h"
+#include "widgets/words/object_names.h"
 
 #include <algorithm>
 #include <iterator>
@@ -52,7 +53,7 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
         snapshot.truth_m.push_back(simulation.truth_m(i));
         snapshot.active.push_back(simulation.active(i));
         const int assigned = simulation.world().body(i).assignedUav;
-        snapshot.assigned.push_back(snapshot.world.uavs.size() > 1 ? assigned : -1);
+        snapshot.assigned.push_back(areToldApart(snapshot.world.uavs) ? assigned : -1);
     }
     return snapshot;
 }

@@ -4,6 +4,7 @@
 #include "widgets/print/page_text.h"
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
 #include "widgets/words/policy_words.h"
 
 #include <QCoreApplication>
@@ -210,7 +211,7 @@ std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& lo
                        {FlightBrief::tr("Loiter turns"), [&content](const auto&) {
                             return QString::number(content.options.loiterTurns);
                         }});
-    if (content.uavs.size() > 1)
+    if (areToldApart(content.uavs))
         addOwnTotals(columns, locale);
     return rowsOf(columns, content);
 }

@@ -2,6 +2,7 @@
 
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
 
 #include <QCoreApplication>
 
@@ -181,7 +182,7 @@ BriefRoute briefRoute(const ExportContent& content, std::size_t uav, const QLoca
     if (isTrack)
         rows.addEnd();
     return {.uav = uav,
-            .name = content.uavs.size() > 1 ? printable(titleOf(flown.uav)) : QString(),
+            .name = areToldApart(content.uavs) ? printable(titleOf(flown.uav)) : QString(),
             .rows = rows.taken()};
 }
 

@@ -9,6 +9,7 @@
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/palette.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -97,8 +98,8 @@ std::vector<MapReadout> plannedFigures(const ExportContent& content, const QLoca
     return {{.caption = MapPageText::tr("Distance"),
              .value = significantText(unit.fromSi(length_m), 3, locale),
              .unit = unit.name},
-            {.caption = content.uavs.size() > 1 ? MapPageText::tr("Longest flight")
-                                                : MapPageText::tr("Flight time"),
+            {.caption = areToldApart(content.uavs) ? MapPageText::tr("Longest flight")
+                                                   : MapPageText::tr("Flight time"),
              .value = clockText(longest_s),
              .unit = {}},
             {.caption = MapPageText::tr("Visits"),

@@ -13,11 +13,20 @@ template <class Object>
     return QString::fromStdString(object.name.empty() ? object.id : object.name);
 }
 
-/** Of the UAV of that number; empty: there are not several, or none of that number. */
+/** Whether UAVs have names, colours and icebergs of their own on screen: the only one needs none.
+ */
+template <class Uav>
+[[nodiscard]] bool areToldApart(const std::vector<Uav>& uavs)
+{
+    return uavs.size() > 1;
+}
+
+/** Of the UAV of that number; empty: UAVs are not told apart, or there is none of that number. */
 [[nodiscard]] inline QString nameInFleet(const std::vector<Uav>& uavs, int uav)
 {
     const auto place = static_cast<std::size_t>(uav);
-    return uavs.size() > 1 && uav >= 0 && place < uavs.size() ? shownName(uavs[place]) : QString();
+    return areToldApart(uavs) && uav >= 0 && place < uavs.size() ? shownName(uavs[place])
+                                                                 : QString();
 }
 
 } // namespace berg

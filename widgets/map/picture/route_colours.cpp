@@ -1,13 +1,14 @@
 #include "widgets/map/picture/route_colours.h"
 
 #include "widgets/theme/palette.h"
+#include "widgets/words/object_names.h"
 
 namespace berg {
 
 RouteColours routeColours(const MapPicture& picture, const Theme& theme,
                           std::optional<std::size_t> uav)
 {
-    if (picture.uavs.size() < 2)
+    if (!areToldApart(picture.uavs))
         return {.uav = theme.uav,
                 .plan = theme.plan,
                 .former = theme.formerPlan,

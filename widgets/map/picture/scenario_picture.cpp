@@ -29,7 +29,7 @@ MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario)
     if (const std::optional<AssetApproach> approach = approachOf(scenario, iceberg))
         drawn.ringEntry_s = approach->entry_s;
     const auto uav = std::ranges::find(scenario.uavs, iceberg.uav, &Uav::id);
-    if (scenario.uavs.size() > 1 && uav != scenario.uavs.end())
+    if (areToldApart(scenario.uavs) && uav != scenario.uavs.end())
         drawn.keptFor = static_cast<int>(uav - scenario.uavs.begin());
     return drawn;
 }

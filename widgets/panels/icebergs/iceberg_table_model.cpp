@@ -4,6 +4,7 @@
 #include "widgets/model/scenario_edits.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
 #include "widgets/words/iceberg_table_text.h"
+#include "widgets/words/object_names.h"
 
 #include <QCollator>
 
@@ -54,7 +55,7 @@ void IcebergTableModel::showRecord(const FlightRecord& record)
 {
     setRows(flightRows(record), {.isInFlight = true,
                                  .hasAsset = record.shown().asset.has_value(),
-                                 .hasFleet = record.scenario.uavs.size() > 1});
+                                 .hasFleet = areToldApart(record.scenario.uavs)});
 }
 
 void IcebergTableModel::setRows(std::vector<IcebergTableRow> rows, const Kind& kind)

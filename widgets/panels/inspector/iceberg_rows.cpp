@@ -131,7 +131,7 @@ PickRow visitorRow()
                       .label = InspectorRows::tr("Visited by"),
                       .toolTip = InspectorRows::tr("The UAV that alone is to visit it."),
                       .undoText = InspectorRows::tr("Change UAV of an iceberg"),
-                      .isShown = isFleet},
+                      .isShown = hasUavsToldApart},
             .options =
                 [](const Scenario& scenario) {
                     std::vector<PickRow::Option> options{

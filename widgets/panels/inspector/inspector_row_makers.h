@@ -4,6 +4,7 @@
 #include "widgets/model/selection.h"
 #include "widgets/panels/inspector/inspector_rows.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
 
 #include <QCoreApplication>
 
@@ -117,10 +118,9 @@ inline bool isLimited(const Scenario& scenario, const std::string& id)
     return uav != nullptr && uav->spec.endurance_s > 0;
 }
 
-/** Whether there are several UAVs. */
-inline bool isFleet(const Scenario& scenario, const std::string& /*id*/)
+inline bool hasUavsToldApart(const Scenario& scenario, const std::string& /*id*/)
 {
-    return scenario.uavs.size() > 1;
+    return areToldApart(scenario.uavs);
 }
 
 /** Where a UAV lands and how long it stands there; part of `uavRows`. */

@@ -161,7 +161,7 @@ NumberRow separationRow()
          .toolTip = InspectorRows::tr("UAVs are kept so far from each other, unless their "
                                       "altitudes are 30 m apart."),
          .undoText = InspectorRows::tr("Change separation"),
-         .isShown = isFleet},
+         .isShown = hasUavsToldApart},
         {}, [](auto& scenario) -> auto& { return scenario.separation_m; },
         always(limits::kLength_m));
     row.step = 50;
