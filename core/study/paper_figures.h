@@ -7,16 +7,14 @@ namespace berg {
 
 // The studies of the paper, ready to run.
 
-/** Where the paper's Figure 4 draws the TSP path on its axis of tau. */
-inline constexpr double kTspPathTau = 4.5;
-
 /**
  * Figure 3 and Table 2: solution times by number of icebergs, 50 instances of Table 1 of each size
  * that Table 2 names, tau 0.5, solved by `solvers`. The budget is ours.
  */
 [[nodiscard]] BenchmarkSpec figure3(std::vector<BenchmarkSolver> solvers);
 
-/** Figure 4: zeta of one scenario for tau = 0, 0.1 .. 4, and the TSP path (`PolicyKind::Path`). */
+/** Figure 4: zeta of one scenario for tau = 0, 0.1 .. 4, and the TSP path (`PolicyKind::Path`),
+ * which the paper draws at tau = 4.5. */
 [[nodiscard]] StudySpec figure4(const Scenario& scenario);
 
 /** Figure 5: two flights of one scenario, the tau of lowest zeta (1.5 in the paper) and the TSP. */

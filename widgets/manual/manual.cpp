@@ -78,13 +78,6 @@ QString ManualChapter::title() const
     return blocks.empty() ? name : plainText(blocks.front().text);
 }
 
-bool ManualChapter::hasAnchor(const QString& id) const
-{
-    return std::any_of(blocks.begin(), blocks.end(), [&](const MarkdownBlock& block) {
-        return block.kind == MarkdownBlock::Kind::Heading && block.id == id;
-    });
-}
-
 QString ManualChapter::html(const QString& pictureFolder, bool anchors) const
 {
     std::vector<MarkdownBlock> shown = blocks;

@@ -19,7 +19,6 @@ struct ManualChapter
     std::vector<MarkdownBlock> blocks;
 
     [[nodiscard]] QString title() const; ///< its first heading
-    [[nodiscard]] bool hasAnchor(const QString& id) const;
     /** Its pictures come from that folder; those that are not there are left out. */
     [[nodiscard]] QString html(const QString& pictureFolder, bool anchors) const;
 };

@@ -16,7 +16,7 @@ namespace berg {
  */
 [[nodiscard]] std::string planCsv(const ExportContent& content);
 
-/** The path or track as `trajectoryCsv` has it: by time, then by UAV. */
+/** The path or track as the trajectory of a flight is written: by time, then by UAV. */
 [[nodiscard]] std::string trackCsv(const ExportContent& content);
 
 } // namespace berg

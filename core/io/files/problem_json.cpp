@@ -2,7 +2,6 @@
 
 #include "core/io/files/scenario_parts.h"
 #include "core/io/text/atomic_file.h"
-#include "core/io/text/json_writer.h"
 #include "core/plan/solve/tuning.h"
 
 namespace berg {
@@ -131,29 +130,6 @@ ProblemFile problemFromJson(std::string_view text, const std::string& subject,
     if (std::vector<Issue> issues = validate(file.problem); !issues.empty())
         throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
     return file;
-}
-
-std::string problemToJson(const ProblemFile& file)
-{
-    const TvpProblem& problem = file.problem;
-    std::vector<std::string> rows;
-    for (Eigen::Index i = 0; i < problem.distance_m.rows(); ++i) {
-        std::vector<std::string> row;
-        for (Eigen::Index j = 0; j < problem.distance_m.cols(); ++j)
-            row.push_back(jsonText(i == j ? 0.0 : problem.distance_m(i, j)));
-        rows.push_back(jsonArray(row));
-    }
-    JsonObject object;
-    object.add("format", kFormat);
-    object.add("version", 1);
-    object.addText("sigma", jsonArrayOf(problem.sigma_m2));
-    object.addText("distance_m", jsonLines(rows, 1));
-    if (file.tau)
-        object.add("tau", *file.tau);
-    else
-        object.add("mu", problem.mu);
-    object.add("route", nameOf(kRouteNames, problem.route));
-    return object.inLines(0) + '\n';
 }
 
 ProblemFile loadProblem(const std::string& path)

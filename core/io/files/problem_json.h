@@ -22,7 +22,6 @@ struct ProblemFile
 /** Errors as for `scenarioFromJson`. Without `tau` and `mu`, tau is 1. */
 [[nodiscard]] ProblemFile problemFromJson(std::string_view text, const std::string& subject,
                                           const std::stop_token& stop = {});
-[[nodiscard]] std::string problemToJson(const ProblemFile& file);
 [[nodiscard]] ProblemFile loadProblem(const std::string& path);
 
 } // namespace berg

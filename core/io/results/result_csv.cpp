@@ -19,9 +19,6 @@ namespace berg {
 
 namespace {
 
-/** Room for one row, bytes; only saves reallocation. */
-constexpr std::size_t kRowBytes = 128;
-
 constexpr std::array<Named<ChangedPart>, 3> kChangedPartNames{{
     {ChangedPart::Wind, "wind"},
     {ChangedPart::Asset, "asset"},
@@ -263,28 +260,6 @@ void SampleTables::addZeta(std::string& text, const Sample& sample) const
         add(text, sample.weightedSum_m2, '\n');
 }
 
-namespace {
-
-std::string collected(void (*write)(const Mission&, const TextSink&), const Mission& mission)
-{
-    std::string text;
-    write(mission, [&text](std::string_view piece) { text += piece; });
-    return text;
-}
-
-} // namespace
-
-std::string trajectoryCsv(const Mission& mission)
-{
-    const SampleTables tables = tablesOf(mission);
-    const std::vector<Sample>& samples = mission.recorder().samples();
-    std::string text = tables.trajectoryHeader();
-    text.reserve((samples.size() * mission.scenario().uavs.size() + 1) * kRowBytes);
-    for (const Sample& sample : samples)
-        tables.addTrajectory(text, sample);
-    return text;
-}
-
 void writeSigma(const Mission& mission, const TextSink& put)
 {
     const SampleTables tables = tablesOf(mission);
@@ -329,21 +304,6 @@ void writeEvents(const Mission& mission, const TextSink& put)
         text += ',' + csvField(eventDetail(event, mission)) + '\n';
         put(text);
     }
-}
-
-std::string sigmaCsv(const Mission& mission)
-{
-    return collected(writeSigma, mission);
-}
-
-std::string zetaCsv(const Mission& mission)
-{
-    return collected(writeZeta, mission);
-}
-
-std::string eventsCsv(const Mission& mission)
-{
-    return collected(writeEvents, mission);
 }
 
 } // namespace berg

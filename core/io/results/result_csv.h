@@ -19,19 +19,11 @@ namespace berg {
 // Result tables of a recorded mission: RFC 4180, UTF-8, '.' decimals, numbers that read back
 // exactly, a header row with units.
 
-/** `time_s,uav,east_m,north_m,latitude_deg,longitude_deg,heading_deg,turn_rate_radps,cross_track_m`
- */
-[[nodiscard]] std::string trajectoryCsv(const Mission& mission);
 /** `time_s,iceberg,sigma_m2,east_m,north_m,in_view` (true positions) */
-[[nodiscard]] std::string sigmaCsv(const Mission& mission);
-/** `time_s,event,uav,iceberg,detail` */
-[[nodiscard]] std::string eventsCsv(const Mission& mission);
-/** `time_s,sigma_sum_m2,zeta_m2s`, and `weighted_sigma_sum_m2` where there is an asset */
-[[nodiscard]] std::string zetaCsv(const Mission& mission);
-
-// The same in pieces.
 void writeSigma(const Mission& mission, const TextSink& put);
+/** `time_s,event,uav,iceberg,detail` */
 void writeEvents(const Mission& mission, const TextSink& put);
+/** `time_s,sigma_sum_m2,zeta_m2s`, and `weighted_sigma_sum_m2` where there is an asset */
 void writeZeta(const Mission& mission, const TextSink& put);
 
 /** Rows of the tables of a flight's samples, for whoever writes them as they come. */
@@ -60,7 +52,9 @@ private:
 /** Of UAV `row` of the scenario. */
 [[nodiscard]] TrackPoint trackPointOf(const Sample& sample, std::size_t row);
 
-/** Header of `trajectoryCsv`, with its line end. */
+/** With its line end:
+ * `time_s,uav,east_m,north_m,latitude_deg,longitude_deg,heading_deg,turn_rate_radps,cross_track_m`
+ */
 [[nodiscard]] std::string_view trajectoryHeader();
 /** One row of it; `uav` is a CSV field. */
 void appendTrajectoryRow(std::string& text, const LocalFrame& frame, const std::string& uav,

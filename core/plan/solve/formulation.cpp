@@ -1,7 +1,5 @@
 #include "core/plan/solve/formulation.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace berg {
@@ -237,35 +235,6 @@ std::vector<double> encode(const MilpModel& model, std::span<const int> order)
         for (int node = 0; node < model.nodeCount; ++node)
             solution[model.arcs.size() + at(node)] = position[at(node)];
     return solution;
-}
-
-double objectiveValue(const MilpModel& model, std::span<const double> solution)
-{
-    require(solution.size() == model.columns.size(),
-            "objectiveValue: one value per column expected");
-    double value = model.objectiveOffset;
-    for (std::size_t c = 0; c < solution.size(); ++c)
-        value += model.columns[c].objective * solution[c];
-    return value;
-}
-
-double violation(const MilpModel& model, std::span<const double> solution)
-{
-    require(solution.size() == model.columns.size(), "violation: one value per column expected");
-    double worst = 0;
-    for (std::size_t c = 0; c < solution.size(); ++c) {
-        const MilpColumn& column = model.columns[c];
-        worst = std::max({worst, column.lower - solution[c], solution[c] - column.upper});
-        if (column.integer)
-            worst = std::max(worst, std::abs(solution[c] - std::round(solution[c])));
-    }
-    for (const MilpRow& row : model.rows) {
-        double sum = 0;
-        for (const MilpTerm& term : row.terms)
-            sum += term.coefficient * solution[at(term.column)];
-        worst = std::max({worst, row.lower - sum, sum - row.upper});
-    }
-    return worst;
 }
 
 } // namespace berg

@@ -93,10 +93,4 @@ struct MilpModel
 /** The solution (one value per column) of a visiting order: each iceberg node exactly once. */
 [[nodiscard]] std::vector<double> encode(const MilpModel& model, std::span<const int> order);
 
-/** Objective of a solution, offset included. */
-[[nodiscard]] double objectiveValue(const MilpModel& model, std::span<const double> solution);
-
-/** Largest violation of a bound, of a row or of the integrality of a column; 0 = feasible. */
-[[nodiscard]] double violation(const MilpModel& model, std::span<const double> solution);
-
 } // namespace berg

@@ -4,6 +4,7 @@
 #include "core/scenario/presets.h"
 #include "core/sim/mission_instant.h"
 #include "tests/support/approx.h"
+#include "tests/support/flight_tables.h"
 #include "tests/support/scenario_builder.h"
 
 #include <QTest>
@@ -12,6 +13,7 @@
 #include <cmath>
 
 using namespace berg;
+using namespace berg::test;
 using test::addIceberg;
 using test::emptySea;
 
@@ -117,7 +119,7 @@ private slots:
         plain.advance(60);
         QCOMPARE(plain.recorder().samples().back().weightedSum_m2,
                  plain.recorder().samples().back().sigmaSum_m2);
-        QVERIFY(zetaCsv(plain).starts_with("time_s,sigma_sum_m2,zeta_m2s\n"));
+        QVERIFY(written(writeZeta, plain).starts_with("time_s,sigma_sum_m2,zeta_m2s\n"));
 
         scenario.asset = platform(2500, 0);
         Mission weighted(scenario);
@@ -129,8 +131,8 @@ private slots:
                      priority(world.observer(), 0) * world.track(0).sigma_m2 +
                          21 * world.track(1).sigma_m2,
                      1e-9);
-        QVERIFY(
-            zetaCsv(weighted).starts_with("time_s,sigma_sum_m2,zeta_m2s,weighted_sigma_sum_m2\n"));
+        QVERIFY(written(writeZeta, weighted)
+                    .starts_with("time_s,sigma_sum_m2,zeta_m2s,weighted_sigma_sum_m2\n"));
     }
 
     /** The zeta a plan with aim points promises is the one that is flown, without weights. */

@@ -48,7 +48,7 @@ private slots:
         QCOMPARE(settings[40], (StudySetting{.tau = 4}));
         QCOMPARE(settings[41], (StudySetting{.policy = PolicyKind::Path}));
         QVERIFY(!hasErrors(validate(spec)));
-        QVERIFY(settings[40].tau < kTspPathTau); // the path is drawn beyond the curve
+        QVERIFY(settings[40].tau < 4.5); // the path is drawn beyond the curve
     }
 
     void figure4WithoutName()

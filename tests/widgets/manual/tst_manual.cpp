@@ -14,6 +14,8 @@
 #include <QTreeWidget>
 #include <QtTest>
 
+#include <algorithm>
+
 using namespace berg;
 using namespace Qt::StringLiterals;
 using Kind = MarkdownBlock::Kind;
@@ -51,12 +53,19 @@ QStringList allLinks(const ManualChapter& chapter)
     return links;
 }
 
+bool hasAnchor(const ManualChapter& chapter, const QString& id)
+{
+    return std::ranges::any_of(chapter.blocks, [&](const MarkdownBlock& block) {
+        return block.kind == Kind::Heading && block.id == id;
+    });
+}
+
 /** Whether there is such a place; of a chapter in hand where it names none. */
 bool leads(const Manual& manual, const ManualChapter& from, const QString& link)
 {
     const ManualChapter* chapter = link.startsWith(u'#') ? &from : manual.chapterAt(link);
     return chapter != nullptr &&
-           (!link.contains(u'#') || chapter->hasAnchor(link.section(u'#', 1)));
+           (!link.contains(u'#') || hasAnchor(*chapter, link.section(u'#', 1)));
 }
 
 } // namespace

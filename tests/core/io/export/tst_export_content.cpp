@@ -4,6 +4,7 @@
 #include "core/scenario/presets.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/flight_tables.h"
 #include "tests/support/mission_builder.h"
 
 #include <QTest>

@@ -3,6 +3,7 @@
 #include "core/io/results/result_csv.h"
 #include "core/sim/visits.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/flight_tables.h"
 #include "tests/support/german_numbers.h"
 #include "tests/support/golden.h"
 #include "tests/support/mission_builder.h"
@@ -128,7 +129,7 @@ private slots:
         scenario.duration_s = 100;
         const Mission mission = flown(scenario);
         const Recorder& recorder = mission.recorder();
-        const QList<Record> records = csvRecords(sigmaCsv(mission));
+        const QList<Record> records = csvRecords(written(writeSigma, mission));
         QCOMPARE(records[0].join(','),
                  QByteArray("time_s,iceberg,sigma_m2,east_m,north_m,in_view"));
         qsizetype next = 1;
@@ -165,7 +166,7 @@ private slots:
         added.position_m = Point(0, 3000);
         mission.intervene({.tau = 2, .appears = added});
         mission.advance(1e9);
-        const QList<Record> records = csvRecords(eventsCsv(mission));
+        const QList<Record> records = csvRecords(written(writeEvents, mission));
         QCOMPARE(records[0].join(','), QByteArray("time_s,event,uav,iceberg,detail"));
         QCOMPARE(records.size(), static_cast<qsizetype>(mission.events().size()) + 1);
         QMap<QByteArray, int> count;
@@ -230,7 +231,7 @@ private slots:
     void zetaEndsAtTheMetric()
     {
         const Mission mission = flown(fourIcebergs());
-        const QList<Record> records = csvRecords(zetaCsv(mission));
+        const QList<Record> records = csvRecords(written(writeZeta, mission));
         QCOMPARE(records[0].join(','), QByteArray("time_s,sigma_sum_m2,zeta_m2s"));
         QCOMPARE(records.size(), 402); // 0 .. 400 s and the header
         QCOMPARE(records[1][2], QByteArray("0"));
@@ -242,8 +243,8 @@ private slots:
     {
         Mission mission(fourIcebergs(), {.record = false});
         mission.advance(1e9);
-        for (const std::string& text :
-             {trajectoryCsv(mission), sigmaCsv(mission), eventsCsv(mission), zetaCsv(mission)})
+        for (const std::string& text : {trajectoryCsv(mission), written(writeSigma, mission),
+                                        written(writeEvents, mission), written(writeZeta, mission)})
             QCOMPARE(csvRecords(text).size(), 1);
     }
 
@@ -292,7 +293,7 @@ private slots:
         const ExportFormat* zeta = findExportFormat("zeta-csv");
         QVERIFY(zeta != nullptr);
         QCOMPARE(zeta->write({.scenario = scenario, .plan = plan, .mission = &mission}),
-                 zetaCsv(mission));
+                 written(writeZeta, mission));
         const std::optional<Error> error =
             errorOf([&] { (void)zeta->write({.scenario = scenario, .plan = plan}); });
         QVERIFY(error && error->code() == ErrorCode::InvalidInput);

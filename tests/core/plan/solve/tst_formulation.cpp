@@ -1,6 +1,7 @@
 #include "core/plan/solve/formulation.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/milp_checks.h"
 
 #include <QRegularExpression>
 
@@ -226,4 +227,5 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(TestFormulation)
+
 #include "tst_formulation.moc"

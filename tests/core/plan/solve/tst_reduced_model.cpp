@@ -1,6 +1,7 @@
 #include "core/plan/solve/reduced_model.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/milp_checks.h"
 
 #include <QRegularExpression>
 #include <QtTest>
@@ -138,4 +139,5 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(TestReducedModel)
+
 #include "tst_reduced_model.moc"
