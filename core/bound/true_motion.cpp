@@ -13,7 +13,7 @@ namespace berg {
 
 namespace {
 
-struct TimedPoint
+struct PlaceInTime
 {
     double time_s = 0;
     Point position_m = Point::Zero();
@@ -35,11 +35,11 @@ std::vector<double> corners_s(const Scenario& scenario, const Iceberg& iceberg, 
     return corners;
 }
 
-double farthestFromChord_m(const std::vector<TimedPoint>& points, const TimedPoint& from,
-                           const TimedPoint& to)
+double farthestFromChord_m(const std::vector<PlaceInTime>& points, const PlaceInTime& from,
+                           const PlaceInTime& to)
 {
     double farthest_m = 0;
-    for (const TimedPoint& p : points) {
+    for (const PlaceInTime& p : points) {
         const double share = (p.time_s - from.time_s) / (to.time_s - from.time_s);
         const Point chord_m = from.position_m + share * (to.position_m - from.position_m);
         farthest_m = std::max(farthest_m, (p.position_m - chord_m).norm());
@@ -70,14 +70,14 @@ TrueMotion::Path TrueMotion::pathOf(const Scenario& scenario, const Iceberg& ice
         trueDrift(iceberg, scenario.observer, seed, scenario.noise, scenario.current_mps), seed,
         iceberg.id, scenario.noise);
     Path path;
-    TimedPoint last{.time_s = 0, .position_m = drift.position_m(0)};
+    PlaceInTime last{.time_s = 0, .position_m = drift.position_m(0)};
     path.position_m.push_back(last.position_m);
     for (int b = 0; b < blocks() && !stop.stop_requested(); ++b) {
-        std::vector<TimedPoint> between;
+        std::vector<PlaceInTime> between;
         for (const double corner_s : corners_s(scenario, iceberg, last.time_s, edge_s(b + 1)))
             between.push_back({.time_s = corner_s, .position_m = drift.position_m(corner_s)});
-        const TimedPoint next{.time_s = edge_s(b + 1),
-                              .position_m = drift.position_m(edge_s(b + 1))};
+        const PlaceInTime next{.time_s = edge_s(b + 1),
+                               .position_m = drift.position_m(edge_s(b + 1))};
         path.position_m.push_back(next.position_m);
         path.offChord_m.push_back(farthestFromChord_m(between, last, next));
         last = next;

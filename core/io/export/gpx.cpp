@@ -63,7 +63,7 @@ public:
 private:
     void add(const GpxPoint& point)
     {
-        const PlaceText place = placeText(m_content.frame.toGeographic(point.position_m));
+        const XmlPlace place = placeText(m_content.frame.toGeographic(point.position_m));
         m_text +=
             "<" + point.tag + " lat=\"" + place.latitude + "\" lon=\"" + place.longitude + "\">";
         if (point.altitude_m)

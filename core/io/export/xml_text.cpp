@@ -12,7 +12,7 @@ std::string xmlElement(std::string_view name, std::string_view text)
     return "<" + tag + ">" + htmlText(text) + "</" + tag + ">";
 }
 
-PlaceText placeText(const LatLon& place)
+XmlPlace placeText(const LatLon& place)
 {
     const LatLon rounded = roundedPlace(place);
     return {.latitude = decimalText(rounded.latitude_deg),
@@ -52,7 +52,7 @@ std::vector<XmlData> dataOf(const ExportContent& content, const ExportIceberg& i
 
 std::vector<XmlData> dataOf(const ExportContent& content, const ExportUav& uav)
 {
-    const PlaceText start = placeText(content.frame.toGeographic(uav.uav.position_m));
+    const XmlPlace start = placeText(content.frame.toGeographic(uav.uav.position_m));
     return {{"id", uav.uav.id},
             {"name", uav.uav.name},
             {"start_latitude_deg", start.latitude},

@@ -15,12 +15,12 @@ namespace berg {
 [[nodiscard]] std::string xmlElement(std::string_view name, std::string_view text);
 
 /** Latitude and longitude in [-180, 180) with nine decimals at most, never with an exponent. */
-struct PlaceText
+struct XmlPlace
 {
     std::string latitude;
     std::string longitude;
 };
-[[nodiscard]] PlaceText placeText(const LatLon& place);
+[[nodiscard]] XmlPlace placeText(const LatLon& place);
 
 /** ISO 8601 of an instant of the content; empty when it has no start. */
 [[nodiscard]] std::string timeText(const ExportContent& content, double time_s);

@@ -115,7 +115,7 @@ std::string tickText(const PlotAxis& axis, const AxisTicks& ticks, int k)
 }
 
 /** What is being laid out. */
-struct Layout
+struct FigureDraft
 {
     const Figure& figure;
     const FigureFonts& fonts;
@@ -142,7 +142,7 @@ double titlesTop(const Figure& figure)
 }
 
 /** Says what the small ticks are, where there is room; returns the width taken of the first row. */
-double placeMarkKey(Layout& l)
+double placeMarkKey(FigureDraft& l)
 {
     if (l.figure.markKey.empty())
         return 0;
@@ -164,7 +164,7 @@ double placeMarkKey(Layout& l)
 }
 
 /** Of both titles above the plot the longest alternatives that fit. */
-void chooseTitles(Layout& l, double room_px)
+void chooseTitles(FigureDraft& l, double room_px)
 {
     const std::vector<std::string> none{{}};
     for (const std::string& left : l.figure.leftTitles.empty() ? none : l.figure.leftTitles)
@@ -177,7 +177,7 @@ void chooseTitles(Layout& l, double room_px)
         }
 }
 
-void placeTitles(Layout& l)
+void placeTitles(FigureDraft& l)
 {
     const double room_px = l.out.size.x - 2 * kFigureSide_px;
     chooseTitles(l, room_px);
@@ -197,7 +197,7 @@ void placeTitles(Layout& l)
     l.text(l.out.rightTitle, row, TextAlign::Right, l.figure.rightInk);
 }
 
-double widest(const Layout& l, const std::vector<std::string>& texts)
+double widest(const FigureDraft& l, const std::vector<std::string>& texts)
 {
     double widest_px = 0;
     for (const std::string& text : texts)
@@ -214,7 +214,7 @@ std::vector<std::string> numbersOf(const PlotAxis& axis, const AxisTicks& ticks)
 }
 
 /** The plot between what stands beside it. */
-void setPlot(Layout& l)
+void setPlot(FigureDraft& l)
 {
     const PlotAxis& y = l.figure.y;
     const bool hasTitles =
@@ -252,7 +252,7 @@ PlotScale scaleOf(const PlotAxis& axis, const AxisTicks& ticks, double low_px, d
             .isLogarithmic = axis.ends == AxisEnds::Powers};
 }
 
-void setScales(Layout& l)
+void setScales(FigureDraft& l)
 {
     const PixelRect& plot = l.out.plot;
     const PlotAxis& x = l.figure.x;
@@ -266,14 +266,14 @@ void setScales(Layout& l)
         l.out.right = scaleOf(*l.figure.right, l.rightTicks, plot.bottom, plot.top);
 }
 
-void placeNumber(Layout& l, double at_px, const std::string& text)
+void placeNumber(FigureDraft& l, double at_px, const std::string& text)
 {
     const double top_px = l.out.plot.bottom + 5;
     l.out.xTicks.push_back({at_px, text});
     l.text(text, {at_px - 40, top_px, at_px + 40, top_px + kTextHeight_px}, TextAlign::Centre);
 }
 
-void placeX(Layout& l)
+void placeX(FigureDraft& l)
 {
     const PixelRect& plot = l.out.plot;
     const PlotAxis& axis = l.figure.x;
@@ -294,7 +294,7 @@ void placeX(Layout& l)
                           .ink = {.of = InkOf::Axis}});
 }
 
-void placeY(Layout& l)
+void placeY(FigureDraft& l)
 {
     const PixelRect& plot = l.out.plot;
     const PlotAxis& axis = l.figure.y;
@@ -334,7 +334,7 @@ std::vector<Pixel> pixels(const Drawing& drawing, const std::vector<PlotPoint>& 
     return out;
 }
 
-void placeContent(Layout& l)
+void placeContent(FigureDraft& l)
 {
     Drawing& out = l.out;
     for (const PlotArea& area : l.figure.areas)
@@ -379,7 +379,7 @@ Pixel Drawing::at(const PlotPoint& point, bool onRightAxis) const
 
 Drawing layOutPlot(const Figure& figure, const Pixel& size, const FigureFonts& fonts)
 {
-    Layout l{.figure = figure, .fonts = fonts};
+    FigureDraft l{.figure = figure, .fonts = fonts};
     l.out.size = size;
     if (!figure.emptyText.empty()) {
         l.out.plot = {0, 0, size.x, size.y};

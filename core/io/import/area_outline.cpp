@@ -76,7 +76,7 @@ bool continues(const LatLon& end, const LatLon& start)
 }
 
 /** A vertex of the outline; where that was cut there are two in one place. */
-struct Vertex
+struct OutlineVertex
 {
     LatLon place;
     bool beginsStretch = false;
@@ -84,9 +84,9 @@ struct Vertex
 };
 
 /** All stretches one after the other; empty when that makes no single ring. */
-std::vector<Vertex> joined(const std::vector<Ring>& stretches)
+std::vector<OutlineVertex> joined(const std::vector<Ring>& stretches)
 {
-    std::vector<Vertex> outline;
+    std::vector<OutlineVertex> outline;
     std::vector<bool> used(stretches.size(), false);
     std::size_t at = 0;
     for (std::size_t n = 0; n < stretches.size(); ++n) {
@@ -108,7 +108,7 @@ std::vector<Vertex> joined(const std::vector<Ring>& stretches)
     return outline;
 }
 
-std::vector<Vertex> verticesOf(std::span<const Ring> rings)
+std::vector<OutlineVertex> verticesOf(std::span<const Ring> rings)
 {
     std::vector<Ring> stretches;
     std::size_t uncut = 0;
@@ -118,9 +118,9 @@ std::vector<Vertex> verticesOf(std::span<const Ring> rings)
         stretches.insert(stretches.end(), added.begin(), added.end());
     }
     if (uncut == 0)
-        if (std::vector<Vertex> outline = joined(stretches); !outline.empty())
+        if (std::vector<OutlineVertex> outline = joined(stretches); !outline.empty())
             return outline;
-    std::vector<Vertex> outline;
+    std::vector<OutlineVertex> outline;
     if (rings.size() == 1)
         for (const LatLon& place : opened(rings.front()))
             outline.push_back({.place = place});
@@ -128,13 +128,14 @@ std::vector<Vertex> verticesOf(std::span<const Ring> rings)
 }
 
 /** Without the places where it was cut, unless there is a corner; their times are the order. */
-std::vector<TimedPoint> withoutCuts(const std::vector<Vertex>& vertices, const LocalFrame& frame)
+std::vector<TimedPoint> withoutCuts(const std::vector<OutlineVertex>& vertices,
+                                    const LocalFrame& frame)
 {
     std::vector<TimedPoint> outline;
     const std::size_t count = vertices.size();
     const auto at = [&](std::size_t i) { return frame.toPlane(vertices[i % count].place); };
     for (std::size_t i = 0; i < count; ++i) {
-        const Vertex& vertex = vertices[i];
+        const OutlineVertex& vertex = vertices[i];
         if (vertex.beginsStretch ||
             (vertex.endsStretch &&
              distanceToSegment(at(i + count - 1), at(i + 2), at(i)) <= kCut_m))
@@ -173,7 +174,7 @@ std::vector<Point> thinnedRing(std::vector<TimedPoint> ring)
 
 std::vector<Point> areaOutline(std::span<const std::vector<LatLon>> rings, const LocalFrame& frame)
 {
-    const std::vector<Vertex> vertices = verticesOf(rings);
+    const std::vector<OutlineVertex> vertices = verticesOf(rings);
     std::vector<TimedPoint> outline = withoutCuts(vertices, frame);
     if (outline.empty())
         return {};

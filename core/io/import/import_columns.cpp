@@ -127,7 +127,7 @@ std::optional<FieldUse> fieldOfColumn(std::string_view name)
     return std::nullopt;
 }
 
-std::optional<FieldUse> FieldNames::of(const std::string& column)
+std::optional<FieldUse> ColumnNames::of(const std::string& column)
 {
     const auto it = m_known.find(column);
     if (it != m_known.end())
@@ -138,7 +138,7 @@ std::optional<FieldUse> FieldNames::of(const std::string& column)
     return m_known.emplace(column, find(column)).first->second;
 }
 
-std::optional<FieldUse> FieldNames::find(const std::string& column) const
+std::optional<FieldUse> ColumnNames::find(const std::string& column) const
 {
     for (const FieldColumn& mapped : m_mapping)
         if (mapped.column == column)

@@ -173,7 +173,7 @@ SightingTable readRows(const ImportText& source, const CsvLayout& layout)
 }
 
 /** Columns of a header: for each field the one that fits best. */
-std::vector<ReadColumn> columnsOf(const std::vector<std::string>& header, FieldNames& names)
+std::vector<ReadColumn> columnsOf(const std::vector<std::string>& header, ColumnNames& names)
 {
     std::vector<ReadColumn> columns;
     for (std::size_t i = 0; i < header.size(); ++i) {
@@ -231,7 +231,7 @@ CsvLayout layoutByName(const ImportText& source, std::initializer_list<SightingF
     for (const std::string& cell : header.cells)
         cells.push_back(cleanText(cell, kLongestName));
     requireMappedColumns(source, cells);
-    FieldNames names(source.mapping);
+    ColumnNames names(source.mapping);
     CsvLayout layout{.columns = columnsOf(cells, names), .width = cells.size()};
     refuseTwins(layout.columns, cells, source.budget.subject());
     if (fields.size() > 0)

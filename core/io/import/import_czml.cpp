@@ -195,7 +195,7 @@ private:
     }
 
     const ImportText& m_source;
-    FieldNames m_names;
+    ColumnNames m_names;
     SightingTable m_table;
     bool m_isOwn = false; ///< an export of our own
     std::size_t m_packet = 0;

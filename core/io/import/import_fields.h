@@ -26,10 +26,10 @@ struct FieldUse
 [[nodiscard]] std::optional<FieldUse> fieldOfColumn(std::string_view name);
 
 /** The columns of one file: those mapped explicitly, and guesses for the fields left. */
-class FieldNames
+class ColumnNames
 {
 public:
-    explicit FieldNames(const ColumnMapping& mapping) : m_mapping(mapping) {}
+    explicit ColumnNames(const ColumnMapping& mapping) : m_mapping(mapping) {}
 
     /** What the column serves as. */
     [[nodiscard]] std::optional<FieldUse> of(const std::string& column);

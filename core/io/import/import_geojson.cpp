@@ -219,7 +219,7 @@ private:
     }
 
     const ImportText& m_source;
-    FieldNames m_names;
+    ColumnNames m_names;
     SightingTable m_table;
     bool m_isOwn = false;  ///< an export of our own
     bool m_isRoute = true; ///< no feature has a place of its own

@@ -223,7 +223,7 @@ private:
     }
 
     const ImportText& m_source;
-    FieldNames m_names;
+    ColumnNames m_names;
     bool m_isOwn; ///< an export of our own
     SightingTable m_table;
     bool m_inside = false; ///< of a Placemark

@@ -87,10 +87,10 @@ namespace {
 constexpr std::size_t kMostGrouped = 50'000; ///< a scenario takes a fiftieth of them
 
 /** Gathers the sightings of each iceberg. */
-class Grouping
+class SightingGroups
 {
 public:
-    Grouping(const SightingTable& table, std::optional<UtcTime> start)
+    SightingGroups(const SightingTable& table, std::optional<UtcTime> start)
         : m_table(table), m_start(start)
     {
     }
@@ -154,7 +154,7 @@ std::vector<SightedIceberg> grouped(const std::vector<const Sighting*>& sighting
                                     const SightingTable& table, std::optional<UtcTime> start,
                                     const std::stop_token& stop)
 {
-    Grouping grouping(table, start);
+    SightingGroups grouping(table, start);
     for (const Sighting* sighting : sightings) {
         throwIfStopped(stop);
         grouping.add(*sighting);

@@ -9,10 +9,10 @@ namespace berg {
 namespace {
 
 /** People and places count from 1; 0 is none. */
-class Assignment
+class AssignmentSearch
 {
 public:
-    Assignment(const Eigen::MatrixXd& cost, const std::function<bool()>& cut)
+    AssignmentSearch(const Eigen::MatrixXd& cost, const std::function<bool()>& cut)
         : m_cost(cost)
         , m_cut(cut)
         , m_ownPrice(at(cost.cols()) + 1, 0.0)
@@ -90,7 +90,7 @@ std::vector<int> cheapestAssignment(const Eigen::MatrixXd& cost, const std::func
 {
     require(cost.cols() <= cost.rows() && cost.allFinite(),
             "cheapestAssignment: finite, a place for everyone");
-    Assignment assignment(cost, cut);
+    AssignmentSearch assignment(cost, cut);
     for (Eigen::Index who = 1; who <= cost.cols(); ++who)
         if (!assignment.add(who))
             return {};

@@ -83,10 +83,11 @@ struct Stage
 
 /** The run of `improveBound`: an incumbent, a bound, and a graph of what may lie between. */
 template <class Costs>
-class BoundSearch
+class LayeredBoundSearch
 {
 public:
-    BoundSearch(const Costs& costs, const VisitOrder& order, const LayeredBoundOptions& options)
+    LayeredBoundSearch(const Costs& costs, const VisitOrder& order,
+                       const LayeredBoundOptions& options)
         : m_costs(costs)
         , m_options(options)
         , m_cost(costs.total(order))
@@ -451,7 +452,7 @@ template <class Costs>
 BoundResult improveBound(const Costs& costs, const VisitOrder& order,
                          const LayeredBoundOptions& options)
 {
-    return BoundSearch(costs, order, options).run();
+    return LayeredBoundSearch(costs, order, options).run();
 }
 
 template BoundResult improveBound(const VisitCosts&, const VisitOrder&, const LayeredBoundOptions&);
@@ -461,7 +462,7 @@ template BoundResult improveBound(const LatencyCosts&, const VisitOrder&,
 std::vector<PositionArc> survivingArcs(const VisitCosts& costs, const VisitOrder& order,
                                        const LayeredBoundOptions& options)
 {
-    return BoundSearch(costs, order, options).arcs();
+    return LayeredBoundSearch(costs, order, options).arcs();
 }
 
 } // namespace berg

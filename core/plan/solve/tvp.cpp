@@ -151,7 +151,7 @@ constexpr double kLargestCost = 1e100;
 constexpr double kSmallestCost = 1e-290;
 
 /** The extremes of the numbers of a problem. */
-struct Extremes
+struct ProblemExtremes
 {
     double sum_m2 = 0;
     double least_m2 = std::numeric_limits<double>::infinity(); ///< but 0
@@ -159,9 +159,9 @@ struct Extremes
     double shortest_m = std::numeric_limits<double>::infinity(); ///< but 0
 };
 
-Extremes extremesOf(const TvpProblem& problem)
+ProblemExtremes extremesOf(const TvpProblem& problem)
 {
-    Extremes found;
+    ProblemExtremes found;
     for (const double sigma_m2 : problem.sigma_m2) {
         found.sum_m2 += sigma_m2;
         if (sigma_m2 > 0)

@@ -113,7 +113,7 @@ double widestLatitude_deg(const GeoBounds& bounds)
     return std::min(std::abs(bounds.south_deg), std::abs(bounds.north_deg));
 }
 
-struct Span
+struct DegreeRange
 {
     double from_deg = 0;
     double to_deg = 0;
@@ -127,7 +127,7 @@ struct LineForm
 };
 
 /** A line in as many pieces as it takes to look smooth. */
-QPolygonF sampled(const LocalFrame& frame, const MapViewTransform& view, const Span& span,
+QPolygonF sampled(const LocalFrame& frame, const MapViewTransform& view, const DegreeRange& span,
                   const LineForm& form, const auto& placeAt)
 {
     const double piece_px = std::sqrt(8 * kSagitta_px * form.radius_px);
@@ -140,7 +140,7 @@ QPolygonF sampled(const LocalFrame& frame, const MapViewTransform& view, const S
     return path;
 }
 
-std::vector<double> multiples(double step_deg, const Span& span)
+std::vector<double> multiples(double step_deg, const DegreeRange& span)
 {
     std::vector<double> values_deg;
     for (double k = std::ceil(span.from_deg / step_deg); k * step_deg <= span.to_deg; ++k)
@@ -236,16 +236,16 @@ Graticule graticuleOf(const LocalFrame& frame, const MapViewTransform& view, con
     graticule.latitudeDecimals = decimalsOf(latitudeStep_min);
     graticule.longitudeDecimals = decimalsOf(longitudeStep_min);
 
-    const Span latitudes{bounds.south_deg, bounds.north_deg};
-    const Span longitudes{bounds.reference_deg + bounds.west_deg,
-                          bounds.reference_deg + bounds.east_deg};
+    const DegreeRange latitudes{bounds.south_deg, bounds.north_deg};
+    const DegreeRange longitudes{bounds.reference_deg + bounds.west_deg,
+                                 bounds.reference_deg + bounds.east_deg};
     const bool fullCircle = bounds.east_deg - bounds.west_deg >= 360;
     for (const double lon_deg : multiples(longitudeStep_min / 60, longitudes)) {
         if (fullCircle && lon_deg >= longitudes.from_deg + 360)
             break; // the first meridian again
         const double limit_deg = polewardLimit_deg(lon_deg, scale_pxpm, latitudeStep_min / 60);
-        const Span shown{std::max(latitudes.from_deg, -limit_deg),
-                         std::min(latitudes.to_deg, limit_deg)};
+        const DegreeRange shown{std::max(latitudes.from_deg, -limit_deg),
+                                std::min(latitudes.to_deg, limit_deg)};
         if (shown.from_deg >= shown.to_deg)
             continue;
         const double wrapped_deg = std::remainder(lon_deg, 360.0);
