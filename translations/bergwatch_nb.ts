@@ -7140,17 +7140,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 <context>
     <name>berg::MapView</name>
     <message>
-        <source>Delete iceberg</source>
-        <translation>Slett isfjell</translation>
-    </message>
-    <message numerus="yes">
-        <source>Delete %n icebergs</source>
-        <translation>
-            <numerusform>Slett %n isfjell</numerusform>
-            <numerusform>Slett %n isfjell</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Map</source>
         <translation>Kart</translation>
     </message>
@@ -7168,6 +7157,24 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>%1: σ %2 m² (√σ %3 m), %4</source>
         <translation>%1: σ er %2 m² (√σ %3 m), %4</translation>
+    </message>
+    <message>
+        <source>drifting %1 towards %2</source>
+        <translation>driver %1 mot %2</translation>
+    </message>
+</context>
+<context>
+    <name>MapEdits</name>
+    <message>
+        <source>Delete iceberg</source>
+        <translation>Slett isfjell</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n icebergs</source>
+        <translation>
+            <numerusform>Slett %n isfjell</numerusform>
+            <numerusform>Slett %n isfjell</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Delete %n objects</source>
@@ -7235,10 +7242,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Add iceberg</source>
         <translation>Legg til isfjell</translation>
-    </message>
-    <message>
-        <source>drifting %1 towards %2</source>
-        <translation>driver %1 mot %2</translation>
     </message>
     <message>
         <source>Delete UAV</source>

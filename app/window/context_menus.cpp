@@ -164,9 +164,9 @@ void ContextMenus::addWaterActions(QMenu& menu, const Point& position_m)
 {
     const bool locked = workspace().inFlight();
     menu.addAction(tr("New iceberg here"), this,
-                   [this, position_m] { panels().map->addIcebergAt(position_m); });
+                   [this, position_m] { panels().map->edits().addIcebergAt(position_m); });
     menu.addAction(tr("New UAV here"), this,
-                   [this, position_m] { panels().map->addUavAt(position_m); })
+                   [this, position_m] { panels().map->edits().addUavAt(position_m); })
         ->setEnabled(!locked);
     const bool hasAsset = workspace().record().now.asset.has_value();
     menu.addAction(tr("Asset here"), this, [this, position_m] { placeAsset(position_m); })
@@ -184,7 +184,7 @@ void ContextMenus::addWaterActions(QMenu& menu, const Point& position_m)
     menu.addAction(m_actions.wind);
     menu.addAction(m_actions.generate);
     menu.addAction(tr("Paste here"), this,
-                   [this, position_m] { panels().map->pasteAt(position_m); })
+                   [this, position_m] { panels().map->edits().pasteAt(position_m); })
         ->setEnabled(!locked);
 }
 

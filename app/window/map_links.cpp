@@ -166,7 +166,7 @@ void MapLinks::connectTables()
         select(id);
         map->showIceberg(id);
     });
-    connect(icebergs, &IcebergTable::mapPasteRequested, map, &MapView::paste);
+    connect(icebergs, &IcebergTable::mapPasteRequested, map, [map] { map->edits().paste(); });
     connect(icebergs, &IcebergTable::hiddenColumnsChanged, this,
             [this](const QStringList& keys) { settings().setValue(kHiddenColumnsKey, keys); });
 }

@@ -124,11 +124,11 @@ void Menus::buildEditMenu()
     MapView* map = panels().map;
     menu.addSeparator();
     m_shared.cut = add(menu, {"cutAction", tr("Cu&t"), QKeySequence::Cut, std::nullopt},
-                       [map] { map->cutSelected(); });
+                       [map] { map->edits().cutSelected(); });
     m_shared.copy = add(menu, {"copyAction", tr("&Copy"), QKeySequence::Copy, std::nullopt},
-                        [map] { map->copySelected(); });
+                        [map] { map->edits().copySelected(); });
     QAction* paste = add(menu, {"pasteAction", tr("&Paste"), QKeySequence::Paste, std::nullopt},
-                         [map] { map->paste(); });
+                         [map] { map->edits().paste(); });
     add(menu,
         {"copyPictureAction", tr("Copy p&icture of the map"),
          QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), std::nullopt},
@@ -136,18 +136,18 @@ void Menus::buildEditMenu()
     m_shared.duplicate =
         add(menu,
             {"duplicateAction", tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D), std::nullopt},
-            [map] { map->duplicateSelected(); });
+            [map] { map->edits().duplicateSelected(); });
     m_shared.remove = add(menu, {"deleteAction", tr("&Delete"), QKeySequence::Delete, std::nullopt},
-                          [map] { map->deleteSelected(); });
+                          [map] { map->edits().deleteSelected(); });
     QAction* addUav = add(
         menu, {"addUavAction", tr("Add UA&V"), QKeySequence(Qt::CTRL | Qt::Key_U), std::nullopt},
-        [map] { map->addUav(); });
+        [map] { map->edits().addUav(); });
     m_shared.generate = add(menu, {"generateAction", tr("&Generate icebergs..."), {}, std::nullopt},
                             [this] { m_targets.dialogs.generateIcebergs(); });
     m_shared.selectAll =
         add(menu,
             {"selectAllAction", tr("Select &all icebergs"), QKeySequence::SelectAll, std::nullopt},
-            [map] { map->selectAll(); });
+            [map] { map->edits().selectAll(); });
     menu.addSeparator();
     QAction* move =
         add(menu, {"moveScenarioAction", tr("&Move the scenario…"), {}, std::nullopt},

@@ -264,10 +264,10 @@ private slots:
     {
         WindowFixture w(windyScenario());
         QVERIFY(flyTo(w, 15));
-        w.map().addIcebergAt(kWater_m);
+        w.map().edits().addIcebergAt(kWater_m);
         QVERIFY(w.until([&] { return w.record().now.icebergs.size() == 5; }));
         w.workspace.seek(5);
-        w.map().addIcebergAt(kWater_m);
+        w.map().edits().addIcebergAt(kWater_m);
         QVERIFY(w.window().statusBar()->currentMessage().startsWith(u"You are looking back"_s));
         w.workspace.seekLatest();
         QCOMPARE(w.record().now.icebergs.size(), std::size_t{5});
@@ -282,7 +282,7 @@ private slots:
         QVERIFY(w.until(RunPhase::Finished));
         const QPoint from = windTipOf(w);
         w.drag(from, from + QPoint(-22, 9));
-        w.map().addIcebergAt(kWater_m);
+        w.map().edits().addIcebergAt(kWater_m);
         QVERIFY(w.until([&] {
             return w.window().statusBar()->currentMessage().startsWith(u"The run has ended"_s);
         }));

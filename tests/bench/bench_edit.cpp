@@ -68,7 +68,7 @@ public:
              [this](int i) { QTest::keyClick(&map(), i % 2 == 0 ? Qt::Key_Left : Qt::Key_Right); });
         hold("select all, select none", [this](int i) {
             if (i % 2 == 0)
-                map().selectAll();
+                map().edits().selectAll();
             else
                 m_workspace.selection().clear();
         });

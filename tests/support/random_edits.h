@@ -132,18 +132,18 @@ private:
     {
         select();
         if (m_random.below(3) == 0) {
-            m_map.view.cutSelected();
+            m_map.view.edits().cutSelected();
             return;
         }
-        m_map.view.copySelected(); // or what was cut before
+        m_map.view.edits().copySelected(); // or what was cut before
         if (m_map.scenario().icebergs.size() < kMostIcebergs)
-            m_map.view.pasteAt(m_map.view.toWorld(anywhere()));
+            m_map.view.edits().pasteAt(m_map.view.toWorld(anywhere()));
     }
     void duplicate()
     {
         select();
         if (m_map.scenario().icebergs.size() < kMostIcebergs)
-            m_map.view.duplicateSelected();
+            m_map.view.edits().duplicateSelected();
     }
     void remove()
     {

@@ -85,8 +85,8 @@ Written editedIn(const QLocale& locale)
     map.drag({500, 300}, {560, 255});
     enter(u"icebergVelocityEast"_s, -1.234);
     enter(u"icebergGrowth"_s, 0.031);
-    map.view.copySelected();
-    map.view.pasteAt(Point(1234.5, 2345.6));
+    map.view.edits().copySelected();
+    map.view.edits().pasteAt(Point(1234.5, 2345.6));
     map.selection.clear();
     enter(u"scenarioDuration"_s, 12345.5);
     enter(u"scenarioLatitude"_s, 71.125);

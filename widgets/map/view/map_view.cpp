@@ -33,6 +33,7 @@ MapView::MapView(ScenarioDocument& document, Selection& selection, QWidget* pare
     : QWidget(parent)
     , m_document(document)
     , m_selection(selection)
+    , m_edits({m_document, m_selection, m_scene, *this})
     , m_tool(makeMapTool(MapToolKind::Select, {m_document, m_selection, m_scene, *this}))
 {
     setObjectName(u"mapView"_s);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/map/view/map_edits.h"
 #include "widgets/map/view/map_scene.h"
 #include "widgets/map/view/map_tools.h"
 #include "widgets/model/scenario_document.h"
@@ -95,35 +96,21 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {900, 600}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
 
+    /** What menus and keys ask for. */
+    [[nodiscard]] MapEdits& edits() { return m_edits; }
+    /** Of the cursor; none: not over the map. */
+    [[nodiscard]] std::optional<Point> cursor_m() const;
+    /** Removes the part that the tool has current, if it has one. */
+    bool removePart();
+
     /** A tool is drawing: undo is to take back its last point and nothing else. */
     [[nodiscard]] bool isDrawing() const;
 
 public slots:
     /** Takes back what is under way between press and release. */
     void cancelGesture();
-    /** What is selected, but the last UAV; or the part that a tool has current. */
-    void deleteSelected();
-    void selectAll();
-    /** Moves the selection, metres east and north; calls that follow each other are one undo step.
-     */
-    void nudge(double east_m, double north_m);
     /** The last point of what is being drawn. */
     void takeLastBack();
-
-    /** The icebergs selected onto the clipboard; false when there are none. */
-    bool copySelected();
-    void cutSelected();
-    /** Icebergs of the clipboard round the cursor; beside where they were when it is elsewhere. */
-    void paste();
-    void pasteAt(const std::optional<Point>& place_m);
-    /** Icebergs; when none is selected, UAVs. */
-    void duplicateSelected();
-    /** In flight it is told to the flight. */
-    void addIcebergAt(const Point& place_m);
-    /** One more, as the first, in an altitude layer of its own. */
-    void addUavAt(const Point& place_m);
-    /** Where the cursor is, else in the middle. */
-    void addUav();
 
 signals:
     /** A panel was folded, unfolded or moved by mouse. */
@@ -189,12 +176,6 @@ private:
     void requestContextMenu(const QPoint& globalPos, const QPointF& at);
     void pressArrow(const QKeyEvent& event);
     void leave();
-    [[nodiscard]] QString removalText(const std::vector<std::string>& ids) const;
-    void addCopiesOf(const std::vector<Iceberg>& icebergs, const std::optional<Point>& place_m,
-                     const QString& undoText);
-    void duplicateUavs(const std::vector<Uav>& uavs);
-    [[nodiscard]] bool hasRoomForUavs(std::size_t count);
-    [[nodiscard]] double copyStep_m() const;
     bool nativeGesture(const QNativeGestureEvent& event);
     bool gesture(QGestureEvent& event);
     bool showToolTip(const QHelpEvent& event);
@@ -205,6 +186,7 @@ private:
     ScenarioDocument& m_document;
     Selection& m_selection;
     MapScene m_scene;
+    MapEdits m_edits;
     MapPicture m_picture; ///< as the owner gave it
     std::optional<Scenario> m_preview;
     std::function<void(MapPicture&)> m_draft; ///< null: none

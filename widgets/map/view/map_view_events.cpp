@@ -241,9 +241,9 @@ void MapView::keyPressEvent(QKeyEvent* event)
     if (isArrow)
         pressArrow(*event);
     else if (event->matches(QKeySequence::SelectAll))
-        selectAll();
+        m_edits.selectAll();
     else if (event->key() == Qt::Key_Delete)
-        deleteSelected();
+        m_edits.deleteSelected();
     else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal)
         zoomBy(kKeyZoom, middle);
     else if (event->key() == Qt::Key_Minus)
@@ -293,7 +293,7 @@ void MapView::pressArrow(const QKeyEvent& event)
     }
     const double step_m = roundDown125(kNudge_px / view().scale_pxpm());
     path *= isLarge ? kLargeNudge * step_m : step_m;
-    nudge(path.x(), path.y());
+    m_edits.nudge(path.x(), path.y());
 }
 
 bool MapView::event(QEvent* event)
@@ -383,6 +383,36 @@ void MapView::focusOutEvent(QFocusEvent*)
     endNudges();
     m_hasKeyboardFocus = false;
     update();
+}
+
+void MapView::cancelGesture()
+{
+    m_tool->cancel();
+    toolActed();
+}
+
+bool MapView::isDrawing() const
+{
+    return m_tool->isDrawing();
+}
+
+void MapView::takeLastBack()
+{
+    m_tool->takeLastBack();
+    toolActed();
+}
+
+std::optional<Point> MapView::cursor_m() const
+{
+    return m_cursor ? std::optional<Point>(toWorld(*m_cursor)) : std::nullopt;
+}
+
+bool MapView::removePart()
+{
+    if (!m_tool->removePart())
+        return false;
+    toolActed();
+    return true;
 }
 
 } // namespace berg

@@ -52,9 +52,9 @@ private slots:
         test::MapFixture map;
         map.selection.set({"berg-4", "berg-1", "uav-1"});
         const Scenario before = map.scenario();
-        QVERIFY(map.view.copySelected());
+        QVERIFY(map.view.edits().copySelected());
         map.move(map.pixelOf({2500, 2600}));
-        map.view.paste();
+        map.view.edits().paste();
         QCOMPARE(map.undoCount(), 1);
         QCOMPARE(map.document.undoStack()->undoText(), u"Paste 2 icebergs"_s);
         const std::vector<Iceberg>& after = map.scenario().icebergs;
@@ -76,10 +76,10 @@ private slots:
     {
         test::MapFixture map;
         map.selection.set({"berg-1"});
-        map.view.copySelected();
+        map.view.edits().copySelected();
         leave(map.view);
         for (int i = 0; i < 3; ++i)
-            map.view.paste();
+            map.view.edits().paste();
         const std::vector<Iceberg>& icebergs = map.scenario().icebergs;
         QCOMPARE(icebergs.size(), std::size_t{7});
         for (std::size_t i = 0; i < icebergs.size(); ++i)
@@ -97,7 +97,7 @@ private slots:
             s.icebergs[2].name = "";
         });
         map.selection.set({"berg-1", "berg-2", "berg-3"});
-        map.view.duplicateSelected();
+        map.view.edits().duplicateSelected();
         QCOMPARE(map.document.undoStack()->undoText(), u"Duplicate 3 icebergs"_s);
         const std::vector<Iceberg>& icebergs = map.scenario().icebergs;
         QCOMPARE(icebergs[4].name, std::string("Big 3"));
@@ -110,10 +110,10 @@ private slots:
         test::MapFixture map;
         const Scenario before = map.scenario();
         map.selection.set({"berg-2", "berg-3"});
-        map.view.cutSelected();
+        map.view.edits().cutSelected();
         QCOMPARE(map.scenario().icebergs.size(), std::size_t{2});
         QCOMPARE(map.document.undoStack()->undoText(), u"Cut 2 icebergs"_s);
-        map.view.pasteAt(Point(2500, 2000));
+        map.view.edits().pasteAt(Point(2500, 2000));
         QCOMPARE(map.scenario().icebergs.size(), std::size_t{4});
         QVERIFY(!hasErrors(map.document.issues()));
         map.document.undoStack()->undo();
@@ -137,14 +137,14 @@ private slots:
             iceberg.extraJson = R"({"later":1.25})";
         });
         from.selection.set({"berg-1"});
-        from.view.copySelected();
+        from.view.edits().copySelected();
         const QString text = QApplication::clipboard()->text();
         QVERIFY(text.contains(u"bergwatch-icebergs"_s));
         setClipboard(text); // plain text only, as from an editor
 
         test::MapFixture to;
         to.document.reset(test::emptySea());
-        to.view.pasteAt(Point(0, 0));
+        to.view.edits().pasteAt(Point(0, 0));
         QCOMPARE(to.scenario().icebergs.size(), std::size_t{1});
         Iceberg wanted = from.scenario().icebergs[0];
         wanted.position_m = Point::Zero();
@@ -167,8 +167,8 @@ private slots:
     {
         test::MapFixture map;
         map.selection.set({"berg-1", "berg-4"});
-        map.view.copySelected();
-        map.view.pasteAt(Point(kLargestCoordinate_m, kLargestCoordinate_m));
+        map.view.edits().copySelected();
+        map.view.edits().pasteAt(Point(kLargestCoordinate_m, kLargestCoordinate_m));
         QVERIFY(!hasErrors(map.document.issues()));
         const std::vector<Iceberg>& icebergs = map.scenario().icebergs;
         const Point apart_m = icebergs[5].position_m - icebergs[4].position_m;
@@ -208,7 +208,7 @@ private slots:
         const Scenario before = map.scenario();
         const QSignalSpy refused(&map.view, &MapView::refused);
         setClipboard(text);
-        map.view.paste();
+        map.view.edits().paste();
         QCOMPARE(refused.count(), 1);
         QVERIFY(!refused.at(0).at(0).toString().isEmpty());
         QVERIFY(map.scenario() == before);
@@ -219,7 +219,7 @@ private slots:
     {
         test::MapFixture map;
         const QSignalSpy refused(&map.view, &MapView::refused);
-        map.view.paste();
+        map.view.edits().paste();
         QCOMPARE(refused.count(), 1);
         QCOMPARE(map.undoCount(), 0);
     }
@@ -232,14 +232,14 @@ private slots:
                 test::addIceberg(s, 10.0 * static_cast<double>(s.icebergs.size()), -5000);
         });
         map.selection.set({"berg-1", "berg-2"});
-        map.view.copySelected();
+        map.view.edits().copySelected();
         const QSignalSpy refused(&map.view, &MapView::refused);
-        map.view.paste();
-        map.view.duplicateSelected();
+        map.view.edits().paste();
+        map.view.edits().duplicateSelected();
         QCOMPARE(refused.count(), 2);
         QCOMPARE(map.scenario().icebergs.size(), kMostIcebergs - 1);
         map.selection.set({"berg-1"});
-        map.view.duplicateSelected();
+        map.view.edits().duplicateSelected();
         QCOMPARE(map.scenario().icebergs.size(), kMostIcebergs);
         QVERIFY(!hasErrors(map.document.issues()));
     }
@@ -251,11 +251,11 @@ private slots:
         map.view.setPicture(withScenario({}, map.scenario()));
         map.view.setLocked(true);
         const Scenario before = map.scenario();
-        QVERIFY(map.view.copySelected());
-        map.view.cutSelected();
-        map.view.paste();
-        map.view.duplicateSelected();
-        map.view.addIcebergAt({2000, 2000});
+        QVERIFY(map.view.edits().copySelected());
+        map.view.edits().cutSelected();
+        map.view.edits().paste();
+        map.view.edits().duplicateSelected();
+        map.view.edits().addIcebergAt({2000, 2000});
         QVERIFY(map.scenario() == before);
     }
 
@@ -263,9 +263,9 @@ private slots:
     {
         test::MapFixture map;
         setClipboard(u"kept"_s);
-        QVERIFY(!map.view.copySelected());
-        map.view.cutSelected();
-        map.view.duplicateSelected();
+        QVERIFY(!map.view.edits().copySelected());
+        map.view.edits().cutSelected();
+        map.view.edits().duplicateSelected();
         QCOMPARE(QApplication::clipboard()->text(), u"kept"_s);
         QCOMPARE(map.undoCount(), 0);
     }
@@ -275,11 +275,11 @@ private slots:
         test::MapFixture map;
         setClipboard(u"kept"_s);
         map.selection.set({"uav-1"});
-        QVERIFY(!map.view.copySelected());
-        map.view.cutSelected();
+        QVERIFY(!map.view.edits().copySelected());
+        map.view.edits().cutSelected();
         QCOMPARE(QApplication::clipboard()->text(), u"kept"_s);
         QCOMPARE(map.undoCount(), 0);
-        map.view.duplicateSelected();
+        map.view.edits().duplicateSelected();
         QCOMPARE(map.undoCount(), 1);
         QCOMPARE(map.scenario().uavs.size(), std::size_t{2});
     }

@@ -207,10 +207,10 @@ private slots:
     void menusAddOne()
     {
         FleetFixture map;
-        map.view.addUavAt({1234.56, 2000});
+        map.view.edits().addUavAt({1234.56, 2000});
         QCOMPARE(map.uavOf(2).id, std::string("uav-3"));
         QVERIFY((map.uavOf(2).position_m - Point(1234.6, 2000)).norm() < 1e-6);
-        map.view.addUav(); // the cursor is nowhere: in the middle
+        map.view.edits().addUav(); // the cursor is nowhere: in the middle
         QCOMPARE(map.scenario().uavs.size(), std::size_t{4});
         QVERIFY(
             (map.uavOf(3).position_m - map.view.toWorld(QRectF(map.view.rect()).center())).norm() <
@@ -227,9 +227,9 @@ private slots:
             full.uavs.push_back(anotherUav(full, {0, 0}));
         map.document.reset(full);
         const QSignalSpy refused(&map.view, &MapView::refused);
-        map.view.addUavAt({0, 0});
+        map.view.edits().addUavAt({0, 0});
         map.selection.set({"uav-1"});
-        map.view.duplicateSelected();
+        map.view.edits().duplicateSelected();
         QCOMPARE(refused.size(), 2);
         map.view.setTool(MapToolKind::Uav);
         map.click(map.pixelOf(kWater_m), Qt::ControlModifier);
@@ -240,7 +240,7 @@ private slots:
     {
         FleetFixture map;
         map.selection.set({"uav-2", "uav-1"});
-        map.view.duplicateSelected();
+        map.view.edits().duplicateSelected();
         QCOMPARE(map.undoCount(), 1);
         QCOMPARE(map.scenario().uavs.size(), std::size_t{4});
         QCOMPARE(map.selection.ids(), (Ids{"uav-3", "uav-4"}));
@@ -258,7 +258,7 @@ private slots:
     {
         FleetFixture map;
         map.selection.set({"uav-2"});
-        map.view.deleteSelected();
+        map.view.edits().deleteSelected();
         QCOMPARE(map.document.undoStack()->undoText(), u"Delete UAV"_s);
         QCOMPARE(map.scenario().uavs.size(), std::size_t{1});
         QVERIFY(map.scenario().icebergs[0].uav.empty());
@@ -272,14 +272,14 @@ private slots:
         FleetFixture map;
         const QSignalSpy refused(&map.view, &MapView::refused);
         map.selection.set({"uav-2", "uav-1", "berg-3"});
-        map.view.deleteSelected();
+        map.view.edits().deleteSelected();
         QCOMPARE(map.scenario().uavs.size(), std::size_t{1});
         QCOMPARE(map.uavOf(0).id, std::string("uav-1"));
         QCOMPARE(map.scenario().icebergs.size(), std::size_t{3});
         QCOMPARE(refused.size(), 0);
         const Scenario before = map.scenario();
         map.selection.set({"uav-1"});
-        map.view.deleteSelected();
+        map.view.edits().deleteSelected();
         QCOMPARE(refused.size(), 1);
         QVERIFY(map.scenario() == before);
     }

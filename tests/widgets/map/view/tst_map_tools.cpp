@@ -128,7 +128,7 @@ private slots:
         for (const QString& id : ids)
             selected.push_back(id.toStdString());
         map.selection.set(selected);
-        map.view.nudge(10, 0);
+        map.view.edits().nudge(10, 0);
         QCOMPARE(map.document.undoStack()->undoText(), text);
     }
 
@@ -356,8 +356,8 @@ private slots:
         map.click(map.iceberg(2));
         QCOMPARE(map.selection.ids(), (Ids{"berg-3"}));
         map.drag(map.iceberg(2), map.iceberg(2) + QPoint(60, 40));
-        map.view.nudge(10, 10);
-        map.view.deleteSelected();
+        map.view.edits().nudge(10, 10);
+        map.view.edits().deleteSelected();
         QTest::keyClick(&map.view, Qt::Key_Delete);
         QTest::keyClick(&map.view, Qt::Key_Up);
         map.view.setTool(MapToolKind::Uav);

@@ -1,4 +1,4 @@
-// What the map does to the scenario beside its tools: what menus and keys ask for.
+#include "widgets/map/view/map_edits.h"
 
 #include "core/scenario/validate.h"
 #include "widgets/map/paint/map_overlays.h"
@@ -30,7 +30,14 @@ Point middleOf(std::span<const Iceberg> icebergs)
 
 } // namespace
 
-QString MapView::removalText(const std::vector<std::string>& ids) const
+/** Ends what the tool has under way; false: the map is locked. */
+bool MapEdits::begin()
+{
+    m_view.cancelGesture();
+    return !m_view.isLocked();
+}
+
+QString MapEdits::removalText(const std::vector<std::string>& ids) const
 {
     const Scenario& scenario = m_document.scenario();
     const auto icebergs = static_cast<int>(icebergsOf(scenario, ids).size());
@@ -55,29 +62,18 @@ QString MapView::removalText(const std::vector<std::string>& ids) const
     return icebergs == 1 ? tr("Delete iceberg") : tr("Delete %n icebergs", nullptr, icebergs);
 }
 
-void MapView::cancelGesture()
+void MapEdits::deleteSelected()
 {
-    m_tool->cancel();
-    toolActed();
-}
-
-void MapView::deleteSelected()
-{
-    m_tool->cancel();
-    if (m_isLocked)
+    if (!begin() || m_view.removePart())
         return;
-    if (m_tool->removePart()) {
-        toolActed();
-        return;
-    }
     const std::vector<std::string> ids = m_selection.ids();
     if (const QString text = removalText(ids); !text.isEmpty())
         m_document.edit(text, [&](Scenario& scenario) { removeObjects(scenario, ids); });
     else if (!uavsOf(m_document.scenario(), ids).empty())
-        emit refused(tr("The last UAV stays: a scenario has at least one."));
+        emit m_view.refused(tr("The last UAV stays: a scenario has at least one."));
 }
 
-void MapView::selectAll()
+void MapEdits::selectAll()
 {
     std::vector<std::string> ids;
     for (const MapIceberg& iceberg : m_scene.picture().icebergs)
@@ -85,10 +81,9 @@ void MapView::selectAll()
     m_selection.set(std::move(ids));
 }
 
-void MapView::nudge(double east_m, double north_m)
+void MapEdits::nudge(double east_m, double north_m)
 {
-    m_tool->cancel();
-    if (m_isLocked || m_selection.isEmpty())
+    if (!begin() || m_selection.isEmpty())
         return;
     const std::vector<std::string> ids = m_selection.ids();
     m_document.edit(
@@ -99,18 +94,7 @@ void MapView::nudge(double east_m, double north_m)
         u"nudge"_s);
 }
 
-bool MapView::isDrawing() const
-{
-    return m_tool->isDrawing();
-}
-
-void MapView::takeLastBack()
-{
-    m_tool->takeLastBack();
-    toolActed();
-}
-
-bool MapView::copySelected()
+bool MapEdits::copySelected()
 {
     const std::vector<Iceberg> icebergs = icebergsOf(m_document.scenario(), m_selection.ids());
     if (icebergs.empty())
@@ -119,10 +103,9 @@ bool MapView::copySelected()
     return true;
 }
 
-void MapView::cutSelected()
+void MapEdits::cutSelected()
 {
-    m_tool->cancel();
-    if (m_isLocked || !copySelected())
+    if (!begin() || !copySelected())
         return;
     const std::vector<std::string> ids = m_selection.ids();
     const auto count = static_cast<int>(icebergsOf(m_document.scenario(), ids).size());
@@ -130,15 +113,14 @@ void MapView::cutSelected()
                     [&](Scenario& scenario) { removeIcebergs(scenario, ids); });
 }
 
-void MapView::paste()
+void MapEdits::paste()
 {
-    pasteAt(m_cursor ? std::optional<Point>(toWorld(*m_cursor)) : std::nullopt);
+    pasteAt(m_view.cursor_m());
 }
 
-void MapView::pasteAt(const std::optional<Point>& place_m)
+void MapEdits::pasteAt(const std::optional<Point>& place_m)
 {
-    m_tool->cancel();
-    if (m_isLocked)
+    if (!begin())
         return;
     std::vector<Iceberg> icebergs;
     try {
@@ -146,7 +128,7 @@ void MapView::pasteAt(const std::optional<Point>& place_m)
     } catch (const Error& error) {
         const bool isOther =
             error.code() == ErrorCode::SyntaxError || error.code() == ErrorCode::WrongFormat;
-        emit refused(
+        emit m_view.refused(
             isOther
                 ? tr("There are no icebergs on the clipboard.")
                 : tr("What is on the clipboard cannot be pasted. %1").arg(errorText(error.code())));
@@ -157,10 +139,9 @@ void MapView::pasteAt(const std::optional<Point>& place_m)
                 count == 1 ? tr("Paste iceberg") : tr("Paste %n icebergs", nullptr, count));
 }
 
-void MapView::duplicateSelected()
+void MapEdits::duplicateSelected()
 {
-    m_tool->cancel();
-    if (m_isLocked)
+    if (!begin())
         return;
     const std::vector<Iceberg> icebergs = icebergsOf(m_document.scenario(), m_selection.ids());
     const auto count = static_cast<int>(icebergs.size());
@@ -170,17 +151,18 @@ void MapView::duplicateSelected()
                 count == 1 ? tr("Duplicate iceberg") : tr("Duplicate %n icebergs", nullptr, count));
 }
 
-/** About this far beside the original, along both axes. */
-double MapView::copyStep_m() const
+/** About this far beside the original. */
+Point MapEdits::copyStep_m() const
 {
-    return roundDown125(kCopyOffset_px / view().scale_pxpm());
+    const double step_m = roundDown125(kCopyOffset_px / m_scene.view().scale_pxpm());
+    return {step_m, -step_m};
 }
 
-void MapView::duplicateUavs(const std::vector<Uav>& uavs)
+void MapEdits::duplicateUavs(const std::vector<Uav>& uavs)
 {
     if (uavs.empty() || !hasRoomForUavs(uavs.size()))
         return;
-    const Point step_m(copyStep_m(), -copyStep_m());
+    const Point step_m = copyStep_m();
     std::vector<std::string> ids;
     const auto count = static_cast<int>(uavs.size());
     m_document.edit(count == 1 ? tr("Duplicate UAV") : tr("Duplicate %n UAVs", nullptr, count),
@@ -195,42 +177,42 @@ void MapView::duplicateUavs(const std::vector<Uav>& uavs)
 }
 
 /** Says so when there is none. */
-bool MapView::hasRoomForUavs(std::size_t count)
+bool MapEdits::hasRoomForUavs(std::size_t count)
 {
     if (m_document.scenario().uavs.size() + count <= kMostUavs)
         return true;
-    emit refused(tr("A scenario holds at most %n UAVs.", nullptr, static_cast<int>(kMostUavs)));
+    emit m_view.refused(
+        tr("A scenario holds at most %n UAVs.", nullptr, static_cast<int>(kMostUavs)));
     return false;
 }
 
-void MapView::addUavAt(const Point& place_m)
+void MapEdits::addUavAt(const Point& place_m)
 {
-    m_tool->cancel();
-    if (m_isLocked || !hasRoomForUavs(1))
+    if (!begin() || !hasRoomForUavs(1))
         return;
     const Uav uav = anotherUav(m_document.scenario(), roundedTo(place_m, kPositionStep_m));
     m_document.edit(tr("Add UAV"), [&](Scenario& scenario) { scenario.uavs.push_back(uav); });
     m_selection.set({uav.id});
 }
 
-void MapView::addUav()
+void MapEdits::addUav()
 {
-    addUavAt(m_cursor ? toWorld(*m_cursor) : toWorld(m_scene.rect().center()));
+    addUavAt(m_view.cursor_m().value_or(m_scene.view().toWorld(m_scene.rect().center())));
 }
 
 /** Round `place_m`, or beside the originals where no copy hides another iceberg. */
-void MapView::addCopiesOf(const std::vector<Iceberg>& icebergs, const std::optional<Point>& place_m,
-                          const QString& undoText)
+void MapEdits::addCopiesOf(const std::vector<Iceberg>& icebergs,
+                           const std::optional<Point>& place_m, const QString& undoText)
 {
     if (icebergs.empty())
         return;
     const Scenario& scenario = m_document.scenario();
     if (scenario.icebergs.size() + icebergs.size() > kMostIcebergs) {
-        emit refused(
+        emit m_view.refused(
             tr("A scenario holds at most %n icebergs.", nullptr, static_cast<int>(kMostIcebergs)));
         return;
     }
-    const Point step_m(copyStep_m(), -copyStep_m());
+    const Point step_m = copyStep_m();
     const Point offset_m = place_m ? roundedTo(*place_m - middleOf(icebergs), kPositionStep_m)
                                    : freeOffset(scenario, icebergs, step_m);
     std::vector<std::string> ids;
@@ -238,13 +220,13 @@ void MapView::addCopiesOf(const std::vector<Iceberg>& icebergs, const std::optio
     m_selection.set(std::move(ids));
 }
 
-void MapView::addIcebergAt(const Point& place_m)
+void MapEdits::addIcebergAt(const Point& place_m)
 {
-    m_tool->cancel();
+    const bool isLocked = !begin();
     Iceberg iceberg;
     iceberg.position_m = clampedPosition(roundedTo(place_m, kPositionStep_m));
-    if (m_isLocked) {
-        emit icebergPlaced(iceberg);
+    if (isLocked) {
+        emit m_view.icebergPlaced(iceberg);
         return;
     }
     if (m_document.scenario().icebergs.size() >= kMostIcebergs)
