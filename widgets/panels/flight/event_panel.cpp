@@ -1,5 +1,6 @@
 #include "widgets/panels/flight/event_panel.h"
 
+#include "widgets/panels/fields/dock_table.h"
 #include "widgets/panels/flight/event_model.h"
 
 #include <QHeaderView>
@@ -45,19 +46,8 @@ EventPanel::EventPanel(QWidget* parent)
     m_table->setAccessibleName(tr("Events of the mission"));
     m_table->setModel(m_model);
     m_table->setItemDelegate(new EventDelegate(m_table));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setShowGrid(false);
-    m_table->setWordWrap(false);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setTabKeyNavigation(false);
-    m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->verticalHeader()->setDefaultSectionSize(kRow_px);
+    setUpDockTable(*m_table, kRow_px);
     QHeaderView* header = m_table->horizontalHeader();
-    header->setHighlightSections(false);
     header->setStretchLastSection(true);
     m_table->setColumnWidth(EventModel::Time, kTimeColumn_px);
     m_table->setColumnWidth(EventModel::What, kWhatColumn_px);

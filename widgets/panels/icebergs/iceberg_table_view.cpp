@@ -1,5 +1,6 @@
 #include "widgets/panels/icebergs/iceberg_table_view.h"
 
+#include "widgets/panels/fields/dock_table.h"
 #include "widgets/panels/icebergs/iceberg_table_model.h"
 
 #include <QHeaderView>
@@ -25,21 +26,12 @@ bool isReturn(const QKeyEvent& key)
 
 IcebergTableView::IcebergTableView(QWidget* parent) : QTableView(parent)
 {
-    setSelectionBehavior(SelectRows);
+    setUpDockTable(*this, kRow_px);
     setSelectionMode(ExtendedSelection);
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
-    setShowGrid(false);
-    setWordWrap(false);
-    setFrameShape(NoFrame);
-    setTabKeyNavigation(false);
     setMouseTracking(true);
-    setVerticalScrollMode(ScrollPerPixel);
     setHorizontalScrollMode(ScrollPerPixel);
-    verticalHeader()->hide();
-    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setDefaultSectionSize(kRow_px);
     QHeaderView* header = horizontalHeader();
-    header->setHighlightSections(false);
     header->setMinimumSectionSize(kSmallestColumn_px);
     header->setSortIndicatorClearable(true); // the third click: the order of the scenario
     header->setSortIndicator(-1, Qt::AscendingOrder);

@@ -1,5 +1,6 @@
 #include "widgets/panels/plan/plan_panel.h"
 
+#include "widgets/panels/fields/dock_table.h"
 #include "widgets/panels/plan/plan_delegate.h"
 #include "widgets/panels/plan/plan_model.h"
 #include "widgets/theme/quantity_text.h"
@@ -115,24 +116,13 @@ void PlanPanel::setUpTable()
     m_table->setAccessibleName(tr("Plan: icebergs in visiting order"));
     m_table->setModel(m_model);
     m_table->setItemDelegate(m_delegate);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setShowGrid(false);
-    m_table->setWordWrap(false);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setTabKeyNavigation(false);
+    setUpDockTable(*m_table, kRow_px);
     m_table->setMouseTracking(true);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setDragDropMode(QAbstractItemView::DragDrop); // the model says what can be dragged
     m_table->setDragDropOverwriteMode(true);               // onto lines, not between them
     m_table->setDropIndicatorShown(false);                 // all lines of the UAV show it
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->verticalHeader()->setDefaultSectionSize(kRow_px);
     QHeaderView* header = m_table->horizontalHeader();
-    header->setHighlightSections(false);
     header->setSectionsClickable(false);
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setSectionResizeMode(PlanModel::Name, QHeaderView::Stretch);

@@ -1,5 +1,6 @@
 #include "widgets/panels/study/comparison_tables.h"
 
+#include "widgets/panels/fields/dock_table.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
@@ -214,20 +215,9 @@ void setUpComparisonTable(QTableWidget& table, const QString& name, const QStrin
 {
     table.setObjectName(name);
     table.setAccessibleName(title);
-    table.setSelectionBehavior(QAbstractItemView::SelectRows);
-    table.setSelectionMode(QAbstractItemView::SingleSelection);
-    table.setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table.setShowGrid(false);
-    table.setWordWrap(false);
-    table.setFrameShape(QFrame::NoFrame);
-    table.setTabKeyNavigation(false);
-    table.setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setUpDockTable(table, kRow_px);
     table.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table.verticalHeader()->hide();
-    table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    table.verticalHeader()->setDefaultSectionSize(kRow_px);
     QHeaderView* header = table.horizontalHeader();
-    header->setHighlightSections(false);
     header->setSectionsClickable(false);
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setMinimumSectionSize(1);

@@ -114,12 +114,7 @@ QVariant StudyCasesModel::headerData(int section, Qt::Orientation orientation, i
 {
     if (orientation != Qt::Horizontal)
         return {};
-    struct Header
-    {
-        QString text;
-        QString toolTip;
-    };
-    const Header headers[ColumnCount] = {
+    const ColumnHeader headers[ColumnCount] = {
         {tr("Case"), tr("Name of the scenario, or the seed it was drawn from.")},
         {tr("Noise seed"), tr("What the true drift was drawn from: the same for every setting.")},
         {tr("ζ, m² s"), tr("Accumulated uncertainty of this flight: less is better.")},
@@ -128,16 +123,7 @@ QVariant StudyCasesModel::headerData(int section, Qt::Orientation orientation, i
         {tr("Best of all"), tr("The setting with the lowest ζ in this case.")},
         {tr("Stuck"), tr("Flies to two icebergs at most in the second half.")},
     };
-    switch (role) {
-    case Qt::DisplayRole:
-        return headers[section].text;
-    case Qt::ToolTipRole:
-        return headers[section].toolTip;
-    case Qt::TextAlignmentRole:
-        return QVariant((section == Case ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-    default:
-        return {};
-    }
+    return headerOf(headers[section], section == Case, role);
 }
 
 } // namespace berg

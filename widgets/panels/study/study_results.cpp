@@ -2,6 +2,7 @@
 
 #include "widgets/charts/difference_chart.h"
 #include "widgets/charts/study_chart.h"
+#include "widgets/panels/fields/dock_table.h"
 #include "widgets/panels/fields/wheel_guard.h"
 #include "widgets/panels/study/study_tables.h"
 #include "widgets/theme/picture_page.h"
@@ -135,19 +136,8 @@ QTableView* StudyResults::makeTable(const char* name, const QString& title, Stud
     table->setObjectName(QLatin1String(name));
     table->setAccessibleName(title);
     table->setModel(&model);
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setShowGrid(false);
-    table->setWordWrap(false);
-    table->setFrameShape(QFrame::NoFrame);
-    table->setTabKeyNavigation(false);
-    table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    table->verticalHeader()->hide();
-    table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    table->verticalHeader()->setDefaultSectionSize(kRow_px);
+    setUpDockTable(*table, kRow_px);
     QHeaderView* header = table->horizontalHeader();
-    header->setHighlightSections(false);
     header->setResizeContentsPrecision(kMeasuredRows);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(0, QHeaderView::Stretch);

@@ -183,12 +183,7 @@ QVariant StudySettingsModel::headerData(int section, Qt::Orientation orientation
 {
     if (orientation != Qt::Horizontal)
         return {};
-    struct Header
-    {
-        QString text;
-        QString toolTip;
-    };
-    const Header headers[ColumnCount] = {
+    const ColumnHeader headers[ColumnCount] = {
         {tr("Setting"), tr("How the next iceberg is chosen.")},
         {tr("Mean ζ"), tr("Accumulated uncertainty in m² s, mean of all cases: less is better.")},
         {tr("Median ζ"), tr("Half of the cases have less.")},
@@ -200,16 +195,7 @@ QVariant StudySettingsModel::headerData(int section, Qt::Orientation orientation
         {tr("Best in"), tr("Cases in which no other setting has less ζ.")},
         {tr("Stuck"), tr("Cases that fly to two icebergs at most in the second half.")},
     };
-    switch (role) {
-    case Qt::DisplayRole:
-        return headers[section].text;
-    case Qt::ToolTipRole:
-        return headers[section].toolTip;
-    case Qt::TextAlignmentRole:
-        return QVariant((section == Setting ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-    default:
-        return {};
-    }
+    return headerOf(headers[section], section == Setting, role);
 }
 
 } // namespace berg

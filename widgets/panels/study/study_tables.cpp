@@ -60,6 +60,20 @@ std::vector<std::size_t> StudyTableModel::orderOf(std::size_t rows) const
     return order;
 }
 
+QVariant StudyTableModel::headerOf(const ColumnHeader& header, bool isText, int role)
+{
+    switch (role) {
+    case Qt::DisplayRole:
+        return header.text;
+    case Qt::ToolTipRole:
+        return header.toolTip;
+    case Qt::TextAlignmentRole:
+        return QVariant((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    default:
+        return {};
+    }
+}
+
 void StudyTableModel::setRows(std::size_t rows)
 {
     std::vector<std::size_t> order = orderOf(rows);

@@ -39,6 +39,12 @@ protected:
         QString text;
     };
     [[nodiscard]] virtual SortKey sortKey(std::size_t row, int column) const = 0;
+    struct ColumnHeader
+    {
+        QString text;
+        QString toolTip;
+    };
+    [[nodiscard]] static QVariant headerOf(const ColumnHeader& header, bool isText, int role);
     /** There are `rows` rows now; as few changes as possible are told. */
     void setRows(std::size_t rows);
     [[nodiscard]] std::size_t unsorted(int row) const
