@@ -1,5 +1,6 @@
 #include "widgets/words/policy_words.h"
 
+#include "core/io/figure/policy_looks.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
@@ -10,16 +11,13 @@
 namespace berg {
 namespace {
 
-/** One policy in the user's words and as a mark. */
+/** One policy in the user's words. */
 struct PolicyWords
 {
     PolicyKind policy = {};
     const char* name = nullptr;
     const char* label = nullptr; ///< short; of one that uses tau with its place
     const char* sentence = nullptr;
-    MarkShape mark = MarkShape::Disk;
-    QRgb light = 0; ///< 0: as plans
-    QRgb dark = 0;
     const char* title = nullptr; ///< on pages, likewise; null: the name
 };
 
@@ -35,31 +33,24 @@ public:
             {PolicyKind::Visitation, QT_TR_NOOP("Weighted visiting order (published method)"),
              QT_TR_NOOP("τ %1"),
              QT_TR_NOOP("Weighs uncertainty seen early against the length of the path, by τ."),
-             MarkShape::Disk, 0, 0, QT_TR_NOOP("Weighted visiting order, trade-off τ %1")},
+             QT_TR_NOOP("Weighted visiting order, trade-off τ %1")},
             {PolicyKind::Latency, QT_TR_NOOP("Least waiting time"), QT_TR_NOOP("Least waiting"),
              QT_TR_NOOP(
                  "Keeps the waiting time of all icebergs short, weighted by their uncertainty."),
-             MarkShape::Hexagon, 0xffd55e00,
-             0xffff8a45, // vermillion
              QT_TR_NOOP("Least waiting time, weighted by uncertainty")},
             {PolicyKind::Coverage, QT_TR_NOOP("Best predicted coverage"),
              QT_TR_NOOP("Best coverage"),
              QT_TR_NOOP("Predicts zeta for paths that pass icebergs at an offset and see several "
-                        "at once."),
-             MarkShape::Star, 0xff00805d, 0xff2cc29a}, // bluish green
+                        "at once.")},
             {PolicyKind::Path, QT_TR_NOOP("Shortest path, repeated"), QT_TR_NOOP("Shortest path"),
-             QT_TR_NOOP("Flies the shortest path past all icebergs, then the next one."),
-             MarkShape::Diamond, 0xff9c4f83, 0xffe0a0c4}, // reddish purple
+             QT_TR_NOOP("Flies the shortest path past all icebergs, then the next one.")},
             {PolicyKind::Tour, QT_TR_NOOP("Shortest round tour, repeated"), QT_TR_NOOP("Tour"),
-             QT_TR_NOOP("Flies one shortest round tour again and again."), MarkShape::Square,
-             0xffa86f00, 0xffe69f00}, // orange
+             QT_TR_NOOP("Flies one shortest round tour again and again.")},
             {PolicyKind::Nearest, QT_TR_NOOP("Nearest iceberg first"), QT_TR_NOOP("Nearest first"),
-             QT_TR_NOOP("Flies to the nearest iceberg out of view."), MarkShape::Triangle,
-             0xff2b88bb, 0xff56b4e9}, // sky blue
+             QT_TR_NOOP("Flies to the nearest iceberg out of view.")},
             {PolicyKind::Uncertainty, QT_TR_NOOP("Most uncertain iceberg first"),
              QT_TR_NOOP("Most uncertain first"),
-             QT_TR_NOOP("Flies to the iceberg of the greatest uncertainty."),
-             MarkShape::TriangleDown, 0xff7f7600, 0xfff0e442}, // yellow
+             QT_TR_NOOP("Flies to the iceberg of the greatest uncertainty.")},
         };
         static_assert(std::size(kAll) == kPolicyTable.size());
         return kAll;
@@ -149,8 +140,10 @@ QString routeName(Route route)
 
 QColor policyColour(PolicyKind policy, const Theme& theme)
 {
-    const PolicyWords& words = wordsOf(policy);
-    return words.light == 0 ? theme.plan : QColor::fromRgb(theme.isDark ? words.dark : words.light);
+    const PolicyLook& look = lookOf(policy);
+    const std::string_view colour = theme.isDark ? look.dark : look.light;
+    return colour.empty() ? theme.plan
+                          : QColor(QLatin1String(colour.data(), qsizetype(colour.size())));
 }
 
 PlotMark policyMark(PolicyKind policy, const PlotPoint& at, double radius_px)
@@ -158,7 +151,7 @@ PlotMark policyMark(PolicyKind policy, const PlotPoint& at, double radius_px)
     return {.at = at,
             .radius_px = radius_px,
             .ink = {.of = InkOf::Policy, .value = static_cast<double>(policy)},
-            .shape = wordsOf(policy).mark};
+            .shape = lookOf(policy).mark};
 }
 
 } // namespace berg

@@ -9,14 +9,10 @@ namespace berg {
 inline constexpr std::string_view kReportStyle = R"css(
 :root { color-scheme: light dark;
   --text: #16222b; --muted: #4c5e6a; --page: #ffffff; --panel: #f3f7f9; --rule: #cbd8e0;
-  --grid: #e3eaee; --axis: #84949e; --plan: #1769aa; --warn: #b3263a;
-  --path: #d55e00; --tour: #b05c8e; --nearest: #5c6b75; --uncertainty: #2a86bf;
-  --latency: #008a64; --coverage: #a87400; }
+  --grid: #e3eaee; --axis: #84949e; --plan: #1769aa; --warn: #b3263a; }
 @media screen and (prefers-color-scheme: dark) { :root {
   --text: #e8eff3; --muted: #9cb0bc; --page: #111e28; --panel: #182a36; --rule: #2c4150;
-  --grid: #223441; --axis: #6b7f8c; --plan: #5fb3f2; --warn: #ff7a8a;
-  --path: #ff8a4c; --tour: #cc79a7; --nearest: #9cb0bc; --uncertainty: #56b4e9;
-  --latency: #2fc495; --coverage: #e69f00; } }
+  --grid: #223441; --axis: #6b7f8c; --plan: #5fb3f2; --warn: #ff7a8a; } }
 * { box-sizing: border-box; }
 body { margin: 0 auto; padding: 1.5rem 1.25rem 3rem; max-width: 56rem; color: var(--text);
   background: var(--page); font: 15px/1.5 system-ui, "Segoe UI", "Noto Sans", sans-serif;
@@ -54,12 +50,6 @@ svg .muted { --ink: var(--muted); }
 svg .axis { --ink: var(--axis); }
 svg .grid { --ink: var(--grid); }
 svg .plan, svg .p-visitation { --ink: var(--plan); }
-svg .p-path { --ink: var(--path); }
-svg .p-tour { --ink: var(--tour); }
-svg .p-nearest { --ink: var(--nearest); }
-svg .p-uncertainty { --ink: var(--uncertainty); }
-svg .p-latency { --ink: var(--latency); }
-svg .p-coverage { --ink: var(--coverage); }
 svg text { font: 12px system-ui, "Segoe UI", "Noto Sans", sans-serif; fill: var(--ink);
   font-variant-numeric: tabular-nums; }
 svg polyline { fill: none; stroke: var(--ink); stroke-linejoin: round; }

@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/io/figure/figure_svg.h"
+#include "core/io/figure/policy_looks.h"
 #include "core/io/results/result_csv.h"
 #include "core/plan/policy/policy.h"
 
@@ -37,22 +38,8 @@ Ink inkOf(const StudySetting& setting)
 /** Policies without tau are told apart by their dashes, too. */
 std::vector<double> dashOf(PolicyKind policy)
 {
-    switch (policy) {
-    case PolicyKind::Path:
-        return {9, 4};
-    case PolicyKind::Tour:
-        return {9, 3, 2, 3};
-    case PolicyKind::Nearest:
-        return {2, 3};
-    case PolicyKind::Uncertainty:
-        return {5, 5};
-    case PolicyKind::Latency:
-        return {14, 3};
-    case PolicyKind::Visitation:
-    case PolicyKind::Coverage:
-        break;
-    }
-    return {};
+    const std::array<double, 4>& dash_px = lookOf(policy).dash_px;
+    return {dash_px.begin(), std::ranges::find(dash_px, 0.0)};
 }
 
 PlotAxis axisFor(AxisEnds ends, double spacing_px, std::string title = {})

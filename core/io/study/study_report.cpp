@@ -1,5 +1,6 @@
 #include "core/io/study/study_report.h"
 
+#include "core/io/figure/policy_looks.h"
 #include "core/io/study/report_style.h"
 #include "core/io/study/study_charts.h"
 #include "core/io/study/study_json.h"
@@ -13,6 +14,21 @@ namespace {
 constexpr std::string_view kStudyOpens = R"(<script type="application/json" id="study">)";
 constexpr std::string_view kStudyCloses = "</script>";
 
+/** Colours of the policies in drawings, light and dark. */
+std::string policyStyle()
+{
+    std::string light;
+    std::string dark;
+    for (const PolicyLook& look : kPolicyLooks) {
+        if (look.light.empty())
+            continue;
+        const std::string rule = "svg .p-" + nameOf(kPolicyNames, look.policy) + " { --ink: ";
+        light += rule + std::string(look.light) + "; }\n";
+        dark += rule + std::string(look.dark) + "; }\n";
+    }
+    return light + "@media screen and (prefers-color-scheme: dark) {\n" + dark + "}\n";
+}
+
 std::string headHtml(const std::string& title, const ReportOrigin& origin)
 {
     // The policy lets nothing be loaded and nothing be run, whatever else the page may hold.
@@ -24,7 +40,7 @@ std::string headHtml(const std::string& title, const ReportOrigin& origin)
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"" +
            htmlText(origin.program) + "\"/>\n<title>" + htmlText(title) + "</title>\n<style>" +
-           std::string(kReportStyle) + "</style>\n</head>\n";
+           std::string(kReportStyle) + policyStyle() + "</style>\n</head>\n";
 }
 
 std::string figureHtml(const std::string& heading, const std::string& drawing,

@@ -1,3 +1,4 @@
+#include "core/io/figure/policy_looks.h"
 #include "core/io/study/report_style.h"
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report.h"
@@ -364,7 +365,12 @@ private slots:
                 const QRegularExpressionMatch match = found.next();
                 colours[match.captured(1)] = luminance(match.captured(2));
             }
-            QVERIFY(colours.size() >= 14);
+            QVERIFY(colours.size() >= 9);
+            const bool isDark = &theme == &themes.back();
+            for (const PolicyLook& look : kPolicyLooks)
+                if (!look.light.empty())
+                    colours[QString::fromStdString(nameOf(kPolicyNames, look.policy))] = luminance(
+                        QString::fromStdString(std::string(isDark ? look.dark : look.light)));
             const QStringList faint{u"page"_s, u"panel"_s, u"grid"_s, u"rule"_s};
             for (auto colour = colours.cbegin(); colour != colours.cend(); ++colour) {
                 if (faint.contains(colour.key()))
