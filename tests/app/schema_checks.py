@@ -123,6 +123,9 @@ foreign = """.origin.datum .no_fly[].class .uavs[].colour .icebergs[].track.beac
     .weather.visibility_m .ground_station.operator .planner.depth .camera""".split()
 check("members without a name are those of others", unnamed(every, scenario, "") == foreign)
 
+policies = re.search(r"^\| planner\.policy \| \w+ \| (.+) \|$", page, re.M)[1].split(", ")
+check("policies are those of the page", scenario["$defs"]["policy"]["enum"] == policies)
+
 limits = 0
 for field, above, low, high in re.findall(r"^\| ([a-z0-9_.\[\]]+) \| (above )?(-?[0-9.e]+) \| (-?[0-9.e]+) \|$", page, re.M):
     node = scenario["$defs"]["scenario"]

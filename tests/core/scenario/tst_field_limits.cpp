@@ -24,16 +24,19 @@ struct Row
     bool above = false;
 };
 
-std::vector<Row> rowsOfThePage()
+QString thePage()
 {
     QFile page(QStringLiteral(BERG_SOURCE_DIR "/resources/scenarios/README.md"));
-    if (!page.open(QIODevice::ReadOnly))
-        return {};
+    return page.open(QIODevice::ReadOnly) ? QString::fromUtf8(page.readAll()) : QString();
+}
+
+std::vector<Row> rowsOfThePage()
+{
     static const QRegularExpression pattern(
         u"^\\| ([a-z0-9_.\\[\\]]+) \\| (above )?(-?[0-9.e]+) \\| (-?[0-9.e]+) \\|$"_s,
         QRegularExpression::MultilineOption);
     std::vector<Row> rows;
-    auto matches = pattern.globalMatch(QString::fromUtf8(page.readAll()));
+    auto matches = pattern.globalMatch(thePage());
     while (matches.hasNext()) {
         const QRegularExpressionMatch match = matches.next();
         rows.push_back({.field = match.captured(1),
@@ -132,6 +135,12 @@ private slots:
     }
 
     void thePageHasThemAll() { QCOMPARE(rowsOfThePage().size(), 52U); }
+
+    void thePageNamesThePolicies()
+    {
+        const QString names = QString::fromStdString(allowedNames(kPolicyNames));
+        QVERIFY(thePage().contains(u"\n| planner.policy | visitation | %1 |\n"_s.arg(names)));
+    }
 };
 
 QTEST_APPLESS_MAIN(TestFieldLimits)
