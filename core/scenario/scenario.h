@@ -5,7 +5,7 @@
 #include "core/scenario/limits.h"
 #include "core/tracking/drift.h"
 #include "core/tracking/observer.h"
-#include "core/vehicle/dubins.h"
+#include "core/vehicle/uav_spec.h"
 
 #include <cstdint>
 #include <optional>

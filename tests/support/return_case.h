@@ -4,6 +4,7 @@
 #include "core/base/random.h"
 #include "core/scenario/fence.h"
 #include "core/vehicle/return_path.h"
+#include "core/vehicle/uav_spec.h"
 
 #include <algorithm>
 #include <cmath>

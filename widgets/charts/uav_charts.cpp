@@ -1,7 +1,7 @@
 #include "widgets/charts/uav_charts.h"
 
 #include "core/base/angles.h"
-#include "core/vehicle/dubins.h"
+#include "core/vehicle/uav_spec.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 

@@ -1,5 +1,6 @@
 #include "core/base/angles.h"
 #include "core/vehicle/return_path.h"
+#include "core/vehicle/uav_spec.h"
 
 #include <QTest>
 

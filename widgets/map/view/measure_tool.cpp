@@ -1,6 +1,7 @@
 #include "widgets/map/view/measure_tool.h"
 
 #include "core/base/angles.h"
+#include "core/vehicle/dubins.h"
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/theme/painter_state.h"
