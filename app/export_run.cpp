@@ -1,8 +1,8 @@
 #include "app/export_run.h"
 
 #include "app/cli/program.h"
-#include "app/window/window_run.h"
 #include "widgets/print/export_painter.h"
+#include "widgets/theme/language.h"
 
 #include <QApplication>
 #include <QLoggingCategory>

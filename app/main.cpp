@@ -5,6 +5,7 @@
 #include "app/window/window_run.h"
 #include "core/base/error.h"
 #include "widgets/manual/manual_pages.h"
+#include "widgets/theme/language.h"
 #include "widgets/words/error_text.h"
 
 #include <QApplication>

@@ -1301,14 +1301,10 @@
 </context>
 <context>
     <name>HandleDrag</name>
-    <message>
-        <source>Change drift</source>
-        <translation>Endre drift</translation>
-    </message>
     <message numerus="yes">
         <source>Change drift of %n icebergs</source>
         <translation>
-            <numerusform>Endre driften til %n isfjell</numerusform>
+            <numerusform>Endre drift</numerusform>
             <numerusform>Endre driften til %n isfjell</numerusform>
         </translation>
     </message>
@@ -1881,61 +1877,54 @@
         <source>Any table (CSV)</source>
         <translation>En hvilken som helst tabell (CSV)</translation>
     </message>
-    <message>
-        <source>1 new</source>
-        <translation>1 nytt</translation>
+    <message numerus="yes">
+        <source>%n new</source>
+        <translation>
+            <numerusform>%n nytt</numerusform>
+            <numerusform>%n nye</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 new</source>
-        <translation>%1 nye</translation>
+    <message numerus="yes">
+        <source>%n updated</source>
+        <translation>
+            <numerusform>%n oppdatert</numerusform>
+            <numerusform>%n oppdatert</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>1 updated</source>
-        <translation>1 oppdatert</translation>
+    <message numerus="yes">
+        <source>%n unchanged</source>
+        <translation>
+            <numerusform>%n uendret</numerusform>
+            <numerusform>%n uendret</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 updated</source>
-        <translation>%1 oppdatert</translation>
+    <message numerus="yes">
+        <source>%n left out</source>
+        <translation>
+            <numerusform>%n utelatt</numerusform>
+            <numerusform>%n utelatt</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>1 unchanged</source>
-        <translation>1 uendret</translation>
+    <message numerus="yes">
+        <source>%n sightings outside the area</source>
+        <translation>
+            <numerusform>%n observasjon utenfor området</numerusform>
+            <numerusform>%n observasjoner utenfor området</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 unchanged</source>
-        <translation>%1 uendret</translation>
+    <message numerus="yes">
+        <source>%n sightings outside the time</source>
+        <translation>
+            <numerusform>%n observasjon utenfor tidsrommet</numerusform>
+            <numerusform>%n observasjoner utenfor tidsrommet</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>1 left out</source>
-        <translation>1 utelatt</translation>
-    </message>
-    <message>
-        <source>%1 left out</source>
-        <translation>%1 utelatt</translation>
-    </message>
-    <message>
-        <source>1 sighting outside the area</source>
-        <translation>1 observasjon utenfor området</translation>
-    </message>
-    <message>
-        <source>%1 sightings outside the area</source>
-        <translation>%1 observasjoner utenfor området</translation>
-    </message>
-    <message>
-        <source>1 sighting outside the time</source>
-        <translation>1 observasjon utenfor tidsrommet</translation>
-    </message>
-    <message>
-        <source>%1 sightings outside the time</source>
-        <translation>%1 observasjoner utenfor tidsrommet</translation>
-    </message>
-    <message>
-        <source>1 row rejected</source>
-        <translation>1 rad avvist</translation>
-    </message>
-    <message>
-        <source>%1 rows rejected</source>
-        <translation>%1 rader avvist</translation>
+    <message numerus="yes">
+        <source>%n rows rejected</source>
+        <translation>
+            <numerusform>%n rad avvist</numerusform>
+            <numerusform>%n rader avvist</numerusform>
+        </translation>
     </message>
     <message>
         <source>Nothing to import</source>
@@ -1981,13 +1970,12 @@
         <source>ArduPilot mission (QGC WPL)</source>
         <translation>ArduPilot-oppdrag (QGC WPL)</translation>
     </message>
-    <message>
-        <source>1 UAV</source>
-        <translation>1 UAV</translation>
-    </message>
-    <message>
-        <source>%1 UAVs</source>
-        <translation>%1 UAV-er</translation>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n UAV</numerusform>
+            <numerusform>%n UAV-er</numerusform>
+        </translation>
     </message>
     <message>
         <source>the area</source>
@@ -2005,21 +1993,19 @@
         <source>UAVs, area and asset (the scenario has its own)</source>
         <translation>UAV-er, område og objekt (scenarioet har sine egne)</translation>
     </message>
-    <message>
-        <source>1 UAV (too many)</source>
-        <translation>1 UAV (for mange)</translation>
+    <message numerus="yes">
+        <source>%n UAVs (too many)</source>
+        <translation>
+            <numerusform>%n UAV (for mange)</numerusform>
+            <numerusform>%n UAV-er (for mange)</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 UAVs (too many)</source>
-        <translation>%1 UAV-er (for mange)</translation>
-    </message>
-    <message>
-        <source>1 UAV (more than 1000 km from the origin)</source>
-        <translation>1 UAV (mer enn 1000 km fra origo)</translation>
-    </message>
-    <message>
-        <source>%1 UAVs (more than 1000 km from the origin)</source>
-        <translation>%1 UAV-er (mer enn 1000 km fra origo)</translation>
+    <message numerus="yes">
+        <source>%n UAVs (more than 1000 km from the origin)</source>
+        <translation>
+            <numerusform>%n UAV (mer enn 1000 km fra origo)</numerusform>
+            <numerusform>%n UAV-er (mer enn 1000 km fra origo)</numerusform>
+        </translation>
     </message>
     <message>
         <source>an area (unreadable)</source>
@@ -2041,29 +2027,26 @@
         <source>the area (in several parts)</source>
         <translation>området (i flere deler)</translation>
     </message>
-    <message>
-        <source>1 further area</source>
-        <translation>1 område til</translation>
+    <message numerus="yes">
+        <source>%n further areas</source>
+        <translation>
+            <numerusform>%n område til</numerusform>
+            <numerusform>%n områder til</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 further areas</source>
-        <translation>%1 områder til</translation>
+    <message numerus="yes">
+        <source>%n holes of the area</source>
+        <translation>
+            <numerusform>%n hull i området</numerusform>
+            <numerusform>%n hull i området</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>1 hole of the area</source>
-        <translation>1 hull i området</translation>
-    </message>
-    <message>
-        <source>%1 holes of the area</source>
-        <translation>%1 hull i området</translation>
-    </message>
-    <message>
-        <source>1 circle of the geofence</source>
-        <translation>1 sirkel i geogjerdet</translation>
-    </message>
-    <message>
-        <source>%1 circles of the geofence</source>
-        <translation>%1 sirkler i geogjerdet</translation>
+    <message numerus="yes">
+        <source>%n circles of the geofence</source>
+        <translation>
+            <numerusform>%n sirkel i geogjerdet</numerusform>
+            <numerusform>%n sirkler i geogjerdet</numerusform>
+        </translation>
     </message>
     <message>
         <source>the geofence (too many corners)</source>
@@ -2073,33 +2056,30 @@
         <source>the geofence (a UAV starts or lands outside)</source>
         <translation>geogjerdet (en UAV starter eller lander utenfor)</translation>
     </message>
-    <message>
-        <source>1 rally point</source>
-        <translation>1 samlingspunkt</translation>
+    <message numerus="yes">
+        <source>%n rally points</source>
+        <translation>
+            <numerusform>%n samlingspunkt</numerusform>
+            <numerusform>%n samlingspunkter</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 rally points</source>
-        <translation>%1 samlingspunkter</translation>
-    </message>
-    <message>
-        <source>1 further asset</source>
-        <translation>1 objekt til</translation>
-    </message>
-    <message>
-        <source>%1 further assets</source>
-        <translation>%1 objekter til</translation>
+    <message numerus="yes">
+        <source>%n further assets</source>
+        <translation>
+            <numerusform>%n objekt til</numerusform>
+            <numerusform>%n objekter til</numerusform>
+        </translation>
     </message>
     <message>
         <source>the asset (more than 1000 km from the origin)</source>
         <translation>objektet (mer enn 1000 km fra origo)</translation>
     </message>
-    <message>
-        <source>1 number out of range</source>
-        <translation>1 tall utenfor grensene</translation>
-    </message>
-    <message>
-        <source>%1 numbers out of range</source>
-        <translation>%1 tall utenfor grensene</translation>
+    <message numerus="yes">
+        <source>%n numbers out of range</source>
+        <translation>
+            <numerusform>%n tall utenfor grensene</numerusform>
+            <numerusform>%n tall utenfor grensene</numerusform>
+        </translation>
     </message>
     <message>
         <source>Also from the file: %1</source>
@@ -2109,21 +2089,19 @@
         <source>Left out: %1</source>
         <translation>Utelatt: %1</translation>
     </message>
-    <message>
-        <source>1 no-fly area</source>
-        <translation>1 flyforbudsområde</translation>
+    <message numerus="yes">
+        <source>%n no-fly areas</source>
+        <translation>
+            <numerusform>%n flyforbudsområde</numerusform>
+            <numerusform>%n flyforbudsområder</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 no-fly areas</source>
-        <translation>%1 flyforbudsområder</translation>
-    </message>
-    <message>
-        <source>1 no-fly area (a UAV starts or lands in it, or its heights are wrong)</source>
-        <translation>1 flyforbudsområde (en UAV starter eller lander i det, eller høydene er feil)</translation>
-    </message>
-    <message>
-        <source>%1 no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
-        <translation>%1 flyforbudsområder (en UAV starter eller lander i dem, eller høydene er feil)</translation>
+    <message numerus="yes">
+        <source>%n no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
+        <translation>
+            <numerusform>%n flyforbudsområde (en UAV starter eller lander i det, eller høydene er feil)</numerusform>
+            <numerusform>%n flyforbudsområder (en UAV starter eller lander i dem, eller høydene er feil)</numerusform>
+        </translation>
     </message>
     <message>
         <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
@@ -3451,18 +3429,6 @@
         </translation>
     </message>
     <message>
-        <source>1 error</source>
-        <translation>1 feil</translation>
-    </message>
-    <message>
-        <source>1 warning</source>
-        <translation>1 advarsel</translation>
-    </message>
-    <message>
-        <source>1 hint</source>
-        <translation>1 tips</translation>
-    </message>
-    <message>
         <source>Icebergs outside the area are not monitored; the UAV may fly beyond it.</source>
         <translation>Isfjell utenfor området overvåkes ikke; UAV-en kan fly utenfor det.</translation>
     </message>
@@ -4227,6 +4193,101 @@
     </message>
 </context>
 <context>
+    <name>MapEdits</name>
+    <message numerus="yes">
+        <source>Delete %n icebergs</source>
+        <translation>
+            <numerusform>Slett isfjell</numerusform>
+            <numerusform>Slett %n isfjell</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n objects</source>
+        <translation>
+            <numerusform>Slett %n objekt</numerusform>
+            <numerusform>Slett %n objekter</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Fjern objektet</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Fjern området</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n icebergs</source>
+        <translation>
+            <numerusform>Klipp ut isfjell</numerusform>
+            <numerusform>Klipp ut %n isfjell</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no icebergs on the clipboard.</source>
+        <translation>Det er ingen isfjell på utklippstavlen.</translation>
+    </message>
+    <message>
+        <source>What is on the clipboard cannot be pasted. %1</source>
+        <translation>Det som er på utklippstavlen, kan ikke limes inn. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n icebergs</source>
+        <translation>
+            <numerusform>Lim inn isfjell</numerusform>
+            <numerusform>Lim inn %n isfjell</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n icebergs</source>
+        <translation>
+            <numerusform>Dupliser isfjell</numerusform>
+            <numerusform>Dupliser %n isfjell</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n icebergs.</source>
+        <translation>
+            <numerusform>Et scenario har plass til høyst %n isfjell.</numerusform>
+            <numerusform>Et scenario har plass til høyst %n isfjell.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add iceberg</source>
+        <translation>Legg til isfjell</translation>
+    </message>
+    <message>
+        <source>Delete UAV</source>
+        <translation>Slett UAV</translation>
+    </message>
+    <message>
+        <source>The last UAV stays: a scenario has at least one.</source>
+        <translation>Den siste UAV-en blir: et scenario har minst én.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n UAVs</source>
+        <translation>
+            <numerusform>Dupliser UAV</numerusform>
+            <numerusform>Dupliser %n UAV-er</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n UAVs.</source>
+        <translation>
+            <numerusform>Et scenario har høyst %n UAV.</numerusform>
+            <numerusform>Et scenario har høyst %n UAV-er.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add UAV</source>
+        <translation>Legg til UAV</translation>
+    </message>
+    <message>
+        <source>Remove no-fly area</source>
+        <translation>Fjern flyforbudsområdet</translation>
+    </message>
+</context>
+<context>
     <name>MapLayoutText</name>
     <message>
         <source>lost</source>
@@ -4512,14 +4573,10 @@
             <numerusform>Flytt %n objekter</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Move iceberg</source>
-        <translation>Flytt isfjell</translation>
-    </message>
     <message numerus="yes">
         <source>Move %n icebergs</source>
         <translation>
-            <numerusform>Flytt %n isfjell</numerusform>
+            <numerusform>Flytt isfjell</numerusform>
             <numerusform>Flytt %n isfjell</numerusform>
         </translation>
     </message>
@@ -6114,10 +6171,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 </context>
 <context>
     <name>berg::ExampleCard</name>
-    <message>
-        <source>1 iceberg</source>
-        <translation>1 isfjell</translation>
-    </message>
     <message numerus="yes">
         <source>%n icebergs</source>
         <translation>
@@ -6612,13 +6665,9 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message numerus="yes">
         <source>The scenario then holds %n icebergs.</source>
         <translation>
-            <numerusform>Scenarioet får da %n isfjell.</numerusform>
+            <numerusform>Scenarioet får da ett isfjell.</numerusform>
             <numerusform>Scenarioet får da %n isfjell.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>The scenario then holds one iceberg.</source>
-        <translation>Scenarioet får da ett isfjell.</translation>
     </message>
     <message>
         <source>none</source>
@@ -7161,121 +7210,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>drifting %1 towards %2</source>
         <translation>driver %1 mot %2</translation>
-    </message>
-</context>
-<context>
-    <name>MapEdits</name>
-    <message>
-        <source>Delete iceberg</source>
-        <translation>Slett isfjell</translation>
-    </message>
-    <message numerus="yes">
-        <source>Delete %n icebergs</source>
-        <translation>
-            <numerusform>Slett %n isfjell</numerusform>
-            <numerusform>Slett %n isfjell</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Delete %n objects</source>
-        <translation>
-            <numerusform>Slett %n objekt</numerusform>
-            <numerusform>Slett %n objekter</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Remove asset</source>
-        <translation>Fjern objektet</translation>
-    </message>
-    <message>
-        <source>Remove area</source>
-        <translation>Fjern området</translation>
-    </message>
-    <message>
-        <source>Cut iceberg</source>
-        <translation>Klipp ut isfjell</translation>
-    </message>
-    <message numerus="yes">
-        <source>Cut %n icebergs</source>
-        <translation>
-            <numerusform>Klipp ut %n isfjell</numerusform>
-            <numerusform>Klipp ut %n isfjell</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>There are no icebergs on the clipboard.</source>
-        <translation>Det er ingen isfjell på utklippstavlen.</translation>
-    </message>
-    <message>
-        <source>What is on the clipboard cannot be pasted. %1</source>
-        <translation>Det som er på utklippstavlen, kan ikke limes inn. %1</translation>
-    </message>
-    <message>
-        <source>Paste iceberg</source>
-        <translation>Lim inn isfjell</translation>
-    </message>
-    <message numerus="yes">
-        <source>Paste %n icebergs</source>
-        <translation>
-            <numerusform>Lim inn %n isfjell</numerusform>
-            <numerusform>Lim inn %n isfjell</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Duplicate iceberg</source>
-        <translation>Dupliser isfjell</translation>
-    </message>
-    <message numerus="yes">
-        <source>Duplicate %n icebergs</source>
-        <translation>
-            <numerusform>Dupliser %n isfjell</numerusform>
-            <numerusform>Dupliser %n isfjell</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n icebergs.</source>
-        <translation>
-            <numerusform>Et scenario har plass til høyst %n isfjell.</numerusform>
-            <numerusform>Et scenario har plass til høyst %n isfjell.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add iceberg</source>
-        <translation>Legg til isfjell</translation>
-    </message>
-    <message>
-        <source>Delete UAV</source>
-        <translation>Slett UAV</translation>
-    </message>
-    <message>
-        <source>The last UAV stays: a scenario has at least one.</source>
-        <translation>Den siste UAV-en blir: et scenario har minst én.</translation>
-    </message>
-    <message>
-        <source>Duplicate UAV</source>
-        <translation>Dupliser UAV</translation>
-    </message>
-    <message numerus="yes">
-        <source>Duplicate %n UAVs</source>
-        <translation>
-            <numerusform>Dupliser %n UAV</numerusform>
-            <numerusform>Dupliser %n UAV-er</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n UAVs.</source>
-        <translation>
-            <numerusform>Et scenario har høyst %n UAV.</numerusform>
-            <numerusform>Et scenario har høyst %n UAV-er.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add UAV</source>
-        <translation>Legg til UAV</translation>
-    </message>
-    <message>
-        <source>Remove no-fly area</source>
-        <translation>Fjern flyforbudsområdet</translation>
     </message>
 </context>
 <context>
@@ -7925,10 +7859,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Den er på vei hjem, på bakken eller holder: den planlegges igjen ved avgang eller når den fortsetter.</translation>
     </message>
     <message>
-        <source>1 visit</source>
-        <translation>1 besøk</translation>
-    </message>
-    <message>
         <source>In view</source>
         <translation>I synsfelt</translation>
     </message>
@@ -8514,13 +8444,9 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message numerus="yes">
         <source>%n UAVs</source>
         <translation>
-            <numerusform>%n UAV</numerusform>
+            <numerusform>én UAV</numerusform>
             <numerusform>%n UAV-er</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>one UAV</source>
-        <translation>én UAV</translation>
     </message>
 </context>
 <context>
@@ -8532,14 +8458,10 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
 </context>
 <context>
     <name>berg::ScenarioDialogs</name>
-    <message>
-        <source>Generate iceberg</source>
-        <translation>Generer isfjell</translation>
-    </message>
     <message numerus="yes">
         <source>Generate %n icebergs</source>
         <translation>
-            <numerusform>Generer %n isfjell</numerusform>
+            <numerusform>Generer isfjell</numerusform>
             <numerusform>Generer %n isfjell</numerusform>
         </translation>
     </message>
@@ -8613,20 +8535,12 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;All files (*)</source>
         <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
     </message>
-    <message>
-        <source>Import 1 iceberg from %1</source>
-        <translation>Importer 1 isfjell fra %1</translation>
-    </message>
     <message numerus="yes">
         <source>Import %n icebergs from %1</source>
         <translation>
             <numerusform>Importer %n isfjell fra %1</numerusform>
             <numerusform>Importer %n isfjell fra %1</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Imported 1 iceberg from %1</source>
-        <translation>Importerte 1 isfjell fra %1</translation>
     </message>
     <message numerus="yes">
         <source>Imported %n icebergs from %1</source>
@@ -9108,10 +9022,6 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
 </context>
 <context>
     <name>berg::StudyPicture</name>
-    <message>
-        <source>1 case</source>
-        <translation>1 tilfelle</translation>
-    </message>
     <message numerus="yes">
         <source>%n cases</source>
         <translation>
@@ -9473,10 +9383,6 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <source>Between two values of τ.</source>
         <translation>Mellom to verdier av τ.</translation>
     </message>
-    <message>
-        <source>1 random scenario</source>
-        <translation>1 tilfeldig scenario</translation>
-    </message>
     <message numerus="yes">
         <source>%n random scenarios</source>
         <translation>
@@ -9552,7 +9458,7 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <translation>Planer langs avveiningen τ</translation>
     </message>
     <message numerus="yes">
-        <source>%n plan(s)</source>
+        <source>%n plans</source>
         <translation>
             <numerusform>%n plan</numerusform>
             <numerusform>%n planer</numerusform>

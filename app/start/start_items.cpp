@@ -18,8 +18,7 @@ constexpr int kCaption_px = 16; ///< height of a line of small text
 
 QString countText(int icebergs)
 {
-    return icebergs == 1 ? ExampleCard::tr("1 iceberg")
-                         : ExampleCard::tr("%n icebergs", nullptr, icebergs);
+    return ExampleCard::tr("%n icebergs", nullptr, icebergs);
 }
 
 /** Ground and edge of something to be clicked. */

@@ -69,8 +69,7 @@ void ScenarioDialogs::generateIcebergs()
         if (!m_files.mayAnswer(false))
             return;
         const int count = dialog->count();
-        workspace().document().edit(count == 1 ? tr("Generate iceberg")
-                                               : tr("Generate %n icebergs", nullptr, count),
+        workspace().document().edit(tr("Generate %n icebergs", nullptr, count),
                                     [dialog](Scenario& scenario) {
                                         scenario.icebergs = dialog->result().icebergs;
                                         scenario.observer = dialog->result().observer;

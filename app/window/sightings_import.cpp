@@ -82,17 +82,12 @@ void SightingsImport::acceptImport(const ImportChoice& choice, const QString& fi
         workspace().document().restore(choice.scenario, {}); // it is in no file yet
     } else {
         workspace().document().edit(
-            (choice.icebergs == 1 ? tr("Import 1 iceberg from %1")
-                                  : tr("Import %n icebergs from %1", nullptr, choice.icebergs))
-                .arg(fileName),
+            tr("Import %n icebergs from %1", nullptr, choice.icebergs).arg(fileName),
             [&](Scenario& scenario) { scenario = choice.scenario; });
         panels().map->fit();
     }
     m_start.closePage();
-    showMessage((choice.icebergs == 1
-                     ? tr("Imported 1 iceberg from %1")
-                     : tr("Imported %n icebergs from %1", nullptr, choice.icebergs))
-                    .arg(fileName),
+    showMessage(tr("Imported %n icebergs from %1", nullptr, choice.icebergs).arg(fileName),
                 kMessage_ms);
 }
 

@@ -1,6 +1,6 @@
 #include "app/window/window_holder.h"
 
-#include "app/window/window_run.h"
+#include "widgets/theme/language.h"
 #include "widgets/theme/unit_settings.h"
 
 namespace berg {

@@ -7,6 +7,7 @@
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "widgets/map/view/map_view.h"
+#include "widgets/theme/language.h"
 #include "widgets/words/error_text.h"
 
 #include <QApplication>
@@ -14,10 +15,8 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QLibraryInfo>
 #include <QScreen>
 #include <QTextStream>
-#include <QTranslator>
 
 #include <cstdio>
 
@@ -153,21 +152,6 @@ void giveSize(MainWindow& window, const std::optional<QSize>& size_px, bool pict
 }
 
 } // namespace
-
-void installLanguage(const QString& language)
-{
-    static QTranslator own;
-    static QTranslator qt;
-    QCoreApplication::removeTranslator(&own);
-    QCoreApplication::removeTranslator(&qt);
-    const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
-    QLocale::setDefault(locale);
-    if (own.load(locale, u"bergwatch"_s, u"_"_s, u":/i18n"_s))
-        QCoreApplication::installTranslator(&own);
-    if (qt.load(locale, u"qt"_s, u"_"_s, u":/i18n"_s) ||
-        qt.load(locale, u"qtbase"_s, u"_"_s, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
-        QCoreApplication::installTranslator(&qt);
-}
 
 int runWindow(const WindowOptions& options)
 {

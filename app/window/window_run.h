@@ -18,9 +18,6 @@ struct WindowOptions
     double at_s = 0;              ///< flown until then before the screenshot
 };
 
-/** Translators of one language, its own words and Qt's; empty: the system's language. */
-void installLanguage(const QString& language);
-
 /** Runs the window until it is closed; the exit code of the program. */
 int runWindow(const WindowOptions& options);
 

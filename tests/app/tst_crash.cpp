@@ -4,6 +4,7 @@
 #include "core/scenario/presets.h"
 #include "tests/support/panel_test.h"
 #include "widgets/model/workspace.h"
+#include "widgets/theme/language.h"
 
 #include <QAction>
 #include <QApplication>

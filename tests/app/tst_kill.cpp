@@ -8,6 +8,7 @@
 #include "widgets/model/document_file.h"
 #include "widgets/model/scenario_document.h"
 #include "widgets/model/study_keeper.h"
+#include "widgets/theme/language.h"
 
 #include <QAction>
 #include <QApplication>

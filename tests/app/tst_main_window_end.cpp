@@ -1,6 +1,6 @@
-#include "app/window/window_run.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
+#include "widgets/theme/language.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QDockWidget>

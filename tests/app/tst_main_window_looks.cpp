@@ -1,8 +1,8 @@
-#include "app/window/window_run.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/paint/overview_inset.h"
 #include "widgets/panels/fields/panel_labels.h"
+#include "widgets/theme/language.h"
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>

@@ -8,6 +8,7 @@
 #include "tests/support/panel_test.h"
 #include "tests/support/study_builder.h"
 #include "widgets/model/workspace.h"
+#include "widgets/theme/language.h"
 
 #include <QApplication>
 #include <QDir>

@@ -2,7 +2,6 @@
 
 #include "app/dialogs/interaction.h"
 #include "app/window/window_holder.h"
-#include "app/window/window_run.h"
 #include "core/base/random.h"
 #include "core/base/solving_guard.h"
 #include "core/io/files/run_json.h"
@@ -11,6 +10,7 @@
 #include "tests/support/study_builder.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
+#include "widgets/theme/language.h"
 
 #include <QDir>
 #include <QSettings>

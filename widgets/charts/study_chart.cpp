@@ -84,7 +84,7 @@ Figure StudyPicture::titled(const QString& name, const QString& emptyText) const
     }
     const int cases = static_cast<int>(summary().cases.size());
     const QString study = QString::fromStdString(m_result->study.spec.name);
-    const QString count = cases == 1 ? tr("1 case") : tr("%n cases", nullptr, cases);
+    const QString count = tr("%n cases", nullptr, cases);
     figure.title =
         utf8(study.isEmpty() ? count
                              : tr("%1: %2", "name of a study, how many cases").arg(study, count));

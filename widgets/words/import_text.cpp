@@ -51,11 +51,6 @@ QString errorSentence(ErrorCode code)
     return {};
 }
 
-QString counted(std::size_t count, const char* one, const char* many)
-{
-    return count == 1 ? ImportWords::tr(one) : ImportWords::tr(many).arg(count);
-}
-
 bool isTaken(SceneNote note)
 {
     return note == SceneNote::UavsTaken || note == SceneNote::AreaTaken ||
@@ -66,10 +61,10 @@ bool isTaken(SceneNote note)
 /** Part of a scene, with the reason where it is left out. */
 QString sceneWords(const SceneFinding& finding)
 {
+    const auto count = static_cast<int>(finding.count);
     switch (finding.note) {
     case SceneNote::UavsTaken:
-        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 UAV"),
-                       QT_TRANSLATE_NOOP("ImportWords", "%1 UAVs"));
+        return ImportWords::tr("%n UAVs", nullptr, count);
     case SceneNote::AreaTaken:
         return ImportWords::tr("the area");
     case SceneNote::FenceTaken:
@@ -77,18 +72,13 @@ QString sceneWords(const SceneFinding& finding)
     case SceneNote::AssetTaken:
         return ImportWords::tr("the asset");
     case SceneNote::NoFlyTaken:
-        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 no-fly area"),
-                       QT_TRANSLATE_NOOP("ImportWords", "%1 no-fly areas"));
+        return ImportWords::tr("%n no-fly areas", nullptr, count);
     case SceneNote::InUse:
         return ImportWords::tr("UAVs, area and asset (the scenario has its own)");
     case SceneNote::UavsTooMany:
-        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 UAV (too many)"),
-                       QT_TRANSLATE_NOOP("ImportWords", "%1 UAVs (too many)"));
+        return ImportWords::tr("%n UAVs (too many)", nullptr, count);
     case SceneNote::UavsTooFar:
-        return counted(
-            finding.count,
-            QT_TRANSLATE_NOOP("ImportWords", "1 UAV (more than 1000 km from the origin)"),
-            QT_TRANSLATE_NOOP("ImportWords", "%1 UAVs (more than 1000 km from the origin)"));
+        return ImportWords::tr("%n UAVs (more than 1000 km from the origin)", nullptr, count);
     case SceneNote::AreaUnreadable:
         return ImportWords::tr("an area (unreadable)");
     case SceneNote::AreaCorners:
@@ -100,37 +90,27 @@ QString sceneWords(const SceneFinding& finding)
     case SceneNote::AreaInParts:
         return ImportWords::tr("the area (in several parts)");
     case SceneNote::AreasMore:
-        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 further area"),
-                       QT_TRANSLATE_NOOP("ImportWords", "%1 further areas"));
+        return ImportWords::tr("%n further areas", nullptr, count);
     case SceneNote::AreaHoles:
-        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 hole of the area"),
-                       QT_TRANSLATE_NOOP("ImportWords", "%1 holes of the area"));
+        return ImportWords::tr("%n holes of the area", nullptr, count);
     case SceneNote::FenceCircles:
-        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 circle of the geofence"),
-                       QT_TRANSLATE_NOOP("ImportWords", "%1 circles of the geofence"));
+        return ImportWords::tr("%n circles of the geofence", nullptr, count);
     case SceneNote::FenceCorners:
         return ImportWords::tr("the geofence (too many corners)");
     case SceneNote::FenceOutside:
         return ImportWords::tr("the geofence (a UAV starts or lands outside)");
     case SceneNote::NoFlyUnfit:
-        return counted(finding.count,
-                       QT_TRANSLATE_NOOP("ImportWords",
-                                         "1 no-fly area (a UAV starts or lands in it, or its "
-                                         "heights are wrong)"),
-                       QT_TRANSLATE_NOOP("ImportWords",
-                                         "%1 no-fly areas (a UAV starts or lands in them, or their "
-                                         "heights are wrong)"));
+        return ImportWords::tr(
+            "%n no-fly areas (a UAV starts or lands in them, or their heights are wrong)", nullptr,
+            count);
     case SceneNote::RallyPoints:
-        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 rally point"),
-                       QT_TRANSLATE_NOOP("ImportWords", "%1 rally points"));
+        return ImportWords::tr("%n rally points", nullptr, count);
     case SceneNote::AssetsMore:
-        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 further asset"),
-                       QT_TRANSLATE_NOOP("ImportWords", "%1 further assets"));
+        return ImportWords::tr("%n further assets", nullptr, count);
     case SceneNote::AssetTooFar:
         return ImportWords::tr("the asset (more than 1000 km from the origin)");
     case SceneNote::NumberWrong:
-        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 number out of range"),
-                       QT_TRANSLATE_NOOP("ImportWords", "%1 numbers out of range"));
+        return ImportWords::tr("%n numbers out of range", nullptr, count);
     }
     return {};
 }
@@ -258,24 +238,17 @@ QString importFormatName(std::string_view id)
 QString importSummary(const ImportResult& result)
 {
     QStringList parts;
-    const auto add = [&](std::size_t count, const char* one, const char* many) {
+    const auto add = [&](std::size_t count, const char* text) {
         if (count > 0)
-            parts << counted(count, one, many);
+            parts << ImportWords::tr(text, nullptr, static_cast<int>(count));
     };
-    add(result.added, QT_TRANSLATE_NOOP("ImportWords", "1 new"),
-        QT_TRANSLATE_NOOP("ImportWords", "%1 new"));
-    add(result.updated, QT_TRANSLATE_NOOP("ImportWords", "1 updated"),
-        QT_TRANSLATE_NOOP("ImportWords", "%1 updated"));
-    add(result.unchanged, QT_TRANSLATE_NOOP("ImportWords", "1 unchanged"),
-        QT_TRANSLATE_NOOP("ImportWords", "%1 unchanged"));
-    add(result.leftOut, QT_TRANSLATE_NOOP("ImportWords", "1 left out"),
-        QT_TRANSLATE_NOOP("ImportWords", "%1 left out"));
-    add(result.outsideArea, QT_TRANSLATE_NOOP("ImportWords", "1 sighting outside the area"),
-        QT_TRANSLATE_NOOP("ImportWords", "%1 sightings outside the area"));
-    add(result.outsideTime, QT_TRANSLATE_NOOP("ImportWords", "1 sighting outside the time"),
-        QT_TRANSLATE_NOOP("ImportWords", "%1 sightings outside the time"));
-    add(result.rejected.count, QT_TRANSLATE_NOOP("ImportWords", "1 row rejected"),
-        QT_TRANSLATE_NOOP("ImportWords", "%1 rows rejected"));
+    add(result.added, QT_TRANSLATE_N_NOOP("ImportWords", "%n new"));
+    add(result.updated, QT_TRANSLATE_N_NOOP("ImportWords", "%n updated"));
+    add(result.unchanged, QT_TRANSLATE_N_NOOP("ImportWords", "%n unchanged"));
+    add(result.leftOut, QT_TRANSLATE_N_NOOP("ImportWords", "%n left out"));
+    add(result.outsideArea, QT_TRANSLATE_N_NOOP("ImportWords", "%n sightings outside the area"));
+    add(result.outsideTime, QT_TRANSLATE_N_NOOP("ImportWords", "%n sightings outside the time"));
+    add(result.rejected.count, QT_TRANSLATE_N_NOOP("ImportWords", "%n rows rejected"));
     return parts.isEmpty() ? ImportWords::tr("Nothing to import") : parts.join(u", "_s);
 }
 

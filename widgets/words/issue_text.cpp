@@ -393,14 +393,11 @@ QString countsText(const IssueCounts& counts)
 {
     QStringList parts;
     if (counts.errors > 0)
-        parts << (counts.errors == 1 ? IssueText::tr("1 error")
-                                     : IssueText::tr("%n errors", nullptr, counts.errors));
+        parts << IssueText::tr("%n errors", nullptr, counts.errors);
     if (counts.warnings > 0)
-        parts << (counts.warnings == 1 ? IssueText::tr("1 warning")
-                                       : IssueText::tr("%n warnings", nullptr, counts.warnings));
+        parts << IssueText::tr("%n warnings", nullptr, counts.warnings);
     if (parts.isEmpty() && counts.hints > 0)
-        parts << (counts.hints == 1 ? IssueText::tr("1 hint")
-                                    : IssueText::tr("%n hints", nullptr, counts.hints));
+        parts << IssueText::tr("%n hints", nullptr, counts.hints);
     return parts.join(u", "_s);
 }
 

@@ -40,9 +40,8 @@ public:
         , m_iceberg(*findIceberg(context.document.scenario(), handle.id))
         , m_arrow(context.scene)
     {
-        begin(m_ids.size() == 1 ? HandleText::tr("Change drift")
-                                : HandleText::tr("Change drift of %n icebergs", nullptr,
-                                                 static_cast<int>(m_ids.size())));
+        begin(
+            HandleText::tr("Change drift of %n icebergs", nullptr, static_cast<int>(m_ids.size())));
     }
 
     void move(const MapPointer& pointer) override

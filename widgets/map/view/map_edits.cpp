@@ -59,7 +59,7 @@ QString MapEdits::removalText(const std::vector<std::string>& ids) const
         return tr("Remove area");
     if (noFly == 1)
         return tr("Remove no-fly area");
-    return icebergs == 1 ? tr("Delete iceberg") : tr("Delete %n icebergs", nullptr, icebergs);
+    return tr("Delete %n icebergs", nullptr, icebergs);
 }
 
 void MapEdits::deleteSelected()
@@ -109,7 +109,7 @@ void MapEdits::cutSelected()
         return;
     const std::vector<std::string> ids = m_selection.ids();
     const auto count = static_cast<int>(icebergsOf(m_document.scenario(), ids).size());
-    m_document.edit(count == 1 ? tr("Cut iceberg") : tr("Cut %n icebergs", nullptr, count),
+    m_document.edit(tr("Cut %n icebergs", nullptr, count),
                     [&](Scenario& scenario) { removeIcebergs(scenario, ids); });
 }
 
@@ -135,8 +135,7 @@ void MapEdits::pasteAt(const std::optional<Point>& place_m)
         return;
     }
     const auto count = static_cast<int>(icebergs.size());
-    addCopiesOf(icebergs, place_m,
-                count == 1 ? tr("Paste iceberg") : tr("Paste %n icebergs", nullptr, count));
+    addCopiesOf(icebergs, place_m, tr("Paste %n icebergs", nullptr, count));
 }
 
 void MapEdits::duplicateSelected()
@@ -147,8 +146,7 @@ void MapEdits::duplicateSelected()
     const auto count = static_cast<int>(icebergs.size());
     if (icebergs.empty())
         duplicateUavs(uavsOf(m_document.scenario(), m_selection.ids()));
-    addCopiesOf(icebergs, std::nullopt,
-                count == 1 ? tr("Duplicate iceberg") : tr("Duplicate %n icebergs", nullptr, count));
+    addCopiesOf(icebergs, std::nullopt, tr("Duplicate %n icebergs", nullptr, count));
 }
 
 /** About this far beside the original. */
@@ -165,14 +163,12 @@ void MapEdits::duplicateUavs(const std::vector<Uav>& uavs)
     const Point step_m = copyStep_m();
     std::vector<std::string> ids;
     const auto count = static_cast<int>(uavs.size());
-    m_document.edit(count == 1 ? tr("Duplicate UAV") : tr("Duplicate %n UAVs", nullptr, count),
-                    [&](Scenario& scenario) {
-                        for (const Uav& uav : uavs) {
-                            scenario.uavs.push_back(
-                                anotherUav(scenario, uav, uav.position_m + step_m));
-                            ids.push_back(scenario.uavs.back().id);
-                        }
-                    });
+    m_document.edit(tr("Duplicate %n UAVs", nullptr, count), [&](Scenario& scenario) {
+        for (const Uav& uav : uavs) {
+            scenario.uavs.push_back(anotherUav(scenario, uav, uav.position_m + step_m));
+            ids.push_back(scenario.uavs.back().id);
+        }
+    });
     m_selection.set(std::move(ids));
 }
 

@@ -178,8 +178,6 @@ QString moveText(const Scenario& scenario, std::span<const std::string> ids)
         return MapTools::tr("Move UAV");
     if (others > 0)
         return MapTools::tr("Move %n objects", nullptr, static_cast<int>(ids.size()));
-    if (icebergs == 1)
-        return MapTools::tr("Move iceberg");
     return MapTools::tr("Move %n icebergs", nullptr, static_cast<int>(icebergs));
 }
 

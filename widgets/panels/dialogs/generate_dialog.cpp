@@ -331,8 +331,7 @@ void GenerateDialog::showState(const QString& fault)
 {
     m_ok->setEnabled(fault.isEmpty());
     const auto all = static_cast<int>(m_result.icebergs.size());
-    const QString held = all == 1 ? tr("The scenario then holds one iceberg.")
-                                  : tr("The scenario then holds %n icebergs.", nullptr, all);
+    const QString held = tr("The scenario then holds %n icebergs.", nullptr, all);
     m_state->setText(fault.isEmpty() ? held : fault);
 }
 

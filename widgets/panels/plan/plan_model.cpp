@@ -208,7 +208,7 @@ QString PlanModel::uavText(const PlanLine& line, Column column) const
             return tr("later");
         return hasVisits ? arrivalText(line.row.arrival_s) : noFigure();
     case Sigma:
-        return line.visits == 1 ? tr("1 visit") : tr("%n visits", nullptr, line.visits);
+        return tr("%n visits", nullptr, line.visits);
     case Number:
     case ArrivalSigma:
     case Chance:

@@ -80,7 +80,7 @@ void TauStrip::setTau(double tau)
 void TauStrip::describe()
 {
     const CurveInterval* present = interval(presentInterval(m_curve, m_tau));
-    QString text = tr("%n plan(s)", nullptr, static_cast<int>(m_curve.intervals.size()));
+    QString text = tr("%n plans", nullptr, static_cast<int>(m_curve.intervals.size()));
     if (present != nullptr)
         text = tr("%1. Present plan: %2").arg(text, intervalText(*present, locale()));
     setAccessibleDescription(text);

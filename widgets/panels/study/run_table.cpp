@@ -120,7 +120,7 @@ void RunTable::showRun(int row)
     QString name = runName(*run, locale());
     if (fleetsDiffer(m_list.runs())) {
         const int uavs = static_cast<int>(run->scenario.uavs.size());
-        name += u", "_s + (uavs == 1 ? tr("one UAV") : tr("%n UAVs", nullptr, uavs));
+        name += u", "_s + tr("%n UAVs", nullptr, uavs);
     }
     if (scenariosDiffer(m_list.runs()))
         name += u" \u2013 "_s + QString::fromStdString(run->scenario.name);

@@ -219,9 +219,7 @@ StudySpec StudySetup::spec() const
         spec.firstSeed = static_cast<std::int64_t>(m_seed->value());
         spec.field.icebergs = static_cast<int>(m_icebergs->value());
         spec.field.regime = static_cast<FieldRegime>(m_regime->currentData().toInt());
-        spec.name = (spec.random == 1 ? tr("1 random scenario")
-                                      : tr("%n random scenarios", nullptr, spec.random))
-                        .toStdString();
+        spec.name = tr("%n random scenarios", nullptr, spec.random).toStdString();
     }
     for (const auto& [policy, box] : m_policies)
         if (box->isChecked())
