@@ -1,0 +1,9744 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="da">
+<context>
+    <name>AreaTool</name>
+    <message>
+        <source>Add area</source>
+        <translation>Tilføj område</translation>
+    </message>
+    <message>
+        <source>Replace area</source>
+        <translation>Erstat område</translation>
+    </message>
+    <message>
+        <source>An area needs three corners. Esc drops what is drawn.</source>
+        <translation>Et område skal have tre hjørner. Esc kasserer det, der er tegnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>An area has at most %n corners.</source>
+        <translation>
+            <numerusform>Et område har højst %n hjørne.</numerusform>
+            <numerusform>Et område har højst %n hjørner.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A click on the first corner or Enter closes the area. Backspace takes a corner back, Esc all.</source>
+        <translation>Klik på det første hjørne eller tryk på Enter for at lukke området. Backspace fjerner ét hjørne, Esc alle.</translation>
+    </message>
+    <message>
+        <source>Click sets the next corner. Backspace takes one back, Esc drops the area.</source>
+        <translation>Klik sætter det næste hjørne. Backspace fjerner ét, Esc kasserer området.</translation>
+    </message>
+    <message>
+        <source>Drag a corner or an edge&apos;s middle; a click begins another area. Esc leaves the tool.</source>
+        <translation>Træk i et hjørne eller i midten af en kant; et klik begynder et nyt område. Esc forlader værktøjet.</translation>
+    </message>
+    <message>
+        <source>Click sets the first corner of the area. Esc leaves the tool.</source>
+        <translation>Klik sætter områdets første hjørne. Esc forlader værktøjet.</translation>
+    </message>
+    <message>
+        <source>Add no-fly area</source>
+        <translation>Tilføj flyveforbudsområde</translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario has at most %n no-fly areas.</source>
+        <translation>
+            <numerusform>Et scenarie har højst %n flyveforbudsområde.</numerusform>
+            <numerusform>Et scenarie har højst %n flyveforbudsområder.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click sets the first corner of a no-fly area. Corners and edges&apos; middles of those there are can be dragged. Esc leaves the tool.</source>
+        <translation>Klik sætter det første hjørne af et flyveforbudsområde. Hjørner og kantmidter af dem, der findes, kan trækkes. Esc forlader værktøjet.</translation>
+    </message>
+</context>
+<context>
+    <name>AssetText</name>
+    <message>
+        <source>%1 is inside the inner ring</source>
+        <translation>%1 er inden for den indre ring</translation>
+    </message>
+    <message>
+        <source>%1 enters the inner ring in %2</source>
+        <translation>%1 kommer ind i den indre ring om %2</translation>
+    </message>
+</context>
+<context>
+    <name>ChartPageText</name>
+    <message>
+        <source>Flown until %1</source>
+        <translation>Fløjet til %1</translation>
+    </message>
+    <message>
+        <source>Nothing was flown</source>
+        <translation>Intet blev fløjet</translation>
+    </message>
+</context>
+<context>
+    <name>ComparedRunText</name>
+    <message>
+        <source>%1, changed in flight, to %2</source>
+        <translation>%1, ændret under flyvning, til %2</translation>
+    </message>
+    <message>
+        <source>%1, changed in flight</source>
+        <translation>%1, ændret under flyvning</translation>
+    </message>
+    <message>
+        <source>%1, to %2</source>
+        <translation>%1, til %2</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonChartText</name>
+    <message>
+        <source>The same ζ</source>
+        <translation>Samme ζ</translation>
+    </message>
+    <message>
+        <source>%1 ahead by %2 %</source>
+        <translation>%1 fører med %2 %</translation>
+    </message>
+    <message>
+        <source>%1 and %2: the same ζ</source>
+        <translation>%1 og %2: samme ζ</translation>
+    </message>
+    <message>
+        <source>%1 is ahead: %2 has %3 % more ζ</source>
+        <translation>%1 fører: %2 har %3 % mere ζ</translation>
+    </message>
+    <message>
+        <source>%1 is ahead: it has %3 % less ζ than %2</source>
+        <translation>%1 fører: den har %3 % mindre ζ end %2</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonText</name>
+    <message>
+        <source>Zeta ζ, m² s</source>
+        <translation>Zeta ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty, Eq. (24): less is better.</source>
+        <translation>Akkumuleret usikkerhed, ligning (24): mindre er bedre.</translation>
+    </message>
+    <message>
+        <source>Mean Σσ, m²</source>
+        <translation>Middel Σσ, m²</translation>
+    </message>
+    <message>
+        <source>Zeta over time: how uncertain all icebergs were together on average.</source>
+        <translation>Zeta over tid: hvor usikre alle isbjerge tilsammen var i gennemsnit.</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøg</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Planer</translation>
+    </message>
+    <message>
+        <source>Times the visiting order was planned.</source>
+        <translation>Antal gange besøgsrækkefølgen blev planlagt.</translation>
+    </message>
+    <message>
+        <source>Distance flown through the air.</source>
+        <translation>Distance fløjet gennem luften.</translation>
+    </message>
+    <message>
+        <source>Unseen up to</source>
+        <translation>Uset i op til</translation>
+    </message>
+    <message>
+        <source>Longest time for which an iceberg was out of view.</source>
+        <translation>Længste tid, et isbjerg var ude af syne.</translation>
+    </message>
+    <message>
+        <source>which was</source>
+        <translation>nemlig</translation>
+    </message>
+    <message>
+        <source>The iceberg that was out of view for the longest time.</source>
+        <translation>Det isbjerg, der var ude af syne i længst tid.</translation>
+    </message>
+    <message>
+        <source>Unseen for %1 in all in A.</source>
+        <translation>Uset i %1 i alt i A.</translation>
+    </message>
+    <message>
+        <source>Flown, %1</source>
+        <translation>Fløjet, %1</translation>
+    </message>
+    <message>
+        <source>%1, visits</source>
+        <translation>%1, besøg</translation>
+    </message>
+    <message>
+        <source>Icebergs that %1 reached.</source>
+        <translation>Isbjerge, som %1 nåede.</translation>
+    </message>
+    <message>
+        <source>What %1 has flown through the air.</source>
+        <translation>Det, %1 har fløjet gennem luften.</translation>
+    </message>
+    <message>
+        <source>Icebergs that were targets and were reached.</source>
+        <translation>Isbjerge, der var mål og blev nået.</translation>
+    </message>
+</context>
+<context>
+    <name>CurveText</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>τ %1: %2, proven optimal</source>
+        <translation>τ %1: %2, bevist optimal</translation>
+    </message>
+    <message>
+        <source>τ %1: %2, not proven</source>
+        <translation>τ %1: %2, ikke bevist</translation>
+    </message>
+</context>
+<context>
+    <name>Dialogs</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ændringer, der ikke er gemt</translation>
+    </message>
+    <message>
+        <source>Save the changes to &quot;%1&quot;?</source>
+        <translation>Skal ændringerne i »%1« gemmes?</translation>
+    </message>
+    <message>
+        <source>They are lost if you do not save them.</source>
+        <translation>De går tabt, hvis du ikke gemmer dem.</translation>
+    </message>
+    <message>
+        <source>They are lost if you do not save them. The flight under way ends unless you cancel.</source>
+        <translation>De går tabt, hvis du ikke gemmer dem. Den igangværende flyvning slutter, medmindre du annullerer.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Åbn</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Gem</translation>
+    </message>
+    <message>
+        <source>Bergwatch</source>
+        <translation>Bergwatch</translation>
+    </message>
+    <message>
+        <source>File in use</source>
+        <translation>Filen er i brug</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open in another window.</source>
+        <translation>»%1« er åben i et andet vindue.</translation>
+    </message>
+    <message>
+        <source>%1 has it open. A copy can be changed freely and saved under another name; if both windows save to the file, the last one wins.</source>
+        <translation>%1 har den åben. En kopi kan ændres frit og gemmes under et andet navn; hvis begge vinduer gemmer i filen, gælder det sidste.</translation>
+    </message>
+    <message>
+        <source>Open a copy</source>
+        <translation>Åbn en kopi</translation>
+    </message>
+    <message>
+        <source>Open anyway</source>
+        <translation>Åbn alligevel</translation>
+    </message>
+    <message>
+        <source>Overwrite the file?</source>
+        <translation>Skal filen overskrives?</translation>
+    </message>
+    <message>
+        <source>Overwrite &quot;%1&quot;?</source>
+        <translation>Skal »%1« overskrives?</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Overskriv</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Gem som...</translation>
+    </message>
+    <message>
+        <source>File changed</source>
+        <translation>Filen er ændret</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was changed by another program.</source>
+        <translation>»%1« er ændret af et andet program.</translation>
+    </message>
+    <message>
+        <source>You have no unsaved changes of your own.</source>
+        <translation>Du har ingen egne ændringer, der ikke er gemt.</translation>
+    </message>
+    <message>
+        <source>Open it again</source>
+        <translation>Åbn den igen</translation>
+    </message>
+    <message>
+        <source>Keep what I see</source>
+        <translation>Behold det, jeg ser</translation>
+    </message>
+    <message>
+        <source>Flight under way</source>
+        <translation>Flyvning i gang</translation>
+    </message>
+    <message>
+        <source>A flight has begun in the meantime. End it?</source>
+        <translation>En flyvning er begyndt i mellemtiden. Skal den afsluttes?</translation>
+    </message>
+    <message>
+        <source>A flight is under way. End it?</source>
+        <translation>En flyvning er i gang. Skal den afsluttes?</translation>
+    </message>
+    <message>
+        <source>The scenario can only be changed when no flight is under way. The flight stays in the list of runs.</source>
+        <translation>Scenariet kan kun ændres, når ingen flyvning er i gang. Flyvningen bliver stående på listen over flyvninger.</translation>
+    </message>
+    <message>
+        <source>As far as it went, it stays in the list of runs.</source>
+        <translation>Så langt den nåede, bliver den stående på listen over flyvninger.</translation>
+    </message>
+    <message>
+        <source>It is lost with the window. Save run keeps it in a file.</source>
+        <translation>Den går tabt sammen med vinduet. Gem flyvning bevarer den i en fil.</translation>
+    </message>
+    <message>
+        <source>End the flight</source>
+        <translation>Afslut flyvningen</translation>
+    </message>
+    <message>
+        <source>Continue flight</source>
+        <translation>Fortsæt flyvningen</translation>
+    </message>
+</context>
+<context>
+    <name>DriftArrow</name>
+    <message>
+        <source>The arrow is the drift over %1. Shift keeps to steps of %2°, Esc takes it back.</source>
+        <translation>Pilen er driften over %1. Skift holder sig til trin på %2°, Esc fortryder.</translation>
+    </message>
+    <message>
+        <source>Heading %1</source>
+        <translation>Kurs %1</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorText</name>
+    <message>
+        <source>There is no such file. Check the name and the folder.</source>
+        <translation>Filen findes ikke. Kontrollér navnet og mappen.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read. Check that it is a file and that you have permission to read it.</source>
+        <translation>Filen kan ikke læses. Kontrollér, at det er en fil, og at du har tilladelse til at læse den.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Check that the folder exists, that you have permission to write there and that the disk is not full.</source>
+        <translation>Filen kan ikke skrives. Kontrollér, at mappen findes, at du har tilladelse til at skrive i den, og at disken ikke er fuld.</translation>
+    </message>
+    <message>
+        <source>The file is too large to be one of Bergwatch&apos;s.</source>
+        <translation>Filen er for stor til at være en fil fra Bergwatch.</translation>
+    </message>
+    <message>
+        <source>The file is not well-formed JSON. Correct it at the place named.</source>
+        <translation>Filen er ikke velformet JSON. Ret den på det angivne sted.</translation>
+    </message>
+    <message>
+        <source>The file is of another kind than the one expected here.</source>
+        <translation>Filen er af en anden type end den, der ventes her.</translation>
+    </message>
+    <message>
+        <source>The file was made by a newer version of Bergwatch. Update the program to open it.</source>
+        <translation>Filen er lavet med en nyere version af Bergwatch. Opdatér programmet for at åbne den.</translation>
+    </message>
+    <message>
+        <source>The values named cannot be used. Correct them and try again.</source>
+        <translation>De angivne værdier kan ikke bruges. Ret dem, og prøv igen.</translation>
+    </message>
+    <message>
+        <source>This version of Bergwatch cannot do that.</source>
+        <translation>Denne version af Bergwatch kan ikke gøre det.</translation>
+    </message>
+    <message>
+        <source>The planner failed. Choose another planner back end.</source>
+        <translation>Planlæggeren fejlede. Vælg en anden løser.</translation>
+    </message>
+    <message>
+        <source>Flying the run again gave another result than the one it recorded. It may come from another version of Bergwatch.</source>
+        <translation>Da flyvningen blev fløjet igen, gav den et andet resultat end det, der var gemt. Den kan komme fra en anden version af Bergwatch.</translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation>
+            <numerusform>… og %n til</numerusform>
+            <numerusform>… og %n til</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>EventText</name>
+    <message>
+        <source>Every iceberg is in view: circling</source>
+        <translation>Alle isbjerge er i synsfeltet: kredser</translation>
+    </message>
+    <message>
+        <source>Planned: next %1</source>
+        <translation>Planlagt: næste er %1</translation>
+    </message>
+    <message>
+        <source>%1 reached</source>
+        <translation>%1 nået</translation>
+    </message>
+    <message>
+        <source>%1 in view</source>
+        <translation>%1 er i synsfeltet</translation>
+    </message>
+    <message>
+        <source>%1 appeared</source>
+        <translation>%1 dukkede op</translation>
+    </message>
+    <message>
+        <source>Trade-off or policy changed</source>
+        <translation>Afvejning eller strategi ændret</translation>
+    </message>
+    <message>
+        <source>take-off</source>
+        <translation>start</translation>
+    </message>
+    <message>
+        <source>iceberg reached</source>
+        <translation>isbjerg nået</translation>
+    </message>
+    <message>
+        <source>iceberg out of view again</source>
+        <translation>isbjerg ude af syne igen</translation>
+    </message>
+    <message>
+        <source>new iceberg</source>
+        <translation>nyt isbjerg</translation>
+    </message>
+    <message>
+        <source>changed in flight</source>
+        <translation>ændret under flyvning</translation>
+    </message>
+    <message>
+        <source>%1 reported seen</source>
+        <translation>%1 meldt set</translation>
+    </message>
+    <message>
+        <source>iceberg sighted en route</source>
+        <translation>isbjerg set undervejs</translation>
+    </message>
+    <message>
+        <source>sighting overdue</source>
+        <translation>observation udeblevet</translation>
+    </message>
+    <message>
+        <source>The planner failed: continuing with the previous plan</source>
+        <translation>Planlæggeren fejlede: fortsætter med den forrige plan</translation>
+    </message>
+    <message>
+        <source>%1 will enter the inner ring</source>
+        <translation>%1 kommer ind i den indre ring</translation>
+    </message>
+    <message>
+        <source>Wind changed</source>
+        <translation>Vinden ændret</translation>
+    </message>
+    <message>
+        <source>The protected asset has changed</source>
+        <translation>Det beskyttede objekt er ændret</translation>
+    </message>
+    <message>
+        <source>%1 has left the area</source>
+        <translation>%1 har forladt området</translation>
+    </message>
+    <message>
+        <source>%1 is lost: not where it should be</source>
+        <translation>%1 er mistet: ikke der, hvor det skulle være</translation>
+    </message>
+    <message>
+        <source>%1 found again</source>
+        <translation>%1 fundet igen</translation>
+    </message>
+    <message>
+        <source>Search for %1 given up</source>
+        <translation>Eftersøgningen af %1 er opgivet</translation>
+    </message>
+    <message>
+        <source>Returning home</source>
+        <translation>På vej hjem</translation>
+    </message>
+    <message>
+        <source>Landed</source>
+        <translation>Landet</translation>
+    </message>
+    <message>
+        <source>Took off</source>
+        <translation>Startet</translation>
+    </message>
+    <message>
+        <source>iceberg left the area</source>
+        <translation>isbjerg forlod området</translation>
+    </message>
+    <message>
+        <source>iceberg lost</source>
+        <translation>isbjerg mistet</translation>
+    </message>
+    <message>
+        <source>lost iceberg found</source>
+        <translation>mistet isbjerg fundet</translation>
+    </message>
+    <message>
+        <source>search given up</source>
+        <translation>eftersøgning opgivet</translation>
+    </message>
+    <message>
+        <source>next sortie</source>
+        <translation>næste togt</translation>
+    </message>
+    <message>
+        <source>Any UAV may visit %1</source>
+        <translation>Enhver drone må besøge %1</translation>
+    </message>
+    <message>
+        <source>Close to another UAV: %1</source>
+        <translation>Tæt på en anden drone: %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are %3 apart</source>
+        <translation>%1 og %2 er %3 fra hinanden</translation>
+    </message>
+    <message>
+        <source>%1 has nothing to visit: circling</source>
+        <translation>%1 har intet at besøge: kredser</translation>
+    </message>
+    <message>
+        <source>%1 flies to %2 next</source>
+        <translation>%1 flyver som det næste til %2</translation>
+    </message>
+    <message>
+        <source>%1 given to %2</source>
+        <translation>%1 tildelt %2</translation>
+    </message>
+    <message>
+        <source>seen by another UAV</source>
+        <translation>set af en anden drone</translation>
+    </message>
+    <message>
+        <source>another UAV needed a plan</source>
+        <translation>en anden drone havde brug for en plan</translation>
+    </message>
+    <message>
+        <source>Outside the geofence</source>
+        <translation>Uden for geohegnet</translation>
+    </message>
+    <message>
+        <source>Back inside the geofence</source>
+        <translation>Inden for geohegnet igen</translation>
+    </message>
+    <message>
+        <source>Told to resume</source>
+        <translation>Fik besked på at fortsætte</translation>
+    </message>
+    <message>
+        <source>Told to return now</source>
+        <translation>Fik besked på at vende hjem nu</translation>
+    </message>
+    <message>
+        <source>Told to hold here</source>
+        <translation>Fik besked på at vente her</translation>
+    </message>
+    <message>
+        <source>Home cannot be reached in time</source>
+        <translation>Hjemmepunktet kan ikke nås i tide</translation>
+    </message>
+    <message>
+        <source>end of hold</source>
+        <translation>slut på ventetid</translation>
+    </message>
+</context>
+<context>
+    <name>ExportPicture</name>
+    <message>
+        <source>No icebergs</source>
+        <translation>Ingen isbjerge</translation>
+    </message>
+</context>
+<context>
+    <name>ExportText</name>
+    <message>
+        <source>Mission plan</source>
+        <translation>Missionsplan</translation>
+    </message>
+    <message>
+        <source>Take-off to home as mission items with altitude, speed and radii, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One UAV a file.</source>
+        <translation>Fra start til hjemmepunkt som missionspunkter med højde, fart og radier, geohegnet og et samlingspunkt ved hjemmepunktet. Læses også af Mission Planner og MAVSDK. Én drone pr. fil.</translation>
+    </message>
+    <message>
+        <source>Waypoint list</source>
+        <translation>Liste over rutepunkter</translation>
+    </message>
+    <message>
+        <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One UAV a file.</source>
+        <translation>Missionspunkter som QGC WPL 110, første række er hjemmepunktet, til Mission Planner og MAVProxy. Uden geohegn. Én drone pr. fil.</translation>
+    </message>
+    <message>
+        <source>QGIS and other map programs</source>
+        <translation>QGIS og andre kortprogrammer</translation>
+    </message>
+    <message>
+        <source>Icebergs, UAVs, paths and area as features with their numbers, longitude and latitude of WGS 84.</source>
+        <translation>Isbjerge, droner, baner og område som objekter med deres tal, længde og bredde i WGS 84.</translation>
+    </message>
+    <message>
+        <source>Chart plotters, Garmin</source>
+        <translation>Kortplottere, Garmin</translation>
+    </message>
+    <message>
+        <source>Icebergs as waypoints, the order as a route, a path or what was flown as a track with times.</source>
+        <translation>Isbjerge som rutepunkter, rækkefølgen som rute, en bane eller det fløjne som spor med tider.</translation>
+    </message>
+    <message>
+        <source>UAVs and icebergs moving in time over the globe, with ways, area and asset.</source>
+        <translation>Droner og isbjerge, der bevæger sig i tid over kloden, med baner, område og objekt.</translation>
+    </message>
+    <message>
+        <source>The same as KML, packed into one small file.</source>
+        <translation>Det samme som KML, pakket i én lille fil.</translation>
+    </message>
+    <message>
+        <source>Paths in the colours of the UAVs, with times if the scenario has a start; icebergs with their numbers.</source>
+        <translation>Baner i dronernes farver, med tider, hvis scenariet har et starttidspunkt; isbjerge med deres tal.</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Usikkerhed</translation>
+    </message>
+    <message>
+        <source>Spreadsheets</source>
+        <translation>Regneark</translation>
+    </message>
+    <message>
+        <source>Table with the uncertainty of every iceberg over the time of the flight.</source>
+        <translation>Tabel med hvert isbjergs usikkerhed gennem flyvningen.</translation>
+    </message>
+    <message>
+        <source>Decisions</source>
+        <translation>Beslutninger</translation>
+    </message>
+    <message>
+        <source>Table with plans, visits and what else happened in the flight.</source>
+        <translation>Tabel med planer, besøg og hvad der ellers skete under flyvningen.</translation>
+    </message>
+    <message>
+        <source>Zeta</source>
+        <translation>Zeta-kurve</translation>
+    </message>
+    <message>
+        <source>Table with zeta over the time of the flight.</source>
+        <translation>Tabel med zeta gennem flyvningen.</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Bane</translation>
+    </message>
+    <message>
+        <source>Table of the order with legs, coordinates and arrivals; of a path or what was flown one row for each point.</source>
+        <translation>Tabel over rækkefølgen med etaper, koordinater og ankomster; for en bane eller det fløjne én række pr. punkt.</translation>
+    </message>
+    <message>
+        <source>%1 shows the cruise speed as a whole number: %2 m/s becomes %3 m/s. The speed in the mission is exact.</source>
+        <translation>%1 viser marchfarten som et helt tal: %2 m/s bliver til %3 m/s. Farten i missionen er nøjagtig.</translation>
+    </message>
+    <message>
+        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m.</source>
+        <translation>%1 gemmer kredsradier over 255 m i trin på 10 m: %2 m bliver til %3 m.</translation>
+    </message>
+    <message>
+        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m.</source>
+        <translation>%1 gemmer acceptradier op til %3 m: %2 m bliver til %3 m.</translation>
+    </message>
+    <message>
+        <source>Autopilots</source>
+        <translation>Autopiloter</translation>
+    </message>
+    <message>
+        <source>Maps and globes</source>
+        <translation>Kort og glober</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tabeller</translation>
+    </message>
+    <message>
+        <source>Good to know</source>
+        <translation>Værd at vide</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Ændret</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Udeladt</translation>
+    </message>
+    <message numerus="yes">
+        <source>A file holds one UAV: %n files are written, named after the UAVs.</source>
+        <translation>
+            <numerusform>En fil rummer én drone: %n fil skrives, opkaldt efter dronen.</numerusform>
+            <numerusform>En fil rummer én drone: %n filer skrives, opkaldt efter dronerne.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scenario has no start time, so the file has no dates.</source>
+        <translation>Scenariet har intet starttidspunkt, så filen har ingen datoer.</translation>
+    </message>
+    <message>
+        <source>The format has no place for the geofence.</source>
+        <translation>Formatet har ikke plads til geohegnet.</translation>
+    </message>
+    <message>
+        <source>%1 may draw the fence the long way round: it crosses the antimeridian.</source>
+        <translation>%1 tegner muligvis hegnet den lange vej rundt: det krydser 180°-meridianen.</translation>
+    </message>
+    <message>
+        <source>The places where icebergs were reached are written, not the track.</source>
+        <translation>De steder, hvor isbjerge blev nået, skrives, ikke sporet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The path becomes %n waypoints close to it.</source>
+        <translation>
+            <numerusform>Banen bliver til %n rutepunkt tæt på den.</numerusform>
+            <numerusform>Banen bliver til %n rutepunkter tæt på den.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs have no iceberg to visit.</source>
+        <translation>
+            <numerusform>%n drone har intet isbjerg at besøge.</numerusform>
+            <numerusform>%n droner har intet isbjerg at besøge.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Map as %1</source>
+        <translation>Kort som %1</translation>
+    </message>
+    <message>
+        <source>Charts as %1</source>
+        <translation>Diagrammer som %1</translation>
+    </message>
+    <message>
+        <source>Flight brief</source>
+        <translation>Flyvebriefing</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papir</translation>
+    </message>
+    <message>
+        <source>One page to print and take along: map, order with coordinates, legs and times, wind, warnings.</source>
+        <translation>Én side til at udskrive og tage med: kort, rækkefølge med koordinater, etaper og tider, vind, advarsler.</translation>
+    </message>
+    <message>
+        <source>Drawing programs</source>
+        <translation>Tegneprogrammer</translation>
+    </message>
+    <message>
+        <source>Documents and messages</source>
+        <translation>Dokumenter og meddelelser</translation>
+    </message>
+    <message>
+        <source>The map with icebergs, paths and area, light, with scale and legend.</source>
+        <translation>Kortet med isbjerge, baner og område, lyst, med målestok og signaturforklaring.</translation>
+    </message>
+    <message>
+        <source>Zeta and the uncertainty of every iceberg over the time of the flight.</source>
+        <translation>Zeta og hvert isbjergs usikkerhed gennem flyvningen.</translation>
+    </message>
+    <message>
+        <source>Pictures and print</source>
+        <translation>Billeder og udskrift</translation>
+    </message>
+    <message>
+        <source>The file is about the whole flight, whatever is chosen.</source>
+        <translation>Filen omfatter hele flyvningen, uanset hvad der er valgt.</translation>
+    </message>
+    <message>
+        <source>This sortie alone is written. Icebergs of the order left for later ones: %1.</source>
+        <translation>Kun dette togt skrives. Isbjerge i rækkefølgen, der er tilbage til senere togter: %1.</translation>
+    </message>
+    <message>
+        <source>The format has no place for no-fly areas and the stand-off ring.</source>
+        <translation>Formatet har ikke plads til flyveforbudsområder og sikkerhedsringen.</translation>
+    </message>
+    <message>
+        <source>No-fly areas have no heights in it: those at the altitude of the UAV are written.</source>
+        <translation>Flyveforbudsområder har ingen højder i formatet: de, der gælder i dronens højde, skrives.</translation>
+    </message>
+    <message>
+        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. Export the path instead: it leads round.</source>
+        <translation>Lige etaper, der fører ud af geohegnet eller gennem et flyveforbudsområde: %1. Eksportér banen i stedet: den fører udenom.</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Højde</translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation>Flyvefart</translation>
+    </message>
+    <message>
+        <source>Acceptance radius</source>
+        <translation>Acceptradius</translation>
+    </message>
+    <message>
+        <source>Loiter turns</source>
+        <translation>Kredsninger</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Hvad</translation>
+    </message>
+</context>
+<context>
+    <name>FieldNames</name>
+    <message>
+        <source>Corner of the area</source>
+        <translation>Hjørne af området</translation>
+    </message>
+    <message>
+        <source>Time of the recorded track</source>
+        <translation>Tidspunkt i det registrerede spor</translation>
+    </message>
+    <message>
+        <source>Place of the recorded track</source>
+        <translation>Sted i det registrerede spor</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Afvejning τ</translation>
+    </message>
+    <message>
+        <source>Corner of the no-fly area</source>
+        <translation>Hjørne af flyveforbudsområdet</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>Syd</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>West</source>
+        <translation>Vest</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Øst</translation>
+    </message>
+    <message>
+        <source>Start at</source>
+        <translation>Starttidspunkt</translation>
+    </message>
+    <message>
+        <source>Not before</source>
+        <translation>Ikke før</translation>
+    </message>
+    <message>
+        <source>Not after</source>
+        <translation>Ikke efter</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origo</translation>
+    </message>
+</context>
+<context>
+    <name>FileNames</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uden navn</translation>
+    </message>
+</context>
+<context>
+    <name>FindBox</name>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isbjerg</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Kommando</translation>
+    </message>
+</context>
+<context>
+    <name>FlightBrief</name>
+    <message>
+        <source>Times count from the start of the run</source>
+        <translation>Tider regnes fra flyvningens start</translation>
+    </message>
+    <message>
+        <source>Start %1 %2 UTC</source>
+        <translation>Start %1 %2 UTC</translation>
+    </message>
+    <message>
+        <source>No wind</source>
+        <translation>Ingen vind</translation>
+    </message>
+    <message>
+        <source>%1 %2 from %3</source>
+        <translation>%1 %2 fra %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 towards %3</source>
+        <translation>%1 %2 mod %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 af %2</translation>
+    </message>
+    <message>
+        <source>Wind, true</source>
+        <translation>Vind, retvisende</translation>
+    </message>
+    <message>
+        <source>Current, true</source>
+        <translation>Strøm, retvisende</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Time of flight</source>
+        <translation>Flyvetid</translation>
+    </message>
+    <message>
+        <source>End, UTC</source>
+        <translation>Slut, UTC</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Slut</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Isbjerge</translation>
+    </message>
+    <message>
+        <source>Planned by</source>
+        <translation>Planlagt efter</translation>
+    </message>
+    <message>
+        <source>Last plan</source>
+        <translation>Seneste plan</translation>
+    </message>
+    <message>
+        <source>Order of visits</source>
+        <translation>Besøgsrækkefølge</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Højde</translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation>Flyvefart</translation>
+    </message>
+    <message>
+        <source>Turn radius</source>
+        <translation>Drejeradius</translation>
+    </message>
+    <message>
+        <source>Acceptance radius</source>
+        <translation>Acceptradius</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Hjem</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Loiter turns</source>
+        <translation>Kredsninger</translation>
+    </message>
+    <message>
+        <source>Endurance left</source>
+        <translation>Resterende udholdenhed</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Udholdenhed</translation>
+    </message>
+    <message>
+        <source>Positions WGS 84: icebergs drift, each is given where it was when it was reached. Courses and distances are over ground.</source>
+        <translation>Positioner i WGS 84: isbjerge driver, hvert er angivet, hvor det var, da det blev nået. Kurser og distancer er over grund.</translation>
+    </message>
+    <message>
+        <source>Positions WGS 84: icebergs drift, each is given where it is expected at arrival. Courses and distances are over ground.</source>
+        <translation>Positioner i WGS 84: isbjerge driver, hvert er angivet, hvor det ventes ved ankomsten. Kurser og distancer er over grund.</translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation>Origo %1</translation>
+    </message>
+    <message>
+        <source>Flight brief: %1</source>
+        <translation>Flyvebriefing: %1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>og %1 til</translation>
+    </message>
+    <message>
+        <source>No warnings</source>
+        <translation>Ingen advarsler</translation>
+    </message>
+    <message>
+        <source>Warnings (%1)</source>
+        <translation>Advarsler (%1)</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Noter</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>End of track</source>
+        <translation>Sporets slutning</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isbjerg</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Længde</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>retv.</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Etape</translation>
+    </message>
+    <message>
+        <source>Reached</source>
+        <translation>Nået</translation>
+    </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Ankomst</translation>
+    </message>
+    <message>
+        <source>σ now</source>
+        <translation>σ nu</translation>
+    </message>
+    <message>
+        <source>and %1 more; the whole list: export CSV</source>
+        <translation>og %1 til; hele listen: eksportér CSV</translation>
+    </message>
+    <message>
+        <source>and %1 more UAVs; the whole list: export CSV</source>
+        <translation>og %1 droner til; hele listen: eksportér CSV</translation>
+    </message>
+    <message>
+        <source>Lost, not where they were expected (%1): %2</source>
+        <translation>Mistet, ikke hvor de ventedes (%1): %2</translation>
+    </message>
+    <message>
+        <source>Given up after a search (%1): %2</source>
+        <translation>Opgivet efter en eftersøgning (%1): %2</translation>
+    </message>
+    <message>
+        <source>Not flown to (%1): %2</source>
+        <translation>Ikke fløjet til (%1): %2</translation>
+    </message>
+    <message>
+        <source>Not in the order (%1): %2</source>
+        <translation>Ikke i rækkefølgen (%1): %2</translation>
+    </message>
+    <message>
+        <source>The order is not proven to be the best one: %1.</source>
+        <translation>Det er ikke bevist, at rækkefølgen er den bedste: %1.</translation>
+    </message>
+    <message>
+        <source>Geofence in force: stay inside the area.</source>
+        <translation>Geohegnet gælder: bliv inden for området.</translation>
+    </message>
+    <message>
+        <source>UAVs in one altitude layer: keep them %1 apart, nothing steers them.</source>
+        <translation>Droner i ét højdelag: hold dem %1 fra hinanden, intet styrer dem fri.</translation>
+    </message>
+    <message>
+        <source>Nothing to visit</source>
+        <translation>Intet at besøge</translation>
+    </message>
+    <message>
+        <source>Solver limit reached; previous plan kept</source>
+        <translation>Løserens grænse nået; forrige plan beholdt</translation>
+    </message>
+    <message>
+        <source>Chosen one iceberg at a time</source>
+        <translation>Valgt ét isbjerg ad gangen</translation>
+    </message>
+    <message>
+        <source>Proven optimal</source>
+        <translation>Bevist optimal</translation>
+    </message>
+    <message>
+        <source>Within %1 % of optimal</source>
+        <translation>Inden for %1 % af optimum</translation>
+    </message>
+    <message>
+        <source>Best order found</source>
+        <translation>Bedste fundne rækkefølge</translation>
+    </message>
+    <message>
+        <source>Not planned by a solver</source>
+        <translation>Ikke planlagt af en løser</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>Fejl: %1</translation>
+    </message>
+    <message>
+        <source>The planner reached its limit without an order: the rest of the plan before, or the nearest iceberg, is flown.</source>
+        <translation>Planlæggeren nåede sin grænse uden en rækkefølge: dronen flyver resten af den forrige plan eller til det nærmeste isbjerg.</translation>
+    </message>
+    <message>
+        <source>Nothing to visit for %1</source>
+        <translation>Intet at besøge for %1</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Varighed</translation>
+    </message>
+    <message>
+        <source>%1 (%2): %3</source>
+        <translation>%1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>Times are without the loiter turns: %1 more at each iceberg, %2 in all.</source>
+        <translation>Tiderne er uden kredsninger: %1 mere ved hvert isbjerg, %2 i alt.</translation>
+    </message>
+    <message>
+        <source>With the loiter turns the endurance is too short: %1</source>
+        <translation>Med kredsningerne er udholdenheden for kort: %1</translation>
+    </message>
+    <message>
+        <source>Reserve</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>No-fly area: %1.</source>
+        <translation>Flyveforbudsområde: %1.</translation>
+    </message>
+    <message>
+        <source>No-fly area %1: %2.</source>
+        <translation>Flyveforbudsområde %1: %2.</translation>
+    </message>
+    <message>
+        <source>Stand-off from the asset: %1, %2.</source>
+        <translation>Sikkerhedsafstand til objektet: %1, %2.</translation>
+    </message>
+    <message>
+        <source>Climb and landing</source>
+        <translation>Stigning og landing</translation>
+    </message>
+    <message>
+        <source>Home before the reserve</source>
+        <translation>Hjemme før reserven</translation>
+    </message>
+    <message>
+        <source>One flight in twenty</source>
+        <translation>Én flyvning ud af tyve</translation>
+    </message>
+    <message>
+        <source>Out of radio range</source>
+        <translation>Uden for radiorækkevidde</translation>
+    </message>
+    <message>
+        <source>Chance of being in view on arrival: %1</source>
+        <translation>Sandsynlighed for at være i synsfeltet ved ankomsten: %1</translation>
+    </message>
+    <message>
+        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. The UAV goes round.</source>
+        <translation>Lige etaper, der fører ud af geohegnet eller gennem et flyveforbudsområde: %1. Dronen flyver udenom.</translation>
+    </message>
+</context>
+<context>
+    <name>FlightDrag</name>
+    <message>
+        <source>Change wind</source>
+        <translation>Ændr vind</translation>
+    </message>
+    <message>
+        <source>Let go: this wind blows from now on. Esc takes it back.</source>
+        <translation>Slip: denne vind blæser fra nu af. Esc fortryder.</translation>
+    </message>
+    <message>
+        <source>Let go to keep this wind. Shift keeps to steps of %1°, Esc takes it back.</source>
+        <translation>Slip for at beholde denne vind. Skift holder sig til trin på %1°, Esc fortryder.</translation>
+    </message>
+    <message>
+        <source>Let go: the asset is here from now on. Esc takes it back.</source>
+        <translation>Slip: objektet er her fra nu af. Esc fortryder.</translation>
+    </message>
+    <message>
+        <source>The UAV makes little way against this wind. Esc takes it back.</source>
+        <translation>Dronen kommer næsten ikke frem mod denne vind. Esc fortryder.</translation>
+    </message>
+</context>
+<context>
+    <name>FlightNotices</name>
+    <message numerus="yes">
+        <source>%1, and %n more</source>
+        <translation>
+            <numerusform>%1, og %n til</numerusform>
+            <numerusform>%1, og %n til</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Searching for %1</source>
+        <translation>Eftersøger %1</translation>
+    </message>
+    <message>
+        <source>Returning home</source>
+        <translation>På vej hjem</translation>
+    </message>
+    <message>
+        <source>On the ground, takes off in %1</source>
+        <translation>På jorden, starter om %1</translation>
+    </message>
+    <message>
+        <source>The planner failed: continuing with the previous plan</source>
+        <translation>Planlæggeren fejlede: fortsætter med den forrige plan</translation>
+    </message>
+    <message>
+        <source>It is asked again when the next plan is needed.</source>
+        <translation>Den spørges igen, når den næste plan er nødvendig.</translation>
+    </message>
+    <message>
+        <source>Home cannot be reached in time any more</source>
+        <translation>Hjemmepunktet kan ikke længere nås i tide</translation>
+    </message>
+    <message>
+        <source>The wind changed in flight.</source>
+        <translation>Vinden ændrede sig under flyvningen.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are %3 apart</source>
+        <translation>%1 og %2 er %3 fra hinanden</translation>
+    </message>
+    <message>
+        <source>They fly at about the same altitude and are to stay %1 apart.</source>
+        <translation>De flyver i omtrent samme højde og skal holde %1 afstand.</translation>
+    </message>
+    <message>
+        <source>Wind above its limit: %1, limit %2</source>
+        <translation>Vinden er over grænsen: %1, grænse %2</translation>
+    </message>
+    <message>
+        <source>Holding as ordered</source>
+        <translation>Venter som beordret</translation>
+    </message>
+    <message>
+        <source>On the ground until it is told to resume</source>
+        <translation>På jorden, indtil den får besked på at fortsætte</translation>
+    </message>
+    <message>
+        <source>%1 is lost</source>
+        <translation>%1 er mistet</translation>
+    </message>
+    <message>
+        <source>%1 is lost, the search was given up</source>
+        <translation>%1 er mistet, eftersøgningen blev opgivet</translation>
+    </message>
+    <message>
+        <source>It was not in view where it was expected.</source>
+        <translation>Det var ikke i syne, hvor det ventedes.</translation>
+    </message>
+</context>
+<context>
+    <name>HandleDrag</name>
+    <message>
+        <source>Change drift</source>
+        <translation>Ændr drift</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change drift of %n icebergs</source>
+        <translation>
+            <numerusform>Ændr drift for %n isbjerg</numerusform>
+            <numerusform>Ændr drift for %n isbjerge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turn UAV</source>
+        <translation>Drej drone</translation>
+    </message>
+    <message>
+        <source>Let go to keep this heading. Shift keeps to steps of %1°, Esc takes it back.</source>
+        <translation>Slip for at beholde denne kurs. Skift holder sig til trin på %1°, Esc fortryder.</translation>
+    </message>
+    <message>
+        <source>Add corner</source>
+        <translation>Tilføj hjørne</translation>
+    </message>
+    <message>
+        <source>Move corner</source>
+        <translation>Flyt hjørne</translation>
+    </message>
+    <message>
+        <source>Let go to place the corner here. Esc takes it back.</source>
+        <translation>Slip for at sætte hjørnet her. Esc fortryder.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drag gives all %n icebergs selected the same drift.</source>
+        <translation>
+            <numerusform>Træk giver %n valgt isbjerg denne drift.</numerusform>
+            <numerusform>Træk giver alle %n valgte isbjerge samme drift.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag sets the drift of the iceberg.</source>
+        <translation>Træk sætter isbjergets drift.</translation>
+    </message>
+    <message>
+        <source>Drag turns the UAV.</source>
+        <translation>Træk drejer dronen.</translation>
+    </message>
+    <message>
+        <source>Drag moves the corner, a click and Del remove it.</source>
+        <translation>Træk flytter hjørnet, et klik efterfulgt af Del fjerner det.</translation>
+    </message>
+    <message>
+        <source>Drag makes a new corner here.</source>
+        <translation>Træk laver et nyt hjørne her.</translation>
+    </message>
+    <message>
+        <source>An area has at least three corners. Remove the area as a whole.</source>
+        <translation>Et område har mindst tre hjørner. Fjern hele området.</translation>
+    </message>
+    <message>
+        <source>Without this corner the outline would cross itself.</source>
+        <translation>Uden dette hjørne ville omridset krydse sig selv.</translation>
+    </message>
+    <message>
+        <source>Remove corner</source>
+        <translation>Fjern hjørne</translation>
+    </message>
+    <message>
+        <source>The outline would cross itself here.</source>
+        <translation>Omridset ville krydse sig selv her.</translation>
+    </message>
+    <message>
+        <source>Drag changes the wind from now on; in flight that cannot be undone.</source>
+        <translation>Træk ændrer vinden fra nu af; under flyvning kan det ikke fortrydes.</translation>
+    </message>
+    <message>
+        <source>Drag sets the wind: the arrow points where it blows to.</source>
+        <translation>Træk sætter vinden: pilen peger derhen, hvor den blæser.</translation>
+    </message>
+</context>
+<context>
+    <name>IcebergClipboard</name>
+    <message>
+        <source>The clipboard</source>
+        <translation>Udklipsholderen</translation>
+    </message>
+</context>
+<context>
+    <name>IcebergColumnText</name>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isbjerg</translation>
+    </message>
+    <message>
+        <source>Name of the iceberg, its id where it has none</source>
+        <translation>Isbjergets navn, dets id, hvis det ikke har noget</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position now; the bar is on the scale of the map</source>
+        <translation>Positionens usikkerhed nu; bjælken følger kortets skala</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the position now</source>
+        <translation>Positionens standardafvigelse nu</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Tilstand</translation>
+    </message>
+    <message>
+        <source>In view, next target, or its place in the visiting order</source>
+        <translation>I synsfeltet, næste mål eller pladsen i besøgsrækkefølgen</translation>
+    </message>
+    <message>
+        <source>Unseen for</source>
+        <translation>Uset i</translation>
+    </message>
+    <message>
+        <source>Unseen for, s</source>
+        <translation>Uset i, s</translation>
+    </message>
+    <message>
+        <source>Time since it was last in view, or since it is known</source>
+        <translation>Tid, siden det sidst var i synsfeltet, eller siden det blev kendt</translation>
+    </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Ankomst</translation>
+    </message>
+    <message>
+        <source>Arrival in, s</source>
+        <translation>Ankomst om, s</translation>
+    </message>
+    <message>
+        <source>Time from now until the UAV is there, by the plan in force</source>
+        <translation>Tid fra nu, til dronen er der, efter den gældende plan</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøg</translation>
+    </message>
+    <message>
+        <source>How often it was the target and was reached</source>
+        <translation>Hvor ofte det var målet og blev nået</translation>
+    </message>
+    <message>
+        <source>Position east of the scenario&apos;s origin: before take-off at the start, in flight the estimate</source>
+        <translation>Position øst for scenariets origo: før start udgangspositionen, under flyvning estimatet</translation>
+    </message>
+    <message>
+        <source>Position north of the scenario&apos;s origin: before take-off at the start, in flight the estimate</source>
+        <translation>Position nord for scenariets origo: før start udgangspositionen, under flyvning estimatet</translation>
+    </message>
+    <message>
+        <source>Known drift; in flight the current is in it</source>
+        <translation>Kendt drift; under flyvning er strømmen medregnet</translation>
+    </message>
+    <message>
+        <source>Direction, °</source>
+        <translation>Retning, °</translation>
+    </message>
+    <message>
+        <source>Where it drifts to, degrees clockwise from north</source>
+        <translation>Hvorhen det driver, i grader med uret fra nord</translation>
+    </message>
+    <message>
+        <source>Last seen, s ago</source>
+        <translation>Sidst set, s siden</translation>
+    </message>
+    <message>
+        <source>Appears at, s</source>
+        <translation>Dukker op ved, s</translation>
+    </message>
+    <message>
+        <source>East, %1</source>
+        <translation>Øst, %1</translation>
+    </message>
+    <message>
+        <source>North, %1</source>
+        <translation>Nord, %1</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>Fart, %1</translation>
+    </message>
+    <message>
+        <source>CPA, %1</source>
+        <translation>CPA, %1</translation>
+    </message>
+    <message>
+        <source>Closest point of approach: least distance from the asset within the next hour, by the estimate. A warning sign beside the name: it comes into the inner ring</source>
+        <translation>Nærmeste passage (closest point of approach): mindste afstand til objektet inden for den næste time, efter estimatet. Et advarselstegn ved navnet: det kommer ind i den indre ring</translation>
+    </message>
+    <message>
+        <source>TCPA</source>
+        <translation>TCPA</translation>
+    </message>
+    <message>
+        <source>TCPA, s</source>
+        <translation>TCPA, s</translation>
+    </message>
+    <message>
+        <source>Time to the closest point of approach</source>
+        <translation>Tid til nærmeste passage</translation>
+    </message>
+    <message>
+        <source>The UAV that has it in its plan</source>
+        <translation>Den drone, der har det i sin plan</translation>
+    </message>
+    <message>
+        <source>Where it is, in flight the estimate; typed and pasted in any form, a whole coordinate sets both</source>
+        <translation>Hvor det er, under flyvning estimatet; kan skrives og sættes ind i enhver form, en hel koordinat sætter begge</translation>
+    </message>
+    <message>
+        <source>Drift east, %1</source>
+        <translation>Drift øst, %1</translation>
+    </message>
+    <message>
+        <source>Known drift to the east; the current comes on top</source>
+        <translation>Kendt drift mod øst; strømmen kommer oveni</translation>
+    </message>
+    <message>
+        <source>Drift north, %1</source>
+        <translation>Drift nord, %1</translation>
+    </message>
+    <message>
+        <source>Known drift to the north; the current comes on top</source>
+        <translation>Kendt drift mod nord; strømmen kommer oveni</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Længde</translation>
+    </message>
+</context>
+<context>
+    <name>IcebergPasteText</name>
+    <message>
+        <source>There is no text to be pasted.</source>
+        <translation>Der er ingen tekst at sætte ind.</translation>
+    </message>
+    <message>
+        <source>Row %1 has a cell &quot;%2&quot; to the right of the last column.</source>
+        <translation>Række %1 har en celle »%2« til højre for den sidste kolonne.</translation>
+    </message>
+    <message>
+        <source>Row %1: a scenario holds at most %2 icebergs.</source>
+        <translation>Række %1: et scenarie rummer højst %2 isbjerge.</translation>
+    </message>
+    <message>
+        <source>Row %1, column &quot;%2&quot;: &quot;%3&quot; is not a number.</source>
+        <translation>Række %1, kolonne »%2«: »%3« er ikke et tal.</translation>
+    </message>
+    <message>
+        <source>Row %1, column &quot;%2&quot;: %3 is not from %4 to %5.</source>
+        <translation>Række %1, kolonne »%2«: %3 er ikke fra %4 til %5.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted.</source>
+        <translation>Intet blev sat ind.</translation>
+    </message>
+    <message>
+        <source>Row %1, column &quot;%2&quot;, &quot;%3&quot;: %4</source>
+        <translation>Række %1, kolonne »%2«, »%3«: %4</translation>
+    </message>
+    <message>
+        <source>Row %1: %2</source>
+        <translation>Række %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>IcebergRowText</name>
+    <message>
+        <source>in view</source>
+        <translation>i synsfeltet</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>mål</translation>
+    </message>
+    <message>
+        <source>number %1 in the order</source>
+        <translation>nummer %1 i rækkefølgen</translation>
+    </message>
+    <message>
+        <source>not in the order</source>
+        <translation>ikke i rækkefølgen</translation>
+    </message>
+    <message>
+        <source>not there yet</source>
+        <translation>ikke der endnu</translation>
+    </message>
+    <message>
+        <source>%1 (id %2)</source>
+        <translation>%1 (id&apos;et er %2)</translation>
+    </message>
+    <message>
+        <source>Appears at %1</source>
+        <translation>Dukker op ved %1</translation>
+    </message>
+    <message>
+        <source>%1 m², a standard deviation of %2 m</source>
+        <translation>%1 m², en standardafvigelse på %2 m</translation>
+    </message>
+    <message>
+        <source>It stands still.</source>
+        <translation>Det ligger stille.</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nu</translation>
+    </message>
+    <message>
+        <source>&gt; 1 h</source>
+        <translation>&gt; 1 t</translation>
+    </message>
+    <message>
+        <source>lost, searched for</source>
+        <translation>mistet, eftersøges</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>mistet</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>opgivet</translation>
+    </message>
+    <message>
+        <source>left the area</source>
+        <translation>forlod området</translation>
+    </message>
+    <message>
+        <source>It still comes nearer in an hour, to this distance by then.</source>
+        <translation>Det kommer stadig nærmere om en time, til denne afstand på det tidspunkt.</translation>
+    </message>
+    <message>
+        <source>target of %1</source>
+        <translation>mål for %1</translation>
+    </message>
+    <message>
+        <source>number %1 of %2</source>
+        <translation>nummer %1 for %2</translation>
+    </message>
+</context>
+<context>
+    <name>ImportCells</name>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>Observationer</translation>
+    </message>
+    <message>
+        <source>Last seen, UTC</source>
+        <translation>Sidst set, UTC</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alder</translation>
+    </message>
+    <message>
+        <source>Speed, m/s</source>
+        <translation>Fart, m/s</translation>
+    </message>
+    <message>
+        <source>Direction, °</source>
+        <translation>Retning, °</translation>
+    </message>
+    <message>
+        <source>σ, m²</source>
+        <translation>σ, m²</translation>
+    </message>
+    <message>
+        <source>q, m²/s</source>
+        <translation>q, m²/s</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Noter</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linje</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Årsag</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiér</translation>
+    </message>
+</context>
+<context>
+    <name>ImportWords</name>
+    <message>
+        <source>The file is too large to be imported. Split it, or leave out what is not needed.</source>
+        <translation>Filen er for stor til at blive importeret. Del den, eller udelad det, der ikke er brug for.</translation>
+    </message>
+    <message>
+        <source>The file is broken. Correct it at the place named, or export it again.</source>
+        <translation>Filen er beskadiget. Ret den på det angivne sted, eller eksportér den igen.</translation>
+    </message>
+    <message>
+        <source>This is no file of sightings that can be recognised. If it is a table, name its columns for latitude and longitude.</source>
+        <translation>Filen kan ikke genkendes som en fil med observationer. Hvis det er en tabel, så angiv dens kolonner for bredde og længde.</translation>
+    </message>
+    <message>
+        <source>Nothing of it can be used like this.</source>
+        <translation>Intet i den kan bruges, som det er.</translation>
+    </message>
+    <message>
+        <source>velocity unknown</source>
+        <translation>hastighed ukendt</translation>
+    </message>
+    <message>
+        <source>velocity from the file</source>
+        <translation>hastighed fra filen</translation>
+    </message>
+    <message>
+        <source>velocity limited to 5 m/s</source>
+        <translation>hastighed begrænset til 5 m/s</translation>
+    </message>
+    <message>
+        <source>q estimated</source>
+        <translation>q anslået</translation>
+    </message>
+    <message>
+        <source>q limited to 10⁶ m²/s</source>
+        <translation>q begrænset til 10⁶ m²/s</translation>
+    </message>
+    <message>
+        <source>stationary</source>
+        <translation>ligger stille</translation>
+    </message>
+    <message>
+        <source>several sightings at one time</source>
+        <translation>flere observationer på samme tidspunkt</translation>
+    </message>
+    <message>
+        <source>sightings at impossible places not used</source>
+        <translation>observationer på umulige steder er ikke brugt</translation>
+    </message>
+    <message>
+        <source>recorded track</source>
+        <translation>registreret spor</translation>
+    </message>
+    <message>
+        <source>no track: not sighted after the start</source>
+        <translation>intet spor: ikke observeret efter starten</translation>
+    </message>
+    <message>
+        <source>older than what the scenario has</source>
+        <translation>ældre end det, scenariet har</translation>
+    </message>
+    <message>
+        <source>sighted only after the start</source>
+        <translation>først observeret efter starten</translation>
+    </message>
+    <message>
+        <source>more than 1000 km from the origin at the start</source>
+        <translation>mere end 1000 km fra origo ved starten</translation>
+    </message>
+    <message>
+        <source>the scenario is full</source>
+        <translation>scenariet er fuldt</translation>
+    </message>
+    <message>
+        <source>a UAV has this id</source>
+        <translation>en drone har dette id</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>nyt</translation>
+    </message>
+    <message>
+        <source>updated</source>
+        <translation>opdateret</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>uændret</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>udeladt</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Dato</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Længde</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Fart</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Retning</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ</source>
+        <translation>Usikkerhed σ</translation>
+    </message>
+    <message>
+        <source>Growth q</source>
+        <translation>Vækst q</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Udstrækning</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Halv længde</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Område</translation>
+    </message>
+    <message>
+        <source>Size class</source>
+        <translation>Størrelsesklasse</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemærkninger</translation>
+    </message>
+    <message>
+        <source>KML (Google Earth)</source>
+        <translation>KML (Google Earth)</translation>
+    </message>
+    <message>
+        <source>GeoJSON (QGIS)</source>
+        <translation>GeoJSON (QGIS)</translation>
+    </message>
+    <message>
+        <source>International Ice Patrol (CSV)</source>
+        <translation>International Ice Patrol (CSV)</translation>
+    </message>
+    <message>
+        <source>US National Ice Center (CSV)</source>
+        <translation>US National Ice Center (CSV)</translation>
+    </message>
+    <message>
+        <source>Any table (CSV)</source>
+        <translation>Vilkårlig tabel (CSV)</translation>
+    </message>
+    <message>
+        <source>1 new</source>
+        <translation>1 nyt</translation>
+    </message>
+    <message>
+        <source>%1 new</source>
+        <translation>%1 nye</translation>
+    </message>
+    <message>
+        <source>1 updated</source>
+        <translation>1 opdateret</translation>
+    </message>
+    <message>
+        <source>%1 updated</source>
+        <translation>%1 opdateret</translation>
+    </message>
+    <message>
+        <source>1 unchanged</source>
+        <translation>1 uændret</translation>
+    </message>
+    <message>
+        <source>%1 unchanged</source>
+        <translation>%1 uændret</translation>
+    </message>
+    <message>
+        <source>1 left out</source>
+        <translation>1 udeladt</translation>
+    </message>
+    <message>
+        <source>%1 left out</source>
+        <translation>%1 udeladt</translation>
+    </message>
+    <message>
+        <source>1 sighting outside the area</source>
+        <translation>1 observation uden for området</translation>
+    </message>
+    <message>
+        <source>%1 sightings outside the area</source>
+        <translation>%1 observationer uden for området</translation>
+    </message>
+    <message>
+        <source>1 sighting outside the time</source>
+        <translation>1 observation uden for tidsrummet</translation>
+    </message>
+    <message>
+        <source>%1 sightings outside the time</source>
+        <translation>%1 observationer uden for tidsrummet</translation>
+    </message>
+    <message>
+        <source>1 row rejected</source>
+        <translation>1 række afvist</translation>
+    </message>
+    <message>
+        <source>%1 rows rejected</source>
+        <translation>%1 rækker afvist</translation>
+    </message>
+    <message>
+        <source>Nothing to import</source>
+        <translation>Intet at importere</translation>
+    </message>
+    <message>
+        <source>%1 d %2 h</source>
+        <translation>%1 d %2 t</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 t %2 min</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>MET Norway (GeoJSON)</source>
+        <translation>MET Norge (GeoJSON)</translation>
+    </message>
+    <message>
+        <source>Canadian Ice Service (CSV)</source>
+        <translation>Canadian Ice Service (CSV)</translation>
+    </message>
+    <message>
+        <source>KMZ (KML, packed)</source>
+        <translation>KMZ (KML, pakket)</translation>
+    </message>
+    <message>
+        <source>CZML (Cesium)</source>
+        <translation>CZML (Cesium)</translation>
+    </message>
+    <message>
+        <source>GPX (waypoints, routes and tracks)</source>
+        <translation>GPX (rutepunkter, ruter og spor)</translation>
+    </message>
+    <message>
+        <source>QGroundControl plan</source>
+        <translation>QGroundControl-plan</translation>
+    </message>
+    <message>
+        <source>ArduPilot mission (QGC WPL)</source>
+        <translation>ArduPilot-mission (QGC WPL)</translation>
+    </message>
+    <message>
+        <source>1 UAV</source>
+        <translation>1 drone</translation>
+    </message>
+    <message>
+        <source>%1 UAVs</source>
+        <translation>%1 droner</translation>
+    </message>
+    <message>
+        <source>the area</source>
+        <translation>området</translation>
+    </message>
+    <message>
+        <source>the area as geofence</source>
+        <translation>området som geohegn</translation>
+    </message>
+    <message>
+        <source>the asset</source>
+        <translation>objektet</translation>
+    </message>
+    <message>
+        <source>UAVs, area and asset (the scenario has its own)</source>
+        <translation>droner, område og objekt (scenariet har sine egne)</translation>
+    </message>
+    <message>
+        <source>1 UAV (too many)</source>
+        <translation>1 drone (for mange)</translation>
+    </message>
+    <message>
+        <source>%1 UAVs (too many)</source>
+        <translation>%1 droner (for mange)</translation>
+    </message>
+    <message>
+        <source>1 UAV (more than 1000 km from the origin)</source>
+        <translation>1 drone (mere end 1000 km fra origo)</translation>
+    </message>
+    <message>
+        <source>%1 UAVs (more than 1000 km from the origin)</source>
+        <translation>%1 droner (mere end 1000 km fra origo)</translation>
+    </message>
+    <message>
+        <source>an area (unreadable)</source>
+        <translation>et område (ulæseligt)</translation>
+    </message>
+    <message>
+        <source>the area (too few or too many corners)</source>
+        <translation>området (for få eller for mange hjørner)</translation>
+    </message>
+    <message>
+        <source>the area (more than 1000 km from the origin)</source>
+        <translation>området (mere end 1000 km fra origo)</translation>
+    </message>
+    <message>
+        <source>the area (touches or crosses itself)</source>
+        <translation>området (rører eller krydser sig selv)</translation>
+    </message>
+    <message>
+        <source>the area (in several parts)</source>
+        <translation>området (i flere dele)</translation>
+    </message>
+    <message>
+        <source>1 further area</source>
+        <translation>1 yderligere område</translation>
+    </message>
+    <message>
+        <source>%1 further areas</source>
+        <translation>%1 yderligere områder</translation>
+    </message>
+    <message>
+        <source>1 hole of the area</source>
+        <translation>1 hul i området</translation>
+    </message>
+    <message>
+        <source>%1 holes of the area</source>
+        <translation>%1 huller i området</translation>
+    </message>
+    <message>
+        <source>1 circle of the geofence</source>
+        <translation>1 cirkel i geohegnet</translation>
+    </message>
+    <message>
+        <source>%1 circles of the geofence</source>
+        <translation>%1 cirkler i geohegnet</translation>
+    </message>
+    <message>
+        <source>the geofence (too many corners)</source>
+        <translation>geohegnet (for mange hjørner)</translation>
+    </message>
+    <message>
+        <source>the geofence (a UAV starts or lands outside)</source>
+        <translation>geohegnet (en drone starter eller lander udenfor)</translation>
+    </message>
+    <message>
+        <source>1 rally point</source>
+        <translation>1 samlingspunkt</translation>
+    </message>
+    <message>
+        <source>%1 rally points</source>
+        <translation>%1 samlingspunkter</translation>
+    </message>
+    <message>
+        <source>1 further asset</source>
+        <translation>1 yderligere objekt</translation>
+    </message>
+    <message>
+        <source>%1 further assets</source>
+        <translation>%1 yderligere objekter</translation>
+    </message>
+    <message>
+        <source>the asset (more than 1000 km from the origin)</source>
+        <translation>objektet (mere end 1000 km fra origo)</translation>
+    </message>
+    <message>
+        <source>1 number out of range</source>
+        <translation>1 tal uden for det tilladte område</translation>
+    </message>
+    <message>
+        <source>%1 numbers out of range</source>
+        <translation>%1 tal uden for det tilladte område</translation>
+    </message>
+    <message>
+        <source>Also from the file: %1</source>
+        <translation>Også fra filen: %1</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>Udeladt: %1</translation>
+    </message>
+    <message>
+        <source>1 no-fly area</source>
+        <translation>1 flyveforbudsområde</translation>
+    </message>
+    <message>
+        <source>%1 no-fly areas</source>
+        <translation>%1 flyveforbudsområder</translation>
+    </message>
+    <message>
+        <source>1 no-fly area (a UAV starts or lands in it, or its heights are wrong)</source>
+        <translation>1 flyveforbudsområde (en drone starter eller lander i det, eller dets højder er forkerte)</translation>
+    </message>
+    <message>
+        <source>%1 no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
+        <translation>%1 flyveforbudsområder (en drone starter eller lander i dem, eller deres højder er forkerte)</translation>
+    </message>
+    <message>
+        <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
+        <translation>Linje %1: %2 læses med måneden først, hvilket intet i filen afgør. Vælg under Datoer, hvis dagen kommer først.</translation>
+    </message>
+</context>
+<context>
+    <name>InspectorPanel</name>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+</context>
+<context>
+    <name>InspectorRows</name>
+    <message>
+        <source>Change drift</source>
+        <translation>Ændr drift</translation>
+    </message>
+    <message>
+        <source>Drift east</source>
+        <translation>Drift mod øst</translation>
+    </message>
+    <message>
+        <source>Known drift to the east; the current comes on top.</source>
+        <translation>Kendt drift mod øst; strømmen kommer oveni.</translation>
+    </message>
+    <message>
+        <source>Drift north</source>
+        <translation>Drift mod nord</translation>
+    </message>
+    <message>
+        <source>Known drift to the north; the current comes on top.</source>
+        <translation>Kendt drift mod nord; strømmen kommer oveni.</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ₀</source>
+        <translation>Usikkerhed σ₀</translation>
+    </message>
+    <message>
+        <source>Variance of the position when it was last seen.</source>
+        <translation>Positionens varians, da det sidst blev set.</translation>
+    </message>
+    <message>
+        <source>Change uncertainty</source>
+        <translation>Ændr usikkerhed</translation>
+    </message>
+    <message>
+        <source>Growth q</source>
+        <translation>Vækst q</translation>
+    </message>
+    <message>
+        <source>What the uncertainty grows by in a second out of view.</source>
+        <translation>Det, usikkerheden vokser med pr. sekund ude af syne.</translation>
+    </message>
+    <message>
+        <source>Change growth of uncertainty</source>
+        <translation>Ændr usikkerhedens vækst</translation>
+    </message>
+    <message>
+        <source>standard deviation %1 m</source>
+        <translation>standardafvigelse %1 m</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Sidst set</translation>
+    </message>
+    <message>
+        <source>How long before the start it was last seen; σ has grown since.</source>
+        <translation>Hvor længe før starten det sidst blev set; σ er vokset siden.</translation>
+    </message>
+    <message>
+        <source>Change time last seen</source>
+        <translation>Ændr tid for sidst set</translation>
+    </message>
+    <message>
+        <source> s ago</source>
+        <comment>unit after a number</comment>
+        <translation> s siden</translation>
+    </message>
+    <message>
+        <source>Appears at</source>
+        <translation>Dukker op</translation>
+    </message>
+    <message>
+        <source>Time of the run from which on it is known; 0 is the start.</source>
+        <translation>Det tidspunkt i flyvningen, fra hvilket det er kendt; 0 er starten.</translation>
+    </message>
+    <message>
+        <source>Change time of appearing</source>
+        <translation>Ændr tid for fremkomst</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Halv længde</translation>
+    </message>
+    <message>
+        <source>Half its length; decides its size on the map.</source>
+        <translation>Halvdelen af dets længde; bestemmer dets størrelse på kortet.</translation>
+    </message>
+    <message>
+        <source>Change radius</source>
+        <translation>Ændr halv længde</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Shown on the map in place of the id.</source>
+        <translation>Vises på kortet i stedet for id&apos;et.</translation>
+    </message>
+    <message>
+        <source>Change name</source>
+        <translation>Ændr navn</translation>
+    </message>
+    <message>
+        <source>Change position</source>
+        <translation>Ændr position</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Øst</translation>
+    </message>
+    <message>
+        <source>Position at the start, east of the scenario&apos;s origin.</source>
+        <translation>Position ved starten, øst for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>Position at the start, north of the scenario&apos;s origin.</source>
+        <translation>Position ved starten, nord for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation>ligger stille</translation>
+    </message>
+    <message>
+        <source>Change wind</source>
+        <translation>Ændr vind</translation>
+    </message>
+    <message>
+        <source>Wind east</source>
+        <translation>Vind mod øst</translation>
+    </message>
+    <message>
+        <source>Towards the east; always slower than the UAV flies.</source>
+        <translation>Mod øst; altid langsommere, end dronen flyver.</translation>
+    </message>
+    <message>
+        <source>Wind north</source>
+        <translation>Vind mod nord</translation>
+    </message>
+    <message>
+        <source>Towards the north; always slower than the UAV flies.</source>
+        <translation>Mod nord; altid langsommere, end dronen flyver.</translation>
+    </message>
+    <message>
+        <source>no wind</source>
+        <translation>ingen vind</translation>
+    </message>
+    <message>
+        <source>Change current</source>
+        <translation>Ændr strøm</translation>
+    </message>
+    <message>
+        <source>Current east</source>
+        <translation>Strøm mod øst</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg towards the east.</source>
+        <translation>Fører alle isbjerge mod øst.</translation>
+    </message>
+    <message>
+        <source>Current north</source>
+        <translation>Strøm mod nord</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg towards the north.</source>
+        <translation>Fører alle isbjerge mod nord.</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Varighed</translation>
+    </message>
+    <message>
+        <source>Length of the run, at most seven days.</source>
+        <translation>Flyvningens længde, højst syv døgn.</translation>
+    </message>
+    <message>
+        <source>Change duration</source>
+        <translation>Ændr varighed</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Tidsskridt</translation>
+    </message>
+    <message>
+        <source>Step of the simulation; small is exact and slow.</source>
+        <translation>Simuleringens skridt; korte er nøjagtige og langsomme.</translation>
+    </message>
+    <message>
+        <source>Change time step</source>
+        <translation>Ændr tidsskridt</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startværdi</translation>
+    </message>
+    <message>
+        <source>Names the random drift: the same seed, the same run.</source>
+        <translation>Bestemmer den tilfældige drift: samme startværdi, samme flyvning.</translation>
+    </message>
+    <message>
+        <source>Change seed</source>
+        <translation>Ændr startværdi</translation>
+    </message>
+    <message>
+        <source>Random drift</source>
+        <translation>Tilfældig drift</translation>
+    </message>
+    <message>
+        <source>Off: icebergs drift exactly as known.</source>
+        <translation>Fra: isbjerge driver nøjagtigt som kendt.</translation>
+    </message>
+    <message>
+        <source>Change random drift</source>
+        <translation>Ændr tilfældig drift</translation>
+    </message>
+    <message>
+        <source>Title of the scenario, shown on the map.</source>
+        <translation>Scenariets titel, der vises på kortet.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Noter</translation>
+    </message>
+    <message>
+        <source>Anything worth knowing, kept in the file.</source>
+        <translation>Alt, der er værd at vide; gemmes i filen.</translation>
+    </message>
+    <message>
+        <source>Change notes</source>
+        <translation>Ændr noter</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Clockwise from north, at the start.</source>
+        <translation>Med uret fra nord, ved starten.</translation>
+    </message>
+    <message>
+        <source>Change heading</source>
+        <translation>Ændr kurs</translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation>Flyvefart</translation>
+    </message>
+    <message>
+        <source>Always faster than the wind.</source>
+        <translation>Altid hurtigere end vinden.</translation>
+    </message>
+    <message>
+        <source>Change airspeed</source>
+        <translation>Ændr flyvefart</translation>
+    </message>
+    <message>
+        <source>Change field of view</source>
+        <translation>Ændr synsfelt</translation>
+    </message>
+    <message>
+        <source>View along-track</source>
+        <translation>Synsfelt på langs</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view along the heading.</source>
+        <translation>Synsfeltets udstrækning langs kursen.</translation>
+    </message>
+    <message>
+        <source>View cross-track</source>
+        <translation>Synsfelt på tværs</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view across the heading.</source>
+        <translation>Synsfeltets udstrækning på tværs af kursen.</translation>
+    </message>
+    <message>
+        <source>Maximum bank angle</source>
+        <translation>Største krængning</translation>
+    </message>
+    <message>
+        <source>Bank in a turn; the larger, the tighter the turns.</source>
+        <translation>Krængning i et drej; jo større, jo snævrere drej.</translation>
+    </message>
+    <message>
+        <source>Change maximum bank angle</source>
+        <translation>Ændr største krængning</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Højde</translation>
+    </message>
+    <message>
+        <source>Change altitude</source>
+        <translation>Ændr højde</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Udholdenhed</translation>
+    </message>
+    <message>
+        <source>Change endurance</source>
+        <translation>Ændr udholdenhed</translation>
+    </message>
+    <message>
+        <source>unlimited</source>
+        <translation>ubegrænset</translation>
+    </message>
+    <message>
+        <source>Change velocity of the asset</source>
+        <translation>Ændr objektets hastighed</translation>
+    </message>
+    <message>
+        <source>Speed east</source>
+        <translation>Fart mod øst</translation>
+    </message>
+    <message>
+        <source>What a ship makes to the east; 0 for a platform.</source>
+        <translation>Et skibs fart mod øst; 0 for en platform.</translation>
+    </message>
+    <message>
+        <source>Speed north</source>
+        <translation>Fart mod nord</translation>
+    </message>
+    <message>
+        <source>What a ship makes to the north; 0 for a platform.</source>
+        <translation>Et skibs fart mod nord; 0 for en platform.</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Rækkevidde</translation>
+    </message>
+    <message>
+        <source>How near an iceberg matters to it.</source>
+        <translation>Hvor tæt på et isbjerg skal være for at have betydning for det.</translation>
+    </message>
+    <message>
+        <source>Change range of the asset</source>
+        <translation>Ændr objektets rækkevidde</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Vægt</translation>
+    </message>
+    <message>
+        <source>How much more an iceberg near it matters.</source>
+        <translation>Hvor meget mere et isbjerg i nærheden af det betyder.</translation>
+    </message>
+    <message>
+        <source>Change gain of the asset</source>
+        <translation>Ændr objektets vægt</translation>
+    </message>
+    <message>
+        <source>Takes the asset off the map.</source>
+        <translation>Fjerner objektet fra kortet.</translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Fjern objekt</translation>
+    </message>
+    <message>
+        <source>Takes the area off the map.</source>
+        <translation>Fjerner området fra kortet.</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Fjern område</translation>
+    </message>
+    <message>
+        <source>Acceptance radius</source>
+        <translation>Acceptradius</translation>
+    </message>
+    <message>
+        <source>How near the UAV has to come to an iceberg; at 0 it is reached when it is in view.</source>
+        <translation>Hvor tæt dronen skal komme på et isbjerg; ved 0 er det nået, når det er i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Change acceptance radius</source>
+        <translation>Ændr acceptradius</translation>
+    </message>
+    <message>
+        <source>in view</source>
+        <translation>i synsfeltet</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Synsfelt</translation>
+    </message>
+    <message>
+        <source>Shape of what the camera covers.</source>
+        <translation>Formen på det, kameraet dækker.</translation>
+    </message>
+    <message>
+        <source>turns with the UAV</source>
+        <translation>drejer med dronen</translation>
+    </message>
+    <message>
+        <source>along the north</source>
+        <translation>orienteret mod nord</translation>
+    </message>
+    <message>
+        <source>a disk</source>
+        <translation>en cirkel</translation>
+    </message>
+    <message>
+        <source>Formulation</source>
+        <translation>Formulering</translation>
+    </message>
+    <message>
+        <source>Integer program that COIN-OR CBC solves when it is the solver.</source>
+        <translation>Det heltalsprogram, COIN-OR CBC løser, når den er valgt som løser.</translation>
+    </message>
+    <message>
+        <source>Change formulation</source>
+        <translation>Ændr formulering</translation>
+    </message>
+    <message>
+        <source>by position</source>
+        <translation>efter plads</translation>
+    </message>
+    <message>
+        <source>as printed</source>
+        <translation>som trykt</translation>
+    </message>
+    <message>
+        <source>reduced</source>
+        <translation>reduceret</translation>
+    </message>
+    <message>
+        <source>Change origin</source>
+        <translation>Ændr origo</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Of the origin, north positive; everything moves along with it.</source>
+        <translation>For origo, nord er positiv; alt flytter med.</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Længde</translation>
+    </message>
+    <message>
+        <source>Of the origin, east positive; everything moves along with it.</source>
+        <translation>For origo, øst er positiv; alt flytter med.</translation>
+    </message>
+    <message>
+        <source>Start (UTC)</source>
+        <translation>Start (UTC)</translation>
+    </message>
+    <message>
+        <source>Date and time of the start, such as 2024-05-01T06:00:00Z; empty: times are relative.</source>
+        <translation>Startens dato og klokkeslæt, f.eks. 2024-05-01T06:00:00Z; tomt: tiderne er relative.</translation>
+    </message>
+    <message>
+        <source>Change start</source>
+        <translation>Ændr start</translation>
+    </message>
+    <message>
+        <source>relative times</source>
+        <translation>relative tider</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n corners, %1</source>
+        <translation>
+            <numerusform>%n hjørne, %1</numerusform>
+            <numerusform>%n hjørner, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recorded track</source>
+        <translation>Registreret spor</translation>
+    </message>
+    <message>
+        <source>Its true motion follows this record, while the estimate follows the drift above.</source>
+        <translation>Dets sande bevægelse følger dette spor, mens estimatet følger driften ovenfor.</translation>
+    </message>
+    <message>
+        <source>Clear recorded track</source>
+        <translation>Ryd registreret spor</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Ryd</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n punkt</numerusform>
+            <numerusform>%n punkter</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 towards %2°</source>
+        <translation>%1 mod %2°</translation>
+    </message>
+    <message>
+        <source>Inner ring</source>
+        <translation>Indre ring</translation>
+    </message>
+    <message>
+        <source>An iceberg on its way into it within an hour is an alarm; at 0 it is half the range.</source>
+        <translation>Et isbjerg, der er på vej ind i den inden for en time, udløser alarm; ved 0 er ringen den halve rækkevidde.</translation>
+    </message>
+    <message>
+        <source>Change inner ring of the asset</source>
+        <translation>Ændr objektets indre ring</translation>
+    </message>
+    <message>
+        <source>half the range</source>
+        <translation>halv rækkevidde</translation>
+    </message>
+    <message>
+        <source>Planning time</source>
+        <translation>Planlægningstid</translation>
+    </message>
+    <message>
+        <source>How long a plan takes in flight; until it is there the UAV flies the last one on.</source>
+        <translation>Hvor lang tid en plan tager under flyvning; indtil den foreligger, følger dronen fortsat den forrige.</translation>
+    </message>
+    <message>
+        <source>Change planning time</source>
+        <translation>Ændr planlægningstid</translation>
+    </message>
+    <message>
+        <source>Autopilot rate</source>
+        <translation>Autopilotens takt</translation>
+    </message>
+    <message>
+        <source>Time between two commands of the autopilot; at 0 it commands at each time step.</source>
+        <translation>Tid mellem to kommandoer fra autopiloten; ved 0 giver den én i hvert tidsskridt.</translation>
+    </message>
+    <message>
+        <source>Change autopilot rate</source>
+        <translation>Ændr autopilotens takt</translation>
+    </message>
+    <message>
+        <source>each time step</source>
+        <translation>hvert tidsskridt</translation>
+    </message>
+    <message>
+        <source>Geofence</source>
+        <translation>Geohegn</translation>
+    </message>
+    <message>
+        <source>The UAVs stay inside the area.</source>
+        <translation>Dronerne bliver inden for området.</translation>
+    </message>
+    <message>
+        <source>Change geofence</source>
+        <translation>Ændr geohegn</translation>
+    </message>
+    <message>
+        <source>Change home</source>
+        <translation>Ændr hjemmepunkt</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Hjem</translation>
+    </message>
+    <message>
+        <source>It lands elsewhere than it starts.</source>
+        <translation>Den lander et andet sted, end den starter.</translation>
+    </message>
+    <message>
+        <source>Land where it starts</source>
+        <translation>Land, hvor den starter</translation>
+    </message>
+    <message>
+        <source>%1 from the start</source>
+        <translation>%1 fra startstedet</translation>
+    </message>
+    <message>
+        <source>Home east</source>
+        <translation>Hjem øst</translation>
+    </message>
+    <message>
+        <source>Where it lands, east of the scenario&apos;s origin.</source>
+        <translation>Hvor den lander, øst for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Home north</source>
+        <translation>Hjem nord</translation>
+    </message>
+    <message>
+        <source>Where it lands, north of the scenario&apos;s origin.</source>
+        <translation>Hvor den lander, nord for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Turn-around</source>
+        <translation>Vendetid</translation>
+    </message>
+    <message>
+        <source>Time on the ground between landing and the next take-off.</source>
+        <translation>Tid på jorden mellem landing og næste start.</translation>
+    </message>
+    <message>
+        <source>Change turn-around</source>
+        <translation>Ændr vendetid</translation>
+    </message>
+    <message>
+        <source>Drift error</source>
+        <translation>Driftfejl</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the known drift, along each axis: its true drift differs from it by as much.</source>
+        <translation>Standardafvigelse for den kendte drift, langs hver akse: så meget afviger dets sande drift fra den.</translation>
+    </message>
+    <message>
+        <source>Change drift error</source>
+        <translation>Ændr driftfejl</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfejl</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured position, along each axis.</source>
+        <translation>Standardafvigelse for en målt position, langs hver akse.</translation>
+    </message>
+    <message>
+        <source>Change position error</source>
+        <translation>Ændr positionsfejl</translation>
+    </message>
+    <message>
+        <source>Sensor interval</source>
+        <translation>Sensorinterval</translation>
+    </message>
+    <message>
+        <source>Time between two samples of the sensor, each of which measures what is in view.</source>
+        <translation>Tid mellem to målinger med sensoren, som hver måler det, der er i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Change sensor interval</source>
+        <translation>Ændr sensorinterval</translation>
+    </message>
+    <message>
+        <source>Detection probability</source>
+        <translation>Detektionssandsynlighed</translation>
+    </message>
+    <message>
+        <source>Chance that one sample shows an iceberg in view.</source>
+        <translation>Sandsynlighed for, at én måling viser et isbjerg i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Change detection probability</source>
+        <translation>Ændr detektionssandsynlighed</translation>
+    </message>
+    <message>
+        <source>Observer</source>
+        <translation>Observatør</translation>
+    </message>
+    <message>
+        <source>Exact: an iceberg in view is where it is seen. Filter: noisy measurements, from which position and velocity are estimated, and icebergs can get lost.</source>
+        <translation>Eksakt: et isbjerg i synsfeltet er der, hvor det ses. Filter: målinger med støj, hvorfra position og hastighed estimeres, og isbjerge kan blive mistet.</translation>
+    </message>
+    <message>
+        <source>Change observer</source>
+        <translation>Ændr observatør</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>eksakt</translation>
+    </message>
+    <message>
+        <source>Kalman filter</source>
+        <translation>Kalmanfilter</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Eftersøgning</translation>
+    </message>
+    <message>
+        <source>Change search</source>
+        <translation>Ændr eftersøgning</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>expanding square</source>
+        <translation>voksende kvadrat</translation>
+    </message>
+    <message>
+        <source>sectors</source>
+        <translation>sektorer</translation>
+    </message>
+    <message>
+        <source>Group nearby icebergs</source>
+        <translation>Gruppér nære isbjerge</translation>
+    </message>
+    <message>
+        <source>Icebergs that fit into one field of view are planned as one point, from which all are seen.</source>
+        <translation>Isbjerge, der er plads til i ét synsfelt, planlægges som ét punkt, hvorfra alle ses.</translation>
+    </message>
+    <message>
+        <source>Change grouping of nearby icebergs</source>
+        <translation>Ændr gruppering af nære isbjerge</translation>
+    </message>
+    <message>
+        <source>Longest flight: it is home before that; at 0 it never lands.</source>
+        <translation>Længste flyvning: den er hjemme inden da; ved 0 lander den aldrig.</translation>
+    </message>
+    <message>
+        <source>Visited by</source>
+        <translation>Besøges af</translation>
+    </message>
+    <message>
+        <source>The UAV that alone is to visit it.</source>
+        <translation>Den drone, der som den eneste skal besøge det.</translation>
+    </message>
+    <message>
+        <source>Change UAV of an iceberg</source>
+        <translation>Ændr drone for et isbjerg</translation>
+    </message>
+    <message>
+        <source>any UAV</source>
+        <translation>enhver drone</translation>
+    </message>
+    <message>
+        <source>Separation</source>
+        <translation>Adskillelse</translation>
+    </message>
+    <message>
+        <source>UAVs are kept so far from each other, unless their altitudes are 30 m apart.</source>
+        <translation>Droner holdes så langt fra hinanden, medmindre der er 30 m forskel på deres højder.</translation>
+    </message>
+    <message>
+        <source>Change separation</source>
+        <translation>Ændr adskillelse</translation>
+    </message>
+    <message>
+        <source>not kept apart</source>
+        <translation>holdes ikke adskilt</translation>
+    </message>
+    <message>
+        <source>Height above the sea: UAVs that are 30 m apart in it pass each other.</source>
+        <translation>Højde over havet: droner med 30 m højdeforskel går fri af hinanden.</translation>
+    </message>
+    <message>
+        <source>Reserve</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>Fixed reserve</source>
+        <translation>Fast reserve</translation>
+    </message>
+    <message>
+        <source>Climb</source>
+        <translation>Stigning</translation>
+    </message>
+    <message>
+        <source>Landing</source>
+        <translation>Landing</translation>
+    </message>
+    <message>
+        <source>Wind limit</source>
+        <translation>Vindgrænse</translation>
+    </message>
+    <message>
+        <source>Gust limit</source>
+        <translation>Vindstødsgrænse</translation>
+    </message>
+    <message>
+        <source>Stand-off ring</source>
+        <translation>Sikkerhedsring</translation>
+    </message>
+    <message>
+        <source>Stand-off ceiling</source>
+        <translation>Øvre grænse for ringen</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Nedre højdegrænse</translation>
+    </message>
+    <message>
+        <source>Ceiling</source>
+        <translation>Øvre højdegrænse</translation>
+    </message>
+    <message>
+        <source>Antenna height</source>
+        <translation>Antennehøjde</translation>
+    </message>
+    <message>
+        <source>Link range</source>
+        <translation>Forbindelsens rækkevidde</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Vindstød</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>Dew point</source>
+        <translation>Dugpunkt</translation>
+    </message>
+    <message>
+        <source>Icing conditions</source>
+        <translation>Isningsforhold</translation>
+    </message>
+    <message>
+        <source>Whether it may be flown below 0 °C in air that is nearly saturated.</source>
+        <translation>Om den må flyves under 0 °C i luft, der er næsten mættet.</translation>
+    </message>
+    <message>
+        <source>Change icing limit</source>
+        <translation>Ændr isningsgrænse</translation>
+    </message>
+    <message>
+        <source>Move ground station</source>
+        <translation>Flyt jordstation</translation>
+    </message>
+    <message>
+        <source>Ground station</source>
+        <translation>Jordstation</translation>
+    </message>
+    <message>
+        <source>Where the radio link to the UAVs is kept from. Its range is a ring on the map.</source>
+        <translation>Herfra holdes radioforbindelsen til dronerne. Dens rækkevidde er en ring på kortet.</translation>
+    </message>
+    <message>
+        <source>Change ground station</source>
+        <translation>Ændr jordstation</translation>
+    </message>
+    <message>
+        <source>Height above the sea.</source>
+        <translation>Højde over havet.</translation>
+    </message>
+    <message>
+        <source>Change antenna height</source>
+        <translation>Ændr antennehøjde</translation>
+    </message>
+    <message>
+        <source>How far the link reaches; at the lowest value to the radio horizon of the antenna and the UAV&apos;s altitude.</source>
+        <translation>Hvor langt forbindelsen rækker; ved den laveste værdi til radiohorisonten for antennen og dronens højde.</translation>
+    </message>
+    <message>
+        <source>Change link range</source>
+        <translation>Ændr forbindelsens rækkevidde</translation>
+    </message>
+    <message>
+        <source>radio horizon</source>
+        <translation>radiohorisont</translation>
+    </message>
+    <message>
+        <source>Station east</source>
+        <translation>Station øst</translation>
+    </message>
+    <message>
+        <source>East of the scenario&apos;s origin.</source>
+        <translation>Øst for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Station north</source>
+        <translation>Station nord</translation>
+    </message>
+    <message>
+        <source>North of the scenario&apos;s origin.</source>
+        <translation>Nord for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Part of the endurance that no flight is planned to use.</source>
+        <translation>Den del af udholdenheden, som ingen flyvning planlægges at bruge.</translation>
+    </message>
+    <message>
+        <source>Change reserve</source>
+        <translation>Ændr reserve</translation>
+    </message>
+    <message>
+        <source>A time in place of the percentage.</source>
+        <translation>En tid i stedet for procentdelen.</translation>
+    </message>
+    <message>
+        <source>by percentage</source>
+        <translation>efter procentdel</translation>
+    </message>
+    <message>
+        <source>Time from take-off to the altitude.</source>
+        <translation>Tid fra start til flyvehøjden.</translation>
+    </message>
+    <message>
+        <source>Change climb time</source>
+        <translation>Ændr stigetid</translation>
+    </message>
+    <message>
+        <source>Time from the altitude, over home, to the ground.</source>
+        <translation>Tid fra flyvehøjden, over hjemmepunktet, til jorden.</translation>
+    </message>
+    <message>
+        <source>Change landing time</source>
+        <translation>Ændr landingstid</translation>
+    </message>
+    <message>
+        <source>Strongest wind in which it is flown.</source>
+        <translation>Kraftigste vind, den flyves i.</translation>
+    </message>
+    <message>
+        <source>Change wind limit</source>
+        <translation>Ændr vindgrænse</translation>
+    </message>
+    <message>
+        <source>Strongest gusts in which it is flown.</source>
+        <translation>Kraftigste vindstød, den flyves i.</translation>
+    </message>
+    <message>
+        <source>Change gust limit</source>
+        <translation>Ændr vindstødsgrænse</translation>
+    </message>
+    <message>
+        <source>Change weather</source>
+        <translation>Ændr vejr</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>ikke kendt</translation>
+    </message>
+    <message>
+        <source>Speed of the gusts, compared with the limits of the UAVs.</source>
+        <translation>Vindstødenes fart, sammenlignet med dronernes grænser.</translation>
+    </message>
+    <message>
+        <source>Of the air at the sea.</source>
+        <translation>Luftens, ved havoverfladen.</translation>
+    </message>
+    <message>
+        <source>With the temperature it tells whether ice may form.</source>
+        <translation>Sammen med temperaturen viser det, om der kan dannes is.</translation>
+    </message>
+    <message>
+        <source>do not fly</source>
+        <translation>flyv ikke</translation>
+    </message>
+    <message>
+        <source>flying allowed</source>
+        <translation>flyvning tilladt</translation>
+    </message>
+    <message>
+        <source>No UAV comes nearer to it; of a ship, to all of its track.</source>
+        <translation>Ingen drone kommer nærmere; for et skib gælder det hele dets sejlads.</translation>
+    </message>
+    <message>
+        <source>Change stand-off ring</source>
+        <translation>Ændr sikkerhedsring</translation>
+    </message>
+    <message>
+        <source>Above it UAVs may fly over the ring.</source>
+        <translation>Over denne højde må droner flyve hen over ringen.</translation>
+    </message>
+    <message>
+        <source>Change stand-off ceiling</source>
+        <translation>Ændr øvre grænse for ringen</translation>
+    </message>
+    <message>
+        <source>Shown on the map.</source>
+        <translation>Vises på kortet.</translation>
+    </message>
+    <message>
+        <source>UAVs lower than this fly below it.</source>
+        <translation>Droner, der flyver lavere end dette, flyver under det.</translation>
+    </message>
+    <message>
+        <source>Change floor of the no-fly area</source>
+        <translation>Ændr flyveforbudsområdets nedre højdegrænse</translation>
+    </message>
+    <message>
+        <source>UAVs higher than this fly above it.</source>
+        <translation>Droner, der flyver højere end dette, flyver over det.</translation>
+    </message>
+    <message>
+        <source>Change ceiling of the no-fly area</source>
+        <translation>Ændr flyveforbudsområdets øvre højdegrænse</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Omrids</translation>
+    </message>
+    <message>
+        <source>Takes the no-fly area off the map.</source>
+        <translation>Fjerner flyveforbudsområdet fra kortet.</translation>
+    </message>
+    <message>
+        <source>Remove no-fly area</source>
+        <translation>Fjern flyveforbudsområde</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>No-fly area: %1</source>
+        <translation>Flyveforbudsområde: %1</translation>
+    </message>
+    <message>
+        <source>No-fly area %1: %2</source>
+        <translation>Flyveforbudsområde %1: %2</translation>
+    </message>
+    <message>
+        <source>Raises UAVs until their altitudes are 30 m apart, so that none has to wait for another.</source>
+        <translation>Hæver droner, indtil der er 30 m forskel på deres højder, så ingen skal vente på en anden.</translation>
+    </message>
+    <message>
+        <source>Separate altitudes</source>
+        <translation>Adskil højderne</translation>
+    </message>
+    <message>
+        <source>Drift variation</source>
+        <translation>Variation i drift</translation>
+    </message>
+    <message>
+        <source>Standard deviation of its drift in the long run, along each axis, about that of the current. A beacon off Canada: 0.15 m/s.</source>
+        <translation>Standardafvigelse for dets drift på lang sigt, langs hver akse, omkring strømmens. En bøje ud for Canada: 0,15 m/s.</translation>
+    </message>
+    <message>
+        <source>Change drift variation</source>
+        <translation>Ændr variation i drift</translation>
+    </message>
+    <message>
+        <source>Drift changes in</source>
+        <translation>Driften ændrer sig på</translation>
+    </message>
+    <message>
+        <source>Time in which a drift that was known is known no more: it fades to the current. 0: the drift is constant. A beacon off Canada: 36,000 s.</source>
+        <translation>Den tid, hvori en kendt drift ophører med at være kendt: den aftager mod strømmen. 0: driften er konstant. En bøje ud for Canada: 36.000 s.</translation>
+    </message>
+    <message>
+        <source>Change time of drift</source>
+        <translation>Ændr driftens tid</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Fart</translation>
+    </message>
+    <message>
+        <source>What a ship makes; 0 for a platform.</source>
+        <translation>Et skibs fart; 0 for en platform.</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Where it goes, clockwise from north.</source>
+        <translation>Hvorhen det sejler, med uret fra nord.</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>Known drift; the current comes on top.</source>
+        <translation>Kendt drift; strømmen kommer oveni.</translation>
+    </message>
+    <message>
+        <source>Drift towards</source>
+        <translation>Driver mod</translation>
+    </message>
+    <message>
+        <source>Where it drifts to, clockwise from north.</source>
+        <translation>Hvorhen det driver, med uret fra nord.</translation>
+    </message>
+    <message>
+        <source>In any form; a whole coordinate sets both.</source>
+        <translation>I enhver form; en hel koordinat sætter begge.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vind</translation>
+    </message>
+    <message>
+        <source>Always slower than the UAV flies.</source>
+        <translation>Altid langsommere, end dronen flyver.</translation>
+    </message>
+    <message>
+        <source>Wind from</source>
+        <translation>Vind fra</translation>
+    </message>
+    <message>
+        <source>Where it blows from, clockwise from north.</source>
+        <translation>Hvorfra den blæser, med uret fra nord.</translation>
+    </message>
+    <message>
+        <source>%1 from %2</source>
+        <translation>%1 fra %2</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strøm</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg.</source>
+        <translation>Fører alle isbjerge med sig.</translation>
+    </message>
+    <message>
+        <source>Current towards</source>
+        <translation>Strøm mod</translation>
+    </message>
+    <message>
+        <source>Where it flows to, clockwise from north.</source>
+        <translation>Hvorhen den løber, med uret fra nord.</translation>
+    </message>
+    <message>
+        <source>Pattern that finds an iceberg which was not where it was believed to be.</source>
+        <translation>Mønster til at finde et isbjerg, der ikke var, hvor det ventedes.</translation>
+    </message>
+</context>
+<context>
+    <name>IssueText</name>
+    <message>
+        <source>%1 must be UTF-8 text.</source>
+        <translation>%1 skal være UTF-8-tekst.</translation>
+    </message>
+    <message>
+        <source>%1 must be a finite number.</source>
+        <translation>%1 skal være et endeligt tal.</translation>
+    </message>
+    <message>
+        <source>The wind must be two finite numbers.</source>
+        <translation>Vinden skal være to endelige tal.</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3, not %4.</source>
+        <translation>%1 skal være fra %2 til %3, ikke %4.</translation>
+    </message>
+    <message>
+        <source>%1 must be above %2 and at most %3, not %4.</source>
+        <translation>%1 skal være over %2 og højst %3, ikke %4.</translation>
+    </message>
+    <message>
+        <source>The start must be a UTC date and time such as 2024-05-01T06:00:00Z.</source>
+        <translation>Starten skal være en dato og et klokkeslæt i UTC, f.eks. 2024-05-01T06:00:00Z.</translation>
+    </message>
+    <message>
+        <source>The area must have from 3 to %2 corners, not %3.</source>
+        <translation>Området skal have fra 3 til %2 hjørner, ikke %3.</translation>
+    </message>
+    <message>
+        <source>The area must neither touch nor cross itself.</source>
+        <translation>Området må hverken røre eller krydse sig selv.</translation>
+    </message>
+    <message>
+        <source>The id must not be empty.</source>
+        <translation>Id&apos;et må ikke være tomt.</translation>
+    </message>
+    <message>
+        <source>The id &quot;%2&quot; is taken already.</source>
+        <translation>Id&apos;et »%2« er allerede optaget.</translation>
+    </message>
+    <message>
+        <source>A scenario holds from 1 to %2 UAVs, not %3.</source>
+        <translation>Et scenarie rummer fra 1 til %2 droner, ikke %3.</translation>
+    </message>
+    <message>
+        <source>A scenario holds at most %2 icebergs, not %3.</source>
+        <translation>Et scenarie rummer højst %2 isbjerge, ikke %3.</translation>
+    </message>
+    <message>
+        <source>The recorded track must have from 2 to %2 points, not %3.</source>
+        <translation>Det registrerede spor skal have fra 2 til %2 punkter, ikke %3.</translation>
+    </message>
+    <message>
+        <source>The recorded track has %2 times, but %3 places.</source>
+        <translation>Det registrerede spor har %2 tider, men %3 steder.</translation>
+    </message>
+    <message>
+        <source>The times of the recorded track must rise.</source>
+        <translation>Tiderne i det registrerede spor skal være stigende.</translation>
+    </message>
+    <message>
+        <source>There are %2 more errors.</source>
+        <translation>Der er %2 fejl mere.</translation>
+    </message>
+    <message>
+        <source>The time step must not be longer than the run.</source>
+        <translation>Tidsskridtet må ikke være længere end flyvningen.</translation>
+    </message>
+    <message>
+        <source>With a limited endurance, the time between two commands of the autopilot must be at most %2, not %3.</source>
+        <translation>Med begrænset udholdenhed må tiden mellem to kommandoer fra autopiloten højst være %2, ikke %3.</translation>
+    </message>
+    <message>
+        <source>A geofence has at most %2 corners, not %3.</source>
+        <translation>Et geohegn har højst %2 hjørner, ikke %3.</translation>
+    </message>
+    <message>
+        <source>There is no UAV &quot;%2&quot; in this scenario.</source>
+        <translation>Der er ingen drone »%2« i dette scenarie.</translation>
+    </message>
+    <message>
+        <source>The sensor interval must not be shorter than the time step.</source>
+        <translation>Sensorintervallet må ikke være kortere end tidsskridtet.</translation>
+    </message>
+    <message>
+        <source>Drifts so fast that the UAV may not catch up with it.</source>
+        <translation>Driver så hurtigt, at dronen måske ikke kan indhente det.</translation>
+    </message>
+    <message>
+        <source>The UAV will make little way against this wind.</source>
+        <translation>Dronen vil næsten ikke komme frem mod denne vind.</translation>
+    </message>
+    <message>
+        <source>There are no icebergs yet, so there is nothing to plan.</source>
+        <translation>Der er ingen isbjerge endnu, så der er intet at planlægge.</translation>
+    </message>
+    <message>
+        <source>Appears after the end of the run, so it is never planned.</source>
+        <translation>Dukker op efter flyvningens slutning, så det bliver aldrig planlagt.</translation>
+    </message>
+    <message>
+        <source>The file holds members that this version does not know. They are kept, but not used.</source>
+        <translation>Filen indeholder felter, som denne version ikke kender. De bevares, men bruges ikke.</translation>
+    </message>
+    <message>
+        <source>The endurance is too short for the path to the nearest iceberg and back.</source>
+        <translation>Udholdenheden er for kort til vejen til det nærmeste isbjerg og tilbage.</translation>
+    </message>
+    <message>
+        <source>Starts outside the area.</source>
+        <translation>Starter uden for området.</translation>
+    </message>
+    <message>
+        <source>The turn radius is larger than half the field of view, so that an iceberg may be missed.</source>
+        <translation>Drejeradius er større end det halve synsfelt, så et isbjerg kan blive overset.</translation>
+    </message>
+    <message>
+        <source>The radius that counts as reached is smaller than the turn radius, so that the UAV flies on and comes back.</source>
+        <translation>Den radius, der tæller som nået, er mindre end drejeradius, så dronen flyver videre og kommer tilbage.</translation>
+    </message>
+    <message>
+        <source>Lies outside the area.</source>
+        <translation>Ligger uden for området.</translation>
+    </message>
+    <message>
+        <source>Drifts out of the area before the end of the run.</source>
+        <translation>Driver ud af området før flyvningens slutning.</translation>
+    </message>
+    <message>
+        <source>Lies where another iceberg lies. Is it the same one?</source>
+        <translation>Ligger, hvor et andet isbjerg ligger. Er det det samme?</translation>
+    </message>
+    <message>
+        <source>So far away that the UAV cannot get there before the end of the run.</source>
+        <translation>Så langt væk, at dronen ikke kan nå derhen før flyvningens slutning.</translation>
+    </message>
+    <message>
+        <source>The run is over before the UAV can get to the first iceberg.</source>
+        <translation>Flyvningen er slut, før dronen kan nå det første isbjerg.</translation>
+    </message>
+    <message>
+        <source>Drifts faster than icebergs do. Is the unit right?</source>
+        <translation>Driver hurtigere, end isbjerge gør. Er enheden rigtig?</translation>
+    </message>
+    <message>
+        <source>Its recorded track ends before the run does; from then on it stands still.</source>
+        <translation>Dets registrerede spor slutter før flyvningen; derefter ligger det stille.</translation>
+    </message>
+    <message>
+        <source>Its recorded track begins so far from the estimate that the UAV will not see it there.</source>
+        <translation>Dets registrerede spor begynder så langt fra estimatet, at dronen ikke vil se det der.</translation>
+    </message>
+    <message>
+        <source>The asset lies inside an iceberg.</source>
+        <translation>Objektet ligger inde i et isbjerg.</translation>
+    </message>
+    <message>
+        <source>No iceberg is uncertain at the start, so distance alone makes the first plan.</source>
+        <translation>Intet isbjerg er usikkert ved starten, så distancen alene bestemmer den første plan.</translation>
+    </message>
+    <message>
+        <source>More icebergs than can be proven optimal; the plan comes with a bound.</source>
+        <translation>Flere isbjerge, end der kan bevises optimum for; planen kommer med en grænse.</translation>
+    </message>
+    <message>
+        <source>This solver cannot plan so many icebergs. Choose Automatic.</source>
+        <translation>Denne løser kan ikke planlægge så mange isbjerge. Vælg Automatisk.</translation>
+    </message>
+    <message>
+        <source>Proving the optimum of so many icebergs can take a minute and more.</source>
+        <translation>At bevise optimum for så mange isbjerge kan tage et minut eller mere.</translation>
+    </message>
+    <message>
+        <source>The wind must be slower than the UAV flies.</source>
+        <translation>Vinden skal være langsommere, end dronen flyver.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n errors</source>
+        <translation>
+            <numerusform>%n fejl</numerusform>
+            <numerusform>%n fejl</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warnings</source>
+        <translation>
+            <numerusform>%n advarsel</numerusform>
+            <numerusform>%n advarsler</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hints</source>
+        <translation>
+            <numerusform>%n tip</numerusform>
+            <numerusform>%n tip</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 error</source>
+        <translation>1 fejl</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 advarsel</translation>
+    </message>
+    <message>
+        <source>1 hint</source>
+        <translation>1 tip</translation>
+    </message>
+    <message>
+        <source>Icebergs outside the area are not monitored; the UAV may fly beyond it.</source>
+        <translation>Isbjerge uden for området overvåges ikke; dronen kan flyve uden for det.</translation>
+    </message>
+    <message>
+        <source>The endurance is too short for the path home from the start.</source>
+        <translation>Udholdenheden er for kort til vejen hjem fra startstedet.</translation>
+    </message>
+    <message>
+        <source>Home counts with a limited endurance only.</source>
+        <translation>Hjemmepunktet har kun betydning ved begrænset udholdenhed.</translation>
+    </message>
+    <message>
+        <source>The time between two commands of the autopilot is too long for the UAV to follow a leg.</source>
+        <translation>Tiden mellem to kommandoer fra autopiloten er for lang til, at dronen kan følge en etape.</translation>
+    </message>
+    <message>
+        <source>A geofence needs an area.</source>
+        <translation>Et geohegn kræver et område.</translation>
+    </message>
+    <message>
+        <source>Must be inside the area, which is a geofence.</source>
+        <translation>Skal være inden for området, som er et geohegn.</translation>
+    </message>
+    <message>
+        <source>This policy plans icebergs one by one: several in one field of view are not planned as one point.</source>
+        <translation>Denne strategi planlægger isbjerge ét for ét: flere i ét synsfelt planlægges ikke som ét punkt.</translation>
+    </message>
+    <message>
+        <source>A scenario holds at most %2 no-fly areas, not %3.</source>
+        <translation>Et scenarie rummer højst %2 flyveforbudsområder, ikke %3.</translation>
+    </message>
+    <message>
+        <source>The ceiling must be above the floor.</source>
+        <translation>Den øvre højdegrænse skal være over den nedre.</translation>
+    </message>
+    <message>
+        <source>The endurance must be longer than reserve, climb and landing together.</source>
+        <translation>Udholdenheden skal være længere end reserve, stigning og landing tilsammen.</translation>
+    </message>
+    <message>
+        <source>The wind is above the limit of this UAV: %2, limit %3.</source>
+        <translation>Vinden er over grænsen for denne drone: %2, grænse %3.</translation>
+    </message>
+    <message>
+        <source>The gusts are above the limit of this UAV: %2, limit %3.</source>
+        <translation>Vindstødene er over grænsen for denne drone: %2, grænse %3.</translation>
+    </message>
+    <message>
+        <source>Icing conditions at its altitude: not for this UAV.</source>
+        <translation>Isningsforhold i dens højde: ikke for denne drone.</translation>
+    </message>
+    <message>
+        <source>With wind and airspeed off their values, one flight in twenty uses %2 or more of the reserve to come home.</source>
+        <translation>Når vind og flyvefart afviger fra deres værdier, bruger én flyvning ud af tyve %2 eller mere af reserven på at komme hjem.</translation>
+    </message>
+    <message>
+        <source>The plan leads out of the range of the ground station for %2.</source>
+        <translation>Planen fører uden for jordstationens rækkevidde i %2.</translation>
+    </message>
+    <message>
+        <source>With the geofence and the stand-off ring, the no-fly areas at the altitude of a UAV have at most %2 corners, not %3.</source>
+        <translation>Sammen med geohegnet og sikkerhedsringen har flyveforbudsområderne i en drones højde højst %2 hjørner, ikke %3.</translation>
+    </message>
+    <message>
+        <source>Must be outside the no-fly area &quot;%2&quot;.</source>
+        <translation>Skal være uden for flyveforbudsområdet »%2«.</translation>
+    </message>
+    <message>
+        <source>Must be outside the stand-off ring round the asset.</source>
+        <translation>Skal være uden for sikkerhedsringen omkring objektet.</translation>
+    </message>
+    <message>
+        <source>In flight, the velocity&apos;s deviation counts with the Kalman filter only.</source>
+        <translation>Under flyvning tæller hastighedens standardafvigelse kun med Kalmanfilteret.</translation>
+    </message>
+    <message>
+        <source>Home is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home.</source>
+        <translation>Hjemmepunktet ligger så tæt på geohegnet eller et flyveforbudsområde, at dronen ikke kan starte der igen og være sikker på at komme hjem.</translation>
+    </message>
+    <message>
+        <source>For its heading, the UAV has no path home inside the geofence and outside no-fly areas from where it starts: no start is safe.</source>
+        <translation>Med sin kurs har dronen ingen vej hjem inden for geohegnet og uden om flyveforbudsområder fra sit startsted: ingen start er sikker.</translation>
+    </message>
+    <message>
+        <source>The UAV starts so near the geofence or a no-fly area, for its heading, that it cannot turn in time.</source>
+        <translation>Dronen starter med sin kurs så tæt på geohegnet eller et flyveforbudsområde, at den ikke kan nå at dreje.</translation>
+    </message>
+    <message>
+        <source>So near the geofence, or in a no-fly area, that the UAV cannot come as near as it has to.</source>
+        <translation>Så tæt på geohegnet, eller i et flyveforbudsområde, at dronen ikke kan komme så tæt på, som den skal.</translation>
+    </message>
+    <message>
+        <source>This policy plans without geofence and no-fly areas; they are kept in flight.</source>
+        <translation>Denne strategi planlægger uden geohegn og flyveforbudsområder; de overholdes under flyvningen.</translation>
+    </message>
+    <message>
+        <source>The acceptance radius is larger than half the field of view, so that icebergs count as reached that are not seen.</source>
+        <translation>Acceptradius er større end det halve synsfelt, så isbjerge, der ikke er set, tæller som nået.</translation>
+    </message>
+    <message>
+        <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by 30 m.</source>
+        <translation>Starter for tæt på en anden drone i samme højdelag: de flyver først fra hinanden. Lad der være 30 m forskel på deres højder.</translation>
+    </message>
+    <message>
+        <source>On the way home this UAV may have to wait %2 for others of its altitude layer, longer than its reserve. Separate altitudes, or a greater reserve, avoid it.</source>
+        <translation>På vej hjem kan denne drone blive nødt til at vente %2 på andre i sit højdelag, længere end dens reserve. Adskilte højder eller en større reserve undgår det.</translation>
+    </message>
+    <message>
+        <source>With these drifts and a round of %2 minutes, %3 of %4 icebergs will be out of view at the next visit.</source>
+        <translation>Med denne drift og en runde på %2 minutter vil %3 af %4 isbjerge være ude af syne ved næste besøg.</translation>
+    </message>
+    <message>
+        <source>Seen %2 h ago: may be %3 away (%4 × the field of view).</source>
+        <translation>Set for %2 t siden: kan være %3 væk (%4 × synsfeltet).</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>linje %1, kolonne %2: dette er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3: a number too large for this program</source>
+        <translation>linje %1, kolonne %2: %3: et tal, der er for stort for dette program</translation>
+    </message>
+    <message>
+        <source>nested deeper than %1 levels</source>
+        <translation>har mere end %1 niveauer inden i hinanden</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>linje %1: dette er ikke gyldig XML</translation>
+    </message>
+    <message>
+        <source>is no %1 file: must be %2, not %3</source>
+        <translation>er ikke en fil af typen %1: skal være %2, ikke %3</translation>
+    </message>
+    <message>
+        <source>must be &quot;%1&quot;</source>
+        <translation>skal være »%1«</translation>
+    </message>
+    <message>
+        <source>must be &quot;%1&quot;, not &quot;%2&quot;</source>
+        <translation>skal være »%1«, ikke »%2«</translation>
+    </message>
+    <message>
+        <source>%1 is not known: this program reads %2</source>
+        <translation>%1 er ukendt: dette program læser %2</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>mangler</translation>
+    </message>
+    <message>
+        <source>is missing, and so is %1</source>
+        <translation>mangler, og det gør %1 også</translation>
+    </message>
+    <message>
+        <source>must not be given beside %1</source>
+        <translation>må ikke angives sammen med %1</translation>
+    </message>
+    <message>
+        <source>appears more than once</source>
+        <translation>forekommer mere end én gang</translation>
+    </message>
+    <message>
+        <source>must be %1, not %2</source>
+        <translation>skal være %1, ikke %2</translation>
+    </message>
+    <message>
+        <source>must be one of %1</source>
+        <translation>skal være en af %1</translation>
+    </message>
+    <message>
+        <source>must be a whole number from %1 to %2, not %3</source>
+        <translation>skal være et helt tal fra %1 til %2, ikke %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number</source>
+        <translation>»%1« er ikke et tal</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number: decimals follow a point</source>
+        <translation>»%1« er ikke et tal: decimaler følger efter et punktum</translation>
+    </message>
+    <message>
+        <source>must be a finite number of at least 0</source>
+        <translation>skal være et endeligt tal på mindst 0</translation>
+    </message>
+    <message>
+        <source>must not be below %1</source>
+        <translation>må ikke være under %1</translation>
+    </message>
+    <message>
+        <source>must not be before %1</source>
+        <translation>må ikke være før %1</translation>
+    </message>
+    <message>
+        <source>must rise from entry to entry</source>
+        <translation>skal stige fra værdi til værdi</translation>
+    </message>
+    <message>
+        <source>must hold %1 entries, not %2</source>
+        <translation>skal have %1 værdier, ikke %2</translation>
+    </message>
+    <message>
+        <source>must hold from %1 to %2 entries, not %3</source>
+        <translation>skal have fra %1 til %2 værdier, ikke %3</translation>
+    </message>
+    <message>
+        <source>must hold at least %1 entries</source>
+        <translation>skal have mindst %1 værdier</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 entries, not %2</source>
+        <translation>må højst have %1 værdier, ikke %2</translation>
+    </message>
+    <message>
+        <source>must not repeat an iceberg</source>
+        <translation>må ikke gentage et isbjerg</translation>
+    </message>
+    <message>
+        <source>no iceberg &quot;%1&quot; is there at this time</source>
+        <translation>der er intet isbjerg »%1« på dette tidspunkt</translation>
+    </message>
+    <message>
+        <source>with these, the run must hold at most %1 icebergs, not %2</source>
+        <translation>med disse må flyvningen højst have %1 isbjerge, ikke %2</translation>
+    </message>
+    <message>
+        <source>is the UAV&apos;s and must be 0</source>
+        <translation>er dronens og skal være 0</translation>
+    </message>
+    <message>
+        <source>must be a square matrix with one row and column per sigma</source>
+        <translation>skal være en kvadratisk matrix med én række og én kolonne for hver sigma</translation>
+    </message>
+    <message>
+        <source>must be empty or hold one entry per UAV and sigma</source>
+        <translation>skal være tom eller have én værdi for hver drone og sigma</translation>
+    </message>
+    <message>
+        <source>must be true for one UAV at least</source>
+        <translation>skal være true for mindst én drone</translation>
+    </message>
+    <message>
+        <source>is too large: the cost of a plan may exceed %1</source>
+        <translation>er for stor: en plans omkostning kan overstige %1</translation>
+    </message>
+    <message>
+        <source>is too small: a cost that is not 0 is less than %1</source>
+        <translation>er for lille: en omkostning, der ikke er 0, er mindre end %1</translation>
+    </message>
+    <message>
+        <source>must not be empty when random is 0</source>
+        <translation>må ikke være tom, når random er 0</translation>
+    </message>
+    <message>
+        <source>must name a policy; visitation needs taus</source>
+        <translation>skal angive en strategi; visitation kræver taus</translation>
+    </message>
+    <message>
+        <source>must be I of N with 1 &lt;= I &lt;= N</source>
+        <translation>skal være I of N med 1 &lt;= I &lt;= N</translation>
+    </message>
+    <message>
+        <source>differs: parts of one study are wanted</source>
+        <translation>afviger: delene skal være af samme studie</translation>
+    </message>
+    <message>
+        <source>setting %1 of case %2 has two different outcomes: the parts were not flown by the same program</source>
+        <translation>indstilling %1 af tilfælde %2 har to forskellige udfald: delene er ikke fløjet med samme program</translation>
+    </message>
+    <message>
+        <source>no study is kept in this page</source>
+        <translation>denne side indeholder intet studie</translation>
+    </message>
+    <message>
+        <source>would become larger than %1 MiB: take fewer scenarios, or several studies</source>
+        <translation>ville blive større end %1 MiB: tag færre scenarier eller flere studier</translation>
+    </message>
+    <message>
+        <source>recorded %1, replayed %2</source>
+        <translation>gemt %1, genfløjet %2</translation>
+    </message>
+    <message>
+        <source>at %1 s: recorded %2, replayed %3</source>
+        <translation>ved %1 s: gemt %2, genfløjet %3</translation>
+    </message>
+    <message>
+        <source>at %1 s: the replay has another</source>
+        <translation>ved %1 s: genflyvningen har en anden</translation>
+    </message>
+    <message>
+        <source>at %1 s: not reached by the replay</source>
+        <translation>ved %1 s: ikke nået af genflyvningen</translation>
+    </message>
+    <message>
+        <source>solves were cut by the clock, so this run is not bound to repeat</source>
+        <translation>løsninger blev afbrudt af uret, så denne flyvning gentager sig ikke nødvendigvis</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>kan ikke åbnes: %1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kan ikke læses: %1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>kan ikke skrives: %1</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>kan ikke oprettes</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>er beskadiget</translation>
+    </message>
+    <message>
+        <source>is of another version</source>
+        <translation>er af en anden version</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>er ikke en almindelig fil</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MiB</source>
+        <translation>er større end %1 MiB</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MiB; %2 in the environment doubles the limits of reading</source>
+        <translation>er større end %1 MiB; %2 i miljøvariablerne fordobler grænserne for læsning</translation>
+    </message>
+    <message>
+        <source>holds more than %1 values; %2 in the environment doubles the limits of reading</source>
+        <translation>har mere end %1 værdier; %2 i miljøvariablerne fordobler grænserne for læsning</translation>
+    </message>
+    <message>
+        <source>holds more than %1 rows or features; %2 in the environment doubles the limits of reading</source>
+        <translation>har mere end %1 rækker eller objekter; %2 i miljøvariablerne fordobler grænserne for læsning</translation>
+    </message>
+    <message>
+        <source>would take more than %1 MB of memory, the limit for a file of its size: split it, or leave out what is empty; %2 in the environment doubles the limits of reading</source>
+        <translation>ville bruge mere end %1 MB hukommelse, grænsen for en fil af dens størrelse: del den, eller udelad det, der er tomt; %2 i miljøvariablerne fordobler grænserne for læsning</translation>
+    </message>
+    <message>
+        <source>there are more than %1 icebergs to choose from: narrow the area or the time; %2 in the environment doubles the limits of reading</source>
+        <translation>der er mere end %1 isbjerge at vælge imellem: indsnævr området eller tiden; %2 i miljøvariablerne fordobler grænserne for læsning</translation>
+    </message>
+    <message>
+        <source>is an archive that cannot be read: it is cut off or damaged</source>
+        <translation>er et arkiv, der ikke kan læses: det er afkortet eller beskadiget</translation>
+    </message>
+    <message>
+        <source>is a compressed archive (such as XLSX) without a file *%1</source>
+        <translation>er et komprimeret arkiv (f.eks. XLSX) uden en fil *%1</translation>
+    </message>
+    <message>
+        <source>is an archive whose entry *%1 cannot be unpacked</source>
+        <translation>er et arkiv, hvis fil *%1 ikke kan pakkes ud</translation>
+    </message>
+    <message>
+        <source>is an archive in an archive</source>
+        <translation>er et arkiv i et arkiv</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>er tom</translation>
+    </message>
+    <message>
+        <source>is UTF-16 text; save it as UTF-8</source>
+        <translation>er UTF-16-tekst; gem den som UTF-8</translation>
+    </message>
+    <message>
+        <source>is no text file</source>
+        <translation>er ikke en tekstfil</translation>
+    </message>
+    <message>
+        <source>no import format &quot;%1&quot;; there are %2</source>
+        <translation>intet importformat »%1«; der findes %2</translation>
+    </message>
+    <message>
+        <source>is of no known format, and no columns for latitude and longitude are named; known formats: %1</source>
+        <translation>har intet kendt format, og ingen kolonner for bredde og længde er angivet; kendte formater: %1</translation>
+    </message>
+    <message>
+        <source>columns of the format %1 cannot be mapped</source>
+        <translation>kolonner i formatet %1 kan ikke vælges</translation>
+    </message>
+    <message>
+        <source>holds no sightings</source>
+        <translation>indeholder ingen observationer</translation>
+    </message>
+    <message>
+        <source>there is no column &quot;%1&quot;</source>
+        <translation>der er ingen kolonne »%1«</translation>
+    </message>
+    <message>
+        <source>no column holds it; name one with a mapping</source>
+        <translation>ingen kolonne indeholder det; angiv en i en tilknytning</translation>
+    </message>
+    <message>
+        <source>columns %1 and %2 are both called &quot;%3&quot;: rename one</source>
+        <translation>kolonnerne %1 og %2 hedder begge »%3«: omdøb den ene</translation>
+    </message>
+    <message>
+        <source>the first line must name from 1 to %1 columns</source>
+        <translation>den første linje skal navngive fra 1 til %1 kolonner</translation>
+    </message>
+    <message>
+        <source>has %2 columns and not %1</source>
+        <translation>har %2 kolonner og ikke %1</translation>
+    </message>
+    <message>
+        <source>by then %1 is off the plane</source>
+        <translation>da er %1 uden for kortplanet</translation>
+    </message>
+    <message>
+        <source>cannot move while the scenario holds icebergs, an asset or an area</source>
+        <translation>kan ikke flyttes, så længe scenariet har isbjerge, et objekt eller et område</translation>
+    </message>
+    <message>
+        <source>this is not a place on the Earth</source>
+        <translation>dette er ikke et sted på Jorden</translation>
+    </message>
+    <message>
+        <source>has another number of columns than the first line</source>
+        <translation>har et andet antal kolonner end den første linje</translation>
+    </message>
+    <message>
+        <source>a quote is opened and never closed</source>
+        <translation>et anførselstegn åbnes og lukkes aldrig</translation>
+    </message>
+    <message>
+        <source>text follows a closing quote</source>
+        <translation>der følger tekst efter et afsluttende anførselstegn</translation>
+    </message>
+    <message>
+        <source>has no time</source>
+        <translation>har ingen tid</translation>
+    </message>
+    <message>
+        <source>time cannot be read</source>
+        <translation>tiden kan ikke læses</translation>
+    </message>
+    <message>
+        <source>date is not in the season</source>
+        <translation>datoen er ikke i sæsonen</translation>
+    </message>
+    <message>
+        <source>has no position</source>
+        <translation>har ingen position</translation>
+    </message>
+    <message>
+        <source>latitude is no number from -90 to 90</source>
+        <translation>bredden er ikke et tal fra -90 til 90</translation>
+    </message>
+    <message>
+        <source>longitude is no number from -180 to 360</source>
+        <translation>længden er ikke et tal fra -180 til 360</translation>
+    </message>
+    <message>
+        <source>a number is out of range</source>
+        <translation>et tal er uden for det tilladte område</translation>
+    </message>
+    <message>
+        <source>id is too long</source>
+        <translation>id&apos;et er for langt</translation>
+    </message>
+    <message>
+        <source>is no point</source>
+        <translation>er ikke et punkt</translation>
+    </message>
+    <message>
+        <source>is more than 1000 km east, west, north or south of the origin</source>
+        <translation>er mere end 1000 km øst, vest, nord eller syd for origo</translation>
+    </message>
+    <message>
+        <source>there is no room for more</source>
+        <translation>der er ikke plads til flere</translation>
+    </message>
+    <message>
+        <source>must lie within %1 m</source>
+        <translation>skal ligge inden for %1 m</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 icebergs found a place at least %3 m from the others</source>
+        <translation>kun %1 af %2 isbjerge fandt en plads mindst %3 m fra de andre</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 icebergs found a place: the area is too thin</source>
+        <translation>kun %1 af %2 isbjerge fandt en plads: området er for smalt</translation>
+    </message>
+    <message>
+        <source>a scenario has no such file: nothing was flown</source>
+        <translation>et scenarie har ingen sådan fil: intet blev fløjet</translation>
+    </message>
+    <message>
+        <source>must be above the speed of the wind</source>
+        <translation>skal være over vindens fart</translation>
+    </message>
+    <message>
+        <source>there is no UAV %1</source>
+        <translation>der er ingen drone %1</translation>
+    </message>
+    <message>
+        <source>%1 holds one UAV: choose one</source>
+        <translation>%1 rummer én drone: vælg én</translation>
+    </message>
+    <message>
+        <source>%1 is painted, which needs the program bergwatch</source>
+        <translation>%1 tegnes, hvilket kræver programmet bergwatch</translation>
+    </message>
+    <message>
+        <source>cannot be exported: at %1 s of the flight, later than any date</source>
+        <translation>kan ikke eksporteres: ved %1 s af flyvningen, senere end nogen dato</translation>
+    </message>
+    <message>
+        <source>cannot be exported: at %1 s it is %2 m from the origin of the map, which holds %3 m</source>
+        <translation>kan ikke eksporteres: ved %1 s er det %2 m fra origo på kortet, som rummer %3 m</translation>
+    </message>
+    <message>
+        <source>cannot be exported: its turns are not finite</source>
+        <translation>kan ikke eksporteres: dens drej er ikke endelige</translation>
+    </message>
+    <message>
+        <source>the scenario cannot be planned</source>
+        <translation>scenariet kan ikke planlægges</translation>
+    </message>
+    <message>
+        <source>this build was made without COIN-OR CBC</source>
+        <translation>dette program er bygget uden COIN-OR CBC</translation>
+    </message>
+    <message>
+        <source>the back end cbc cannot plan for the policy latency</source>
+        <translation>løseren cbc kan ikke planlægge for strategien latency</translation>
+    </message>
+    <message>
+        <source>%1 is not flown by this version</source>
+        <translation>%1 flyves ikke af denne version</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>et objekt</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>en liste</translation>
+    </message>
+    <message>
+        <source>a string</source>
+        <translation>en tekst</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>et tal</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true eller false</translation>
+    </message>
+    <message>
+        <source>two numbers</source>
+        <translation>to tal</translation>
+    </message>
+    <message>
+        <source>pairs of numbers</source>
+        <translation>talpar</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>linje %1</translation>
+    </message>
+    <message>
+        <source>no such file or folder</source>
+        <translation>ingen sådan fil eller mappe</translation>
+    </message>
+    <message>
+        <source>no permission</source>
+        <translation>ingen tilladelse</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>det er en mappe</translation>
+    </message>
+    <message>
+        <source>part of the path is no folder</source>
+        <translation>en del af stien er ikke en mappe</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>disken er fuld</translation>
+    </message>
+    <message>
+        <source>the quota is used up</source>
+        <translation>kvoten er brugt op</translation>
+    </message>
+    <message>
+        <source>the disk is read-only</source>
+        <translation>disken er skrivebeskyttet</translation>
+    </message>
+    <message>
+        <source>the disk is faulty</source>
+        <translation>disken er defekt</translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation>navnet er for langt</translation>
+    </message>
+    <message>
+        <source>the program bergwatch-cbc is not there: %1</source>
+        <translation>programmet bergwatch-cbc findes ikke: %1</translation>
+    </message>
+    <message>
+        <source>must be at least %1 for a run of this length and so many icebergs, not %2; %3 in the environment doubles the limits of reading</source>
+        <translation>skal være mindst %1 for en flyvning af denne længde og så mange isbjerge, ikke %2; %3 i miljøvariablerne fordobler grænserne for læsning</translation>
+    </message>
+    <message>
+        <source>with the policies would be %1 settings; at most %2 fit into one study: take several</source>
+        <translation>ville med strategierne blive %1 indstillinger; der er højst plads til %2 i ét studie: tag flere</translation>
+    </message>
+    <message>
+        <source>would be %1 missions; at most %2 fit into one study: take several</source>
+        <translation>ville blive %1 missioner; der er højst plads til %2 i ét studie: tag flere</translation>
+    </message>
+    <message>
+        <source>names an iceberg, but the run holds none</source>
+        <translation>angiver et isbjerg, men flyvningen har ingen</translation>
+    </message>
+</context>
+<context>
+    <name>Main</name>
+    <message>
+        <source>Write map.png, zeta.png and sigma.png of the run or the scenario flown to its end into &lt;folder&gt;.</source>
+        <translation>Skriv map.png, zeta.png og sigma.png for flyvningen, eller for scenariet fløjet til ende, i &lt;mappe&gt;.</translation>
+    </message>
+    <message>
+        <source>Overwrite files that exist.</source>
+        <translation>Overskriv filer, der findes.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>Der er ikke nok hukommelse.</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>mappe</translation>
+    </message>
+    <message>
+        <source>Size of each picture in pixels, e.g. 1920x1080 (default: 1600x1000 for the map, 1600x700 for the charts).</source>
+        <translation>Hvert billedes størrelse i pixels, f.eks. 1920x1080 (standard: 1600x1000 for kortet, 1600x700 for diagrammerne).</translation>
+    </message>
+    <message>
+        <source>WxH</source>
+        <comment>width x height</comment>
+        <translation>BxH</translation>
+    </message>
+    <message>
+        <source>Appearance of the pictures: light, dark or both.</source>
+        <translation>Billedernes udseende: light (lyst), dark (mørkt) eller both (begge).</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>tema</translation>
+    </message>
+    <message>
+        <source>--size: &quot;%1&quot; is not a size like 1920x1080 with sides from %2 to %3 pixels.</source>
+        <translation>--size: »%1« er ikke en størrelse som 1920x1080 med sider fra %2 til %3 pixels.</translation>
+    </message>
+    <message>
+        <source>--theme: &quot;%1&quot; is not light, dark or both.</source>
+        <translation>--theme: »%1« er ikke light, dark eller both.</translation>
+    </message>
+    <message>
+        <source>--pictures: the name of a folder is missing.</source>
+        <translation>--pictures: navnet på en mappe mangler.</translation>
+    </message>
+    <message>
+        <source>Bergwatch draws missions of a UAV that keeps watch over drifting icebergs.</source>
+        <translation>Bergwatch tegner missioner for en drone, der holder øje med drivende isbjerge.</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>fil</translation>
+    </message>
+    <message>
+        <source>Name one run or scenario file; %1 were named.</source>
+        <translation>Angiv én flyvnings- eller scenariefil; %1 blev angivet.</translation>
+    </message>
+    <message>
+        <source>Bergwatch has crashed: %1</source>
+        <translation>Bergwatch er gået ned: %1</translation>
+    </message>
+    <message>
+        <source>Render the window with the scenario into &lt;file&gt;, then end.</source>
+        <translation>Tegn vinduet med scenariet i &lt;fil&gt;, og afslut.</translation>
+    </message>
+    <message>
+        <source>Fly until this time before the screenshot.</source>
+        <translation>Flyv til dette tidspunkt før skærmbilledet.</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>sekunder</translation>
+    </message>
+    <message>
+        <source>Keep settings in &lt;file&gt; in place of your own.</source>
+        <translation>Gem indstillinger i &lt;fil&gt; i stedet for dine egne.</translation>
+    </message>
+    <message>
+        <source>--size: &quot;%1&quot; is not a size like 1920x1080.</source>
+        <translation>--size: »%1« er ikke en størrelse som 1920x1080.</translation>
+    </message>
+    <message>
+        <source>--theme: &quot;%1&quot; is not light or dark.</source>
+        <translation>--theme: »%1« er hverken light eller dark.</translation>
+    </message>
+    <message>
+        <source>--at: &quot;%1&quot; is not a number of seconds.</source>
+        <translation>--at: »%1« er ikke et antal sekunder.</translation>
+    </message>
+    <message>
+        <source>Name one scenario file at most; %1 were named.</source>
+        <translation>Angiv højst én scenariefil; %1 blev angivet.</translation>
+    </message>
+    <message>
+        <source>The command &quot;export&quot; writes plans and flights as files, maps, charts and briefs: see &quot;bergwatch export --help&quot;.</source>
+        <translation>Kommandoen »export« skriver planer og flyvninger som filer, kort, diagrammer og flyvebriefinger: se »bergwatch export --help«.</translation>
+    </message>
+    <message>
+        <source>A scenario (.berg), run (.bergrun) or study (.bergstudy).</source>
+        <translation>Et scenarie (.berg), en flyvning (.bergrun) eller et studie (.bergstudy).</translation>
+    </message>
+    <message>
+        <source>Write the manual as web pages and as PDF into &lt;folder&gt;, with the pictures there.</source>
+        <translation>Skriv håndbogen som websider og som PDF i &lt;mappe&gt;, med billederne dér.</translation>
+    </message>
+    <message>
+        <source>--manual takes no scenario file, --pictures or --screenshot.</source>
+        <translation>--manual tager hverken en scenariefil, --pictures eller --screenshot.</translation>
+    </message>
+</context>
+<context>
+    <name>ManualPages</name>
+    <message>
+        <source>Contents</source>
+        <translation>Indhold</translation>
+    </message>
+    <message>
+        <source>The Bergwatch manual</source>
+        <translation>Bergwatch-håndbogen</translation>
+    </message>
+</context>
+<context>
+    <name>ManualText</name>
+    <message>
+        <source>en</source>
+        <comment>folder of the manual in this language</comment>
+        <translation>en</translation>
+    </message>
+</context>
+<context>
+    <name>MapLayoutText</name>
+    <message>
+        <source>lost</source>
+        <translation>mistet</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>opgivet</translation>
+    </message>
+</context>
+<context>
+    <name>MapLegend</name>
+    <message>
+        <source>In view now: σ is 0</source>
+        <translation>I synsfeltet nu: σ er 0</translation>
+    </message>
+    <message>
+        <source>Plan, next leg thicker</source>
+        <translation>Plan, næste etape tykkere</translation>
+    </message>
+    <message>
+        <source>Flown, older parts fainter</source>
+        <translation>Fløjet, ældre dele svagere</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Synsfelt</translation>
+    </message>
+    <message>
+        <source>Drift in %1</source>
+        <translation>Drift på %1</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ</source>
+        <translation>Usikkerhed σ</translation>
+    </message>
+    <message>
+        <source>Still to come, with its time</source>
+        <translation>Kommer senere, med tidspunkt</translation>
+    </message>
+    <message>
+        <source>Compared: %1</source>
+        <translation>Sammenlignet: %1</translation>
+    </message>
+    <message>
+        <source>Plan before the change</source>
+        <translation>Planen før ændringen</translation>
+    </message>
+    <message>
+        <source>Seen so far</source>
+        <translation>Set hidtil</translation>
+    </message>
+    <message>
+        <source>In view</source>
+        <translation>I synsfeltet</translation>
+    </message>
+    <message>
+        <source>To come</source>
+        <translation>Kommer</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Point aimed at</source>
+        <translation>Punkt, der sigtes mod</translation>
+    </message>
+    <message>
+        <source>Aim point</source>
+        <translation>Sigtepunkt</translation>
+    </message>
+    <message>
+        <source>Former plan</source>
+        <translation>Forrige plan</translation>
+    </message>
+    <message>
+        <source>Flown</source>
+        <translation>Fløjet</translation>
+    </message>
+    <message>
+        <source>In view now</source>
+        <translation>I synsfeltet nu</translation>
+    </message>
+    <message>
+        <source>Lost: not where it should be</source>
+        <translation>Mistet: ikke der, hvor det skulle være</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Mistet</translation>
+    </message>
+    <message>
+        <source>Search for it given up</source>
+        <translation>Eftersøgningen af det er opgivet</translation>
+    </message>
+    <message>
+        <source>Given up</source>
+        <translation>Opgivet</translation>
+    </message>
+    <message>
+        <source>Inside it with 95 %</source>
+        <translation>Inden for den med 95 %</translation>
+    </message>
+    <message>
+        <source>95 % circle</source>
+        <translation>95 %-cirkel</translation>
+    </message>
+    <message>
+        <source>True position</source>
+        <translation>Sand position</translation>
+    </message>
+    <message>
+        <source>Truth</source>
+        <translation>Sandhed</translation>
+    </message>
+    <message>
+        <source>Will enter inner ring</source>
+        <translation>Kommer ind i den indre ring</translation>
+    </message>
+    <message>
+        <source>Enters ring</source>
+        <translation>Ind i ringen</translation>
+    </message>
+    <message>
+        <source>Planned as one point</source>
+        <translation>Planlagt som ét punkt</translation>
+    </message>
+    <message>
+        <source>One point</source>
+        <translation>Ét punkt</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Hjem</translation>
+    </message>
+    <message>
+        <source>Geofence: flown inside only</source>
+        <translation>Geohegn: flyves kun indenfor</translation>
+    </message>
+    <message>
+        <source>Geofence</source>
+        <translation>Geohegn</translation>
+    </message>
+    <message>
+        <source>Asset&apos;s range: more urgent inside</source>
+        <translation>Objektets rækkevidde: haster mere indenfor</translation>
+    </message>
+    <message>
+        <source>Asset&apos;s range</source>
+        <translation>Objektets rækkevidde</translation>
+    </message>
+    <message>
+        <source>Inner ring: alarm</source>
+        <translation>Indre ring: alarm</translation>
+    </message>
+    <message>
+        <source>Inner ring</source>
+        <translation>Indre ring</translation>
+    </message>
+    <message>
+        <source>Search pattern</source>
+        <translation>Eftersøgningsmønster</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Eftersøgning</translation>
+    </message>
+    <message>
+        <source>UAVs too close to each other</source>
+        <translation>Droner for tæt på hinanden</translation>
+    </message>
+    <message>
+        <source>Too close</source>
+        <translation>For tæt på</translation>
+    </message>
+    <message>
+        <source>Assigned to the UAV of this colour</source>
+        <translation>Tildelt dronen med denne farve</translation>
+    </message>
+    <message>
+        <source>Assigned to one</source>
+        <translation>Tildelt én</translation>
+    </message>
+    <message>
+        <source>Point of no return: reserve needed beyond</source>
+        <translation>Sidste vendepunkt: derefter kræves reserven</translation>
+    </message>
+    <message>
+        <source>Point of no return</source>
+        <translation>Sidste vendepunkt</translation>
+    </message>
+    <message>
+        <source>Radio range of the ground station</source>
+        <translation>Jordstationens radiorækkevidde</translation>
+    </message>
+    <message>
+        <source>Radio range</source>
+        <translation>Radiorækkevidde</translation>
+    </message>
+    <message>
+        <source>No-fly area</source>
+        <translation>Flyveforbudsområde</translation>
+    </message>
+    <message>
+        <source>Stand-off round the asset</source>
+        <translation>Sikkerhedsafstand omkring objektet</translation>
+    </message>
+    <message>
+        <source>Stand-off</source>
+        <translation>Sikkerhedsafstand</translation>
+    </message>
+    <message>
+        <source>Icebergs close together: dots, or how many</source>
+        <translation>Isbjerge tæt sammen: prikker, eller hvor mange</translation>
+    </message>
+    <message>
+        <source>Close together</source>
+        <translation>Tæt sammen</translation>
+    </message>
+    <message>
+        <source>Place to search, chance of finding</source>
+        <translation>Sted at eftersøge, sandsynlighed for fund</translation>
+    </message>
+    <message>
+        <source>Place to search</source>
+        <translation>Sted at eftersøge</translation>
+    </message>
+</context>
+<context>
+    <name>MapOverlays</name>
+    <message>
+        <source>N</source>
+        <comment>north on the compass</comment>
+        <translation>N</translation>
+    </message>
+</context>
+<context>
+    <name>MapPageText</name>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Zeta ζ</source>
+        <translation>Zeta ζ</translation>
+    </message>
+    <message>
+        <source>Visits, dots on the path</source>
+        <translation>Besøg, prikker på banen</translation>
+    </message>
+    <message>
+        <source>Longest flight</source>
+        <translation>Længste flyvning</translation>
+    </message>
+    <message>
+        <source>Flight time</source>
+        <translation>Flyvetid</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøg</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+</context>
+<context>
+    <name>MapTools</name>
+    <message>
+        <source>Drag moves the map, the wheel zooms. Esc leaves the tool.</source>
+        <translation>Træk flytter kortet, hjulet zoomer. Esc forlader værktøjet.</translation>
+    </message>
+    <message>
+        <source>Move UAV</source>
+        <translation>Flyt drone</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n objects</source>
+        <translation>
+            <numerusform>Flyt %n objekt</numerusform>
+            <numerusform>Flyt %n objekter</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move iceberg</source>
+        <translation>Flyt isbjerg</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n icebergs</source>
+        <translation>
+            <numerusform>Flyt %n isbjerg</numerusform>
+            <numerusform>Flyt %n isbjerge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move asset</source>
+        <translation>Flyt objekt</translation>
+    </message>
+    <message>
+        <source>Move area</source>
+        <translation>Flyt område</translation>
+    </message>
+    <message>
+        <source>Move no-fly area</source>
+        <translation>Flyt flyveforbudsområde</translation>
+    </message>
+</context>
+<context>
+    <name>MapWorld</name>
+    <message>
+        <source>PNR</source>
+        <translation>PNR</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureTool</name>
+    <message>
+        <source>Total %1</source>
+        <translation>I alt %1</translation>
+    </message>
+    <message>
+        <source>Click sets the next point, Enter ends the line, Backspace takes one back, Esc clears.</source>
+        <translation>Klik sætter det næste punkt, Enter afslutter linjen, Backspace fjerner ét, Esc rydder.</translation>
+    </message>
+    <message>
+        <source>Click begins another line. Esc clears this one.</source>
+        <translation>Klik begynder en ny linje. Esc rydder denne.</translation>
+    </message>
+    <message>
+        <source>Click points to measure the path between them: geodesic length, true bearing, time of flight.</source>
+        <translation>Klik på punkter for at måle vejen mellem dem: geodætisk længde, retvisende pejling, flyvetid.</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 ved %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2 in the wind</source>
+        <translation>%1 ved %2 i vinden</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>MissionCharts</name>
+    <message>
+        <source>iceberg reached</source>
+        <translation>isbjerg nået</translation>
+    </message>
+    <message>
+        <source>Uncertainty now and accumulated</source>
+        <translation>Usikkerhed nu og akkumuleret</translation>
+    </message>
+    <message>
+        <source>Sum of σ, m²</source>
+        <translation>Sum af σ, m²</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, m² s</source>
+        <translation>Zeta ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Sum of σ</source>
+        <translation>Sum af σ</translation>
+    </message>
+    <message>
+        <source>Zeta %1 m² s</source>
+        <translation>Zeta %1 m² s</translation>
+    </message>
+    <message>
+        <source>Uncertainty of each iceberg</source>
+        <translation>Hvert isbjergs usikkerhed</translation>
+    </message>
+    <message>
+        <source>σ, m²</source>
+        <translation>σ, m²</translation>
+    </message>
+    <message>
+        <source>Nothing flown yet: Space flies the plan</source>
+        <translation>Intet fløjet endnu: tryk på mellemrum for at flyve planen</translation>
+    </message>
+    <message>
+        <source>m²</source>
+        <translation>m²</translation>
+    </message>
+    <message>
+        <source>m² s</source>
+        <translation>m² s</translation>
+    </message>
+    <message>
+        <source>Zeta</source>
+        <translation>Zeta-kurve</translation>
+    </message>
+    <message>
+        <source>At %1 zeta is %2 m² s and the sum of σ %3 m².</source>
+        <translation>Ved %1 er zeta %2 m² s og summen af σ %3 m².</translation>
+    </message>
+    <message>
+        <source>Rate of zeta, now and on average</source>
+        <translation>Zetas vækst, nu og i gennemsnit</translation>
+    </message>
+    <message>
+        <source>Sum of σ = dζ/dt, m²</source>
+        <translation>Sum af σ = dζ/dt, m²</translation>
+    </message>
+    <message>
+        <source>Mean since take-off</source>
+        <translation>Middel siden start</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Middel</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Nu</translation>
+    </message>
+    <message>
+        <source>At %1 zeta grows by %2 m² s each second, since take-off by %3 on average.</source>
+        <translation>Ved %1 vokser zeta med %2 m² s hvert sekund, siden start med %3 i gennemsnit.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At %1 the most uncertain iceberg is %2 with σ %3 m²; %n in view.</source>
+        <translation>
+            <numerusform>Ved %1 er det mest usikre isbjerg %2 med σ %3 m²; %n i synsfeltet.</numerusform>
+            <numerusform>Ved %1 er det mest usikre isbjerg %2 med σ %3 m²; %n i synsfeltet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Distance flown</source>
+        <translation>Fløjet distance</translation>
+    </message>
+    <message>
+        <source>Flown</source>
+        <translation>Fløjet</translation>
+    </message>
+    <message>
+        <source>Distance flown by %1: %2.</source>
+        <translation>Distance fløjet ved %1: %2.</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Drejehastighed</translation>
+    </message>
+    <message>
+        <source>Turn rate, °/s, positive to the left</source>
+        <translation>Drejehastighed, °/s, positiv mod venstre</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <source>Limit %1 °/s</source>
+        <translation>Grænse %1 °/s</translation>
+    </message>
+    <message>
+        <source>Cross-track error</source>
+        <translation>Sideafvigelse</translation>
+    </message>
+    <message>
+        <source>Cross-track error, m, positive to the left</source>
+        <translation>Sideafvigelse, m, positiv mod venstre</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Zeta and sum of σ</source>
+        <translation>Zeta og sum af σ</translation>
+    </message>
+    <message>
+        <source>Rate of zeta</source>
+        <translation>Zetas vækst</translation>
+    </message>
+    <message>
+        <source>σ of each iceberg</source>
+        <translation>σ for hvert isbjerg</translation>
+    </message>
+    <message>
+        <source>Distance through the air, %1</source>
+        <translation>Distance gennem luften, %1</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ</source>
+        <translation>Nedre grænse for ζ</translation>
+    </message>
+    <message>
+        <source>Weighted</source>
+        <translation>Vægtet</translation>
+    </message>
+    <message>
+        <source>Weighted by priority</source>
+        <translation>Vægtet efter prioritet</translation>
+    </message>
+    <message>
+        <source>Weighted by priority the sum is %1 m².</source>
+        <translation>Vægtet efter prioritet er summen %1 m².</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Alle %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Turn rate at %1: %2; limit: %3.</source>
+        <translation>Drejehastighed ved %1: %2; grænse: %3.</translation>
+    </message>
+    <message>
+        <source>Cross-track error at %1: %2.</source>
+        <translation>Sideafvigelse ved %1: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>MissionPicture</name>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Zeta ζ</source>
+        <translation>Zeta ζ</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøg</translation>
+    </message>
+    <message>
+        <source>No icebergs yet</source>
+        <translation>Ingen isbjerge endnu</translation>
+    </message>
+    <message>
+        <source>Add icebergs with their positions to the scenario file, then draw the map again.</source>
+        <translation>Tilføj isbjerge med deres positioner til scenariefilen, og tegn derefter kortet igen.</translation>
+    </message>
+    <message>
+        <source>Endurance left</source>
+        <translation>Resterende udholdenhed</translation>
+    </message>
+    <message>
+        <source>Closest so far</source>
+        <translation>Nærmest hidtil</translation>
+    </message>
+    <message>
+        <source>Home margin</source>
+        <translation>Margin hjem</translation>
+    </message>
+</context>
+<context>
+    <name>PageText</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uden navn</translation>
+    </message>
+    <message>
+        <source>First leg at %1</source>
+        <translation>Første etape ved %1</translation>
+    </message>
+    <message>
+        <source>First leg</source>
+        <translation>Første etape</translation>
+    </message>
+    <message>
+        <source>Planned order at %1</source>
+        <translation>Planlagt rækkefølge ved %1</translation>
+    </message>
+    <message>
+        <source>Planned order</source>
+        <translation>Planlagt rækkefølge</translation>
+    </message>
+    <message>
+        <source>Planned path with turns at %1</source>
+        <translation>Planlagt bane med drej ved %1</translation>
+    </message>
+    <message>
+        <source>Planned path with turns</source>
+        <translation>Planlagt bane med drej</translation>
+    </message>
+    <message>
+        <source>Flown until %1</source>
+        <translation>Fløjet til %1</translation>
+    </message>
+    <message>
+        <source>Start %1 UTC</source>
+        <translation>Start %1 UTC</translation>
+    </message>
+</context>
+<context>
+    <name>PanelText</name>
+    <message>
+        <source>As opened</source>
+        <translation>Som åbnet</translation>
+    </message>
+    <message>
+        <source>Click a line to go back or forth to it; the disk marks what is saved.</source>
+        <translation>Klik på en linje for at gå tilbage eller frem til den; disketten viser, hvad der er gemt.</translation>
+    </message>
+</context>
+<context>
+    <name>PlaceText</name>
+    <message>
+        <source>Labrador Sea</source>
+        <translation>Labradorhavet</translation>
+    </message>
+    <message>
+        <source>Davis Strait</source>
+        <translation>Davisstrædet</translation>
+    </message>
+    <message>
+        <source>Baffin Bay</source>
+        <translation>Baffin Bugt</translation>
+    </message>
+    <message>
+        <source>Disko Bay</source>
+        <translation>Disko Bugt</translation>
+    </message>
+    <message>
+        <source>Melville Bay</source>
+        <translation>Melville Bugt</translation>
+    </message>
+    <message>
+        <source>Cape York</source>
+        <translation>Kap York</translation>
+    </message>
+    <message>
+        <source>Nares Strait</source>
+        <translation>Naresstrædet</translation>
+    </message>
+    <message>
+        <source>Cape Farewell</source>
+        <translation>Kap Farvel</translation>
+    </message>
+    <message>
+        <source>Denmark Strait</source>
+        <translation>Danmarksstrædet</translation>
+    </message>
+    <message>
+        <source>Scoresby Sund</source>
+        <translation>Scoresby Sund</translation>
+    </message>
+    <message>
+        <source>Fram Strait</source>
+        <translation>Framstrædet</translation>
+    </message>
+    <message>
+        <source>Hinlopen Strait</source>
+        <translation>Hinlopenstrædet</translation>
+    </message>
+    <message>
+        <source>Bear Island</source>
+        <translation>Bjørneøen</translation>
+    </message>
+    <message>
+        <source>Barents Sea</source>
+        <translation>Barentshavet</translation>
+    </message>
+    <message>
+        <source>Franz Josef Land</source>
+        <translation>Franz Josefs Land</translation>
+    </message>
+    <message>
+        <source>Novaya Zemlya</source>
+        <translation>Novaja Zemlja</translation>
+    </message>
+    <message>
+        <source>Kara Sea</source>
+        <translation>Karahavet</translation>
+    </message>
+    <message>
+        <source>Laptev Sea</source>
+        <translation>Laptevhavet</translation>
+    </message>
+    <message>
+        <source>Bering Strait</source>
+        <translation>Beringstrædet</translation>
+    </message>
+    <message>
+        <source>Beaufort Sea</source>
+        <translation>Beauforthavet</translation>
+    </message>
+    <message>
+        <source>North Pole</source>
+        <translation>Nordpolen</translation>
+    </message>
+    <message>
+        <source>Drake Passage</source>
+        <translation>Drakestrædet</translation>
+    </message>
+    <message>
+        <source>South Georgia</source>
+        <translation>South Georgia</translation>
+    </message>
+    <message>
+        <source>Weddell Sea</source>
+        <translation>Weddellhavet</translation>
+    </message>
+    <message>
+        <source>Amery Ice Shelf</source>
+        <translation>Amery-isshelfen</translation>
+    </message>
+    <message>
+        <source>Ross Sea</source>
+        <translation>Rosshavet</translation>
+    </message>
+    <message>
+        <source>McMurdo Sound</source>
+        <translation>McMurdosundet</translation>
+    </message>
+    <message>
+        <source>South Pole</source>
+        <translation>Sydpolen</translation>
+    </message>
+    <message>
+        <source>There is no place of this name here, and it is not a coordinate.</source>
+        <translation>Der findes intet sted med dette navn her, og det er ikke en koordinat.</translation>
+    </message>
+    <message>
+        <source>Several places are called like this.</source>
+        <translation>Flere steder hedder sådan.</translation>
+    </message>
+    <message>
+        <source>A coordinate or the name of a place is needed.</source>
+        <translation>Der kræves en koordinat eller et stednavn.</translation>
+    </message>
+    <message>
+        <source>This is not a coordinate. Such as 47° 03.2′ N 48° 06′ W, or 47.05 -48.1.</source>
+        <translation>Dette er ikke en koordinat. F.eks. 47° 03,2′ N 48° 06′ V eller 47,05 -48,1.</translation>
+    </message>
+    <message>
+        <source>This is half a coordinate: latitude and longitude are needed.</source>
+        <translation>Dette er en halv koordinat: der kræves både bredde og længde.</translation>
+    </message>
+    <message>
+        <source>This can be read in more than one way. Spaces and the letters N, S, E and W make it clear.</source>
+        <translation>Dette kan læses på mere end én måde. Mellemrum og bogstaverne N, S, Ø og V gør det entydigt.</translation>
+    </message>
+    <message>
+        <source>One half says which hemisphere it is in, the other does not.</source>
+        <translation>Den ene halvdel siger, hvilken halvkugle den er på, den anden gør ikke.</translation>
+    </message>
+    <message>
+        <source>Either a sign or a letter says which hemisphere, not both.</source>
+        <translation>Enten et fortegn eller et bogstav angiver halvkuglen, ikke begge.</translation>
+    </message>
+    <message>
+        <source>One latitude and one longitude are needed, not two of a kind.</source>
+        <translation>Der kræves én bredde og én længde, ikke to af samme slags.</translation>
+    </message>
+    <message>
+        <source>Minutes and seconds are less than 60.</source>
+        <translation>Minutter og sekunder er mindre end 60.</translation>
+    </message>
+    <message>
+        <source>Latitudes go from 90° S to 90° N.</source>
+        <translation>Bredder går fra 90° S til 90° N.</translation>
+    </message>
+    <message>
+        <source>Longitudes go from 180° W to 180° E.</source>
+        <translation>Længder går fra 180° V til 180° Ø.</translation>
+    </message>
+    <message>
+        <source>There is no such place on the UTM or MGRS grid.</source>
+        <translation>Der er intet sådant sted i UTM- eller MGRS-nettet.</translation>
+    </message>
+    <message>
+        <source>This is a longitude, a latitude is needed.</source>
+        <translation>Dette er en længde, der kræves en bredde.</translation>
+    </message>
+    <message>
+        <source>This is a latitude, a longitude is needed.</source>
+        <translation>Dette er en bredde, der kræves en længde.</translation>
+    </message>
+    <message>
+        <source>This is %1 from the origin of the scenario, which reaches %2.</source>
+        <translation>Dette er %1 fra scenariets origo; scenariet rækker %2.</translation>
+    </message>
+    <message>
+        <source>Type one angle: a whole coordinate would put all of them at one place.</source>
+        <translation>Skriv én vinkel: en hel koordinat ville placere alle på ét sted.</translation>
+    </message>
+</context>
+<context>
+    <name>PlacingTools</name>
+    <message>
+        <source>Add iceberg</source>
+        <translation>Tilføj isbjerg</translation>
+    </message>
+    <message>
+        <source>Change drift</source>
+        <translation>Ændr drift</translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n icebergs.</source>
+        <translation>
+            <numerusform>Et scenarie rummer højst %n isbjerg.</numerusform>
+            <numerusform>Et scenarie rummer højst %n isbjerge.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click adds an iceberg, drag on to set its drift. Esc leaves the tool.</source>
+        <translation>Klik tilføjer et isbjerg, træk videre for at sætte dets drift. Esc forlader værktøjet.</translation>
+    </message>
+    <message>
+        <source>Place UAV</source>
+        <translation>Placér drone</translation>
+    </message>
+    <message>
+        <source>Let go to keep this heading. Esc takes it back.</source>
+        <translation>Slip for at beholde denne kurs. Esc fortryder.</translation>
+    </message>
+    <message>
+        <source>Move asset</source>
+        <translation>Flyt objekt</translation>
+    </message>
+    <message>
+        <source>Place asset</source>
+        <translation>Placér objekt</translation>
+    </message>
+    <message>
+        <source>Let go to place it here. Esc takes it back.</source>
+        <translation>Slip for at placere det her. Esc fortryder.</translation>
+    </message>
+    <message>
+        <source>Click moves the asset here. Esc leaves the tool.</source>
+        <translation>Klik flytter objektet hertil. Esc forlader værktøjet.</translation>
+    </message>
+    <message>
+        <source>Click places the protected asset. Esc leaves the tool.</source>
+        <translation>Klik placerer det beskyttede objekt. Esc forlader værktøjet.</translation>
+    </message>
+    <message>
+        <source>Click adds an iceberg that appears here and now, drag on to set its drift. In flight that cannot be undone.</source>
+        <translation>Klik tilføjer et isbjerg, der dukker op her og nu, træk videre for at sætte dets drift. Under flyvning kan det ikke fortrydes.</translation>
+    </message>
+    <message>
+        <source>Add UAV</source>
+        <translation>Tilføj drone</translation>
+    </message>
+    <message>
+        <source>Click places the UAV, drag on to turn it. With Ctrl it is another one. Esc leaves the tool.</source>
+        <translation>Klik placerer dronen, træk videre for at dreje den. Med Ctrl bliver det en ny. Esc forlader værktøjet.</translation>
+    </message>
+    <message>
+        <source>Click places %1, drag on to turn it. With Ctrl it is another UAV. Esc leaves the tool.</source>
+        <translation>Klik placerer %1, træk videre for at dreje den. Med Ctrl bliver det en ny drone. Esc forlader værktøjet.</translation>
+    </message>
+</context>
+<context>
+    <name>PlanText</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <comment>solver</comment>
+        <translation>eksakt</translation>
+    </message>
+    <message>
+        <source>search and bound</source>
+        <comment>solver</comment>
+        <translation>søgning med grænser</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC</source>
+        <comment>solver</comment>
+        <translation>COIN-OR CBC</translation>
+    </message>
+    <message>
+        <source>Solver: %1</source>
+        <translation>Løser: %1</translation>
+    </message>
+    <message>
+        <source>Status: %1</source>
+        <translation>Status: %1</translation>
+    </message>
+    <message>
+        <source>Time: %1</source>
+        <translation>Tid: %1</translation>
+    </message>
+    <message>
+        <source>Objective: %1 m²</source>
+        <translation>Målfunktion: %1 m²</translation>
+    </message>
+    <message>
+        <source>Lower bound: %1 m²</source>
+        <translation>Nedre grænse: %1 m²</translation>
+    </message>
+    <message>
+        <source>Started from the plan before</source>
+        <translation>Startet fra den forrige plan</translation>
+    </message>
+    <message>
+        <source>Proven optimal, %1 (%2)</source>
+        <translation>Bevist optimal, %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Best order so far, within %1 % of optimal</source>
+        <translation>Bedste rækkefølge hidtil, inden for %1 % af optimum</translation>
+    </message>
+    <message>
+        <source>Best order so far</source>
+        <translation>Bedste rækkefølge hidtil</translation>
+    </message>
+    <message>
+        <source>Within %1 % of optimal, %2</source>
+        <translation>Inden for %1 % af optimum, %2</translation>
+    </message>
+    <message>
+        <source>Best order found, %1</source>
+        <translation>Bedste fundne rækkefølge, %1</translation>
+    </message>
+    <message>
+        <source>Planning…</source>
+        <translation>Planlægger…</translation>
+    </message>
+    <message>
+        <source>No plan yet</source>
+        <translation>Ingen plan endnu</translation>
+    </message>
+    <message>
+        <source>Nothing to visit now</source>
+        <translation>Intet at besøge nu</translation>
+    </message>
+    <message>
+        <source>This solver cannot plan so many icebergs. Choose Automatic.</source>
+        <translation>Denne løser kan ikke planlægge så mange isbjerge. Vælg Automatisk.</translation>
+    </message>
+    <message>
+        <source>Solver limit reached; flying to the nearest iceberg</source>
+        <translation>Løserens grænse nået; flyver til det nærmeste isbjerg</translation>
+    </message>
+    <message>
+        <source>Solver limit reached; previous plan kept</source>
+        <translation>Løserens grænse nået; forrige plan beholdt</translation>
+    </message>
+    <message>
+        <source>Chosen one iceberg at a time</source>
+        <translation>Valgt ét isbjerg ad gangen</translation>
+    </message>
+    <message>
+        <source>Following the route made before</source>
+        <translation>Følger den rute, der er lagt tidligere</translation>
+    </message>
+    <message>
+        <source>under 1 ms</source>
+        <translation>under 1 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Predicted zeta: %1 m² s</source>
+        <translation>Forudsagt zeta: %1 m² s</translation>
+    </message>
+    <message>
+        <source>Objective: %1 m² s</source>
+        <translation>Målfunktion: %1 m² s</translation>
+    </message>
+    <message>
+        <source>Lower bound: %1 m² s</source>
+        <translation>Nedre grænse: %1 m² s</translation>
+    </message>
+    <message>
+        <source>by assignment</source>
+        <comment>solver</comment>
+        <translation>ved tildeling</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n drone</numerusform>
+            <numerusform>%n droner</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n isbjerg</numerusform>
+            <numerusform>%n isbjerge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Run complete</source>
+        <translation>Flyvning gennemført</translation>
+    </message>
+    <message>
+        <source>under 0.1 s</source>
+        <translation>under 0,1 s</translation>
+    </message>
+</context>
+<context>
+    <name>PolicyText</name>
+    <message>
+        <source>Shortest path, repeated</source>
+        <translation>Korteste vej, gentaget</translation>
+    </message>
+    <message>
+        <source>Shortest round tour, repeated</source>
+        <translation>Korteste rundtur, gentaget</translation>
+    </message>
+    <message>
+        <source>Nearest iceberg first</source>
+        <translation>Nærmeste isbjerg først</translation>
+    </message>
+    <message>
+        <source>Most uncertain iceberg first</source>
+        <translation>Mest usikre isbjerg først</translation>
+    </message>
+    <message>
+        <source>Best predicted coverage</source>
+        <translation>Bedste forudsagte dækning</translation>
+    </message>
+    <message>
+        <source>Least waiting time, weighted by uncertainty</source>
+        <translation>Korteste ventetid, vægtet med usikkerhed</translation>
+    </message>
+    <message>
+        <source>Weighted visiting order, trade-off τ %1</source>
+        <translation>Vægtet besøgsrækkefølge, afvejning τ %1</translation>
+    </message>
+    <message>
+        <source>τ %1</source>
+        <translation>τ %1</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Korteste vej</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundtur</translation>
+    </message>
+    <message>
+        <source>Nearest first</source>
+        <translation>Nærmeste først</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Mest usikre først</translation>
+    </message>
+    <message>
+        <source>Least waiting</source>
+        <translation>Mindst ventetid</translation>
+    </message>
+    <message>
+        <source>Best coverage</source>
+        <translation>Bedste dækning</translation>
+    </message>
+    <message>
+        <source>Least waiting time</source>
+        <translation>Korteste ventetid</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Eksakt</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC</source>
+        <translation>COIN-OR CBC</translation>
+    </message>
+    <message>
+        <source>Local search</source>
+        <translation>Lokalsøgning</translation>
+    </message>
+    <message>
+        <source>One way</source>
+        <comment>route</comment>
+        <translation>Én vej</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <comment>route</comment>
+        <translation>Rundtur</translation>
+    </message>
+    <message>
+        <source>Weighs uncertainty seen early against the length of the path, by τ.</source>
+        <translation>Afvejer usikkerhed, der ses tidligt, mod vejens længde med τ.</translation>
+    </message>
+    <message>
+        <source>Flies the shortest path past all icebergs, then the next one.</source>
+        <translation>Flyver den korteste vej forbi alle isbjerge, derefter den næste.</translation>
+    </message>
+    <message>
+        <source>Flies one shortest round tour again and again.</source>
+        <translation>Flyver én korteste rundtur igen og igen.</translation>
+    </message>
+    <message>
+        <source>Flies to the nearest iceberg out of view.</source>
+        <translation>Flyver til det nærmeste isbjerg uden for synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Flies to the iceberg of the greatest uncertainty.</source>
+        <translation>Flyver til isbjerget med den største usikkerhed.</translation>
+    </message>
+    <message>
+        <source>Keeps the waiting time of all icebergs short, weighted by their uncertainty.</source>
+        <translation>Holder ventetiden for alle isbjerge kort, vægtet med deres usikkerhed.</translation>
+    </message>
+    <message>
+        <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
+        <translation>Forudsiger zeta for veje, der passerer isbjerge på afstand og ser flere på én gang.</translation>
+    </message>
+    <message>
+        <source>Weighted visiting order (published method)</source>
+        <translation>Vægtet besøgsrækkefølge (offentliggjort metode)</translation>
+    </message>
+</context>
+<context>
+    <name>QuantityText</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 t</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 S</source>
+        <comment>latitude</comment>
+        <translation>%1 S</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <comment>latitude</comment>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 W</source>
+        <comment>longitude</comment>
+        <translation>%1 V</translation>
+    </message>
+    <message>
+        <source>%1 E</source>
+        <comment>longitude</comment>
+        <translation>%1 Ø</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>nmi</source>
+        <translation>nmi</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>km</source>
+        <translation>km</translation>
+    </message>
+    <message>
+        <source>kn</source>
+        <translation>kn</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>nmi²</source>
+        <translation>nmi²</translation>
+    </message>
+    <message>
+        <source>km²</source>
+        <translation>km²</translation>
+    </message>
+    <message>
+        <source>%1 nmi</source>
+        <translation>%1 nmi</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>fra %1</translation>
+    </message>
+    <message>
+        <source>at all heights</source>
+        <translation>i alle højder</translation>
+    </message>
+</context>
+<context>
+    <name>SelectTool</name>
+    <message>
+        <source>Let go to place it here. Esc takes the move back.</source>
+        <translation>Slip for at placere her. Esc fortryder flytningen.</translation>
+    </message>
+    <message>
+        <source>Locked while a flight is under way. Stop the flight to change the scenario.</source>
+        <translation>Låst, mens en flyvning er i gang. Stop flyvningen for at ændre scenariet.</translation>
+    </message>
+    <message>
+        <source>Everything inside the frame is selected.</source>
+        <translation>Alt inden for rammen vælges.</translation>
+    </message>
+    <message>
+        <source>Click selects, drag moves. Ctrl adds, a drag on water selects what is inside the frame.</source>
+        <translation>Klik vælger, træk flytter. Ctrl føjer til, et træk på vandet vælger det, der er inden for rammen.</translation>
+    </message>
+    <message>
+        <source>Click selects. In flight the tip of the wind&apos;s arrow and the asset can be dragged.</source>
+        <translation>Klik vælger. Under flyvning kan spidsen af vindpilen og objektet trækkes.</translation>
+    </message>
+    <message>
+        <source>Click selects. Stop and edit to change the scenario.</source>
+        <translation>Klik vælger. Stop og redigér for at ændre scenariet.</translation>
+    </message>
+</context>
+<context>
+    <name>SolveTimeText</name>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>CPLEX, average (paper)</source>
+        <translation>CPLEX, gennemsnit (artiklen)</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Eksakt</translation>
+    </message>
+    <message>
+        <source>Local search</source>
+        <translation>Lokalsøgning</translation>
+    </message>
+    <message>
+        <source>CBC, by position</source>
+        <translation>CBC, efter plads</translation>
+    </message>
+    <message>
+        <source>CBC, as printed</source>
+        <translation>CBC, som trykt</translation>
+    </message>
+    <message>
+        <source>CBC, reduced</source>
+        <translation>CBC, reduceret</translation>
+    </message>
+</context>
+<context>
+    <name>TimeChartText</name>
+    <message>
+        <source>Time, h:mm:ss</source>
+        <translation>Tid, t:mm:ss</translation>
+    </message>
+    <message>
+        <source>Time, mm:ss</source>
+        <translation>Tid, mm:ss</translation>
+    </message>
+</context>
+<context>
+    <name>WindText</name>
+    <message>
+        <source>No wind</source>
+        <translation>Ingen vind</translation>
+    </message>
+    <message>
+        <source>Wind %1
+from %2, strong</source>
+        <translation>Vind %1
+fra %2, kraftig</translation>
+    </message>
+    <message>
+        <source>Wind %1
+from %2</source>
+        <translation>Vind %1
+fra %2</translation>
+    </message>
+    <message>
+        <source>Current %1
+towards %2</source>
+        <translation>Strøm %1
+mod %2</translation>
+    </message>
+    <message>
+        <source>The arrow points where the wind blows to; the ring is the airspeed of %1, beyond the dashed one the UAV makes little way against the wind.</source>
+        <translation>Pilen peger derhen, hvor vinden blæser; ringen er flyvefarten på %1, uden for den stiplede kommer dronen næsten ikke frem mod vinden.</translation>
+    </message>
+    <message>
+        <source>The thin line in the middle of a leg is the heading flown there.</source>
+        <translation>Den tynde streg midt på en etape er den kurs, der styres der.</translation>
+    </message>
+</context>
+<context>
+    <name>WorkFailureText</name>
+    <message>
+        <source>There is not enough memory for this. Close other programs, or ask for less.</source>
+        <translation>Der er ikke nok hukommelse til dette. Luk andre programmer, eller bed om mindre.</translation>
+    </message>
+    <message>
+        <source>Internal error: %1</source>
+        <translation>Intern fejl: %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::AlarmStrip</name>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Kvittér</translation>
+    </message>
+    <message>
+        <source>Takes it off this list. It comes back when it was over and happens again.</source>
+        <translation>Fjerner den fra denne liste. Den kommer tilbage, når den har været ovre og sker igen.</translation>
+    </message>
+    <message>
+        <source>Continue from here</source>
+        <translation>Fortsæt herfra</translation>
+    </message>
+    <message>
+        <source>Gives up what was flown after this instant. From here the trade-off and the policy can be changed and another path flown.</source>
+        <translation>Opgiver det, der blev fløjet efter dette øjeblik. Herfra kan afvejning og strategi ændres og en anden vej flyves.</translation>
+    </message>
+    <message>
+        <source>Back to latest</source>
+        <translation>Tilbage til seneste</translation>
+    </message>
+    <message>
+        <source>Back to the end of what is flown.</source>
+        <translation>Tilbage til slutningen af det fløjne.</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Kontrol</translation>
+    </message>
+    <message>
+        <source>Lists everything that is found about the scenario.</source>
+        <translation>Viser alt, hvad der er fundet om scenariet.</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>Hent den tilbage</translation>
+    </message>
+    <message>
+        <source>Takes up the flight where it was left.</source>
+        <translation>Genoptager flyvningen, hvor den blev forladt.</translation>
+    </message>
+    <message>
+        <source>No alarms</source>
+        <translation>Ingen alarmer</translation>
+    </message>
+    <message>
+        <source>Cannot be planned: %1</source>
+        <translation>Kan ikke planlægges: %1</translation>
+    </message>
+    <message>
+        <source>Looking back at %1</source>
+        <translation>Ser tilbage på %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n til</numerusform>
+            <numerusform>%n til</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click shows it.</source>
+        <translation>Klik for at vise den.</translation>
+    </message>
+    <message>
+        <source>Acknowledged: %1</source>
+        <translation>Kvitteret: %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ChartPanel</name>
+    <message>
+        <source>Chart</source>
+        <translation>Diagram</translation>
+    </message>
+    <message>
+        <source>What is shown over time</source>
+        <translation>Det, der vises over tid</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linjer</translation>
+    </message>
+    <message>
+        <source>Which lines are shown</source>
+        <translation>Hvilke linjer der vises</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Følg</translation>
+    </message>
+    <message>
+        <source>Keep the newest minutes in view (End). The wheel zooms, the right button drags.</source>
+        <translation>Hold de nyeste minutter i syne (End). Hjulet zoomer, højre knap trækker.</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Show everything from take-off on (Home, or a double click)</source>
+        <translation>Vis alt fra start og frem (Home eller dobbeltklik)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Eksportér…</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture (PNG, SVG, PDF) or its numbers as CSV</source>
+        <translation>Gem diagrammet som billede (PNG, SVG, PDF) eller dets tal som CSV</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Vis alle</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-billede (*.png)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-tegning (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF page (*.pdf)</source>
+        <translation>PDF-side (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Table of numbers (*.csv)</source>
+        <translation>Taltabel (*.csv)</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Kopiér billede</translation>
+    </message>
+    <message>
+        <source>Copy numbers</source>
+        <translation>Kopiér tal</translation>
+    </message>
+    <message>
+        <source>Save picture or numbers...</source>
+        <translation>Gem billede eller tal...</translation>
+    </message>
+    <message>
+        <source>Reset zoom</source>
+        <translation>Nulstil zoom</translation>
+    </message>
+</context>
+<context>
+    <name>berg::CheckPanel</name>
+    <message>
+        <source>Error: must be fixed before planning</source>
+        <translation>Fejl: skal rettes før planlægning</translation>
+    </message>
+    <message>
+        <source>Warning: probably not what you want</source>
+        <translation>Advarsel: sandsynligvis ikke det, du ønsker</translation>
+    </message>
+    <message>
+        <source>Hint: good to know</source>
+        <translation>Tip: godt at vide</translation>
+    </message>
+    <message>
+        <source>No problems found</source>
+        <translation>Ingen problemer fundet</translation>
+    </message>
+    <message>
+        <source>Findings about the scenario</source>
+        <translation>Fund om scenariet</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ChecksView</name>
+    <message>
+        <source>Not changed: %1</source>
+        <translation>Ikke ændret: %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ComparisonChart</name>
+    <message>
+        <source>Accumulated uncertainty of two runs</source>
+        <translation>Akkumuleret usikkerhed for to flyvninger</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, m² s</source>
+        <translation>Zeta ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Two runs of the same scenario are compared here.</source>
+        <translation>To flyvninger af samme scenarie sammenlignes her.</translation>
+    </message>
+    <message>
+        <source>%1.
+Less ζ is better. Plain shade: A, %2, has less. Hatched: B, %3, has less.</source>
+        <translation>%1.
+Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindre.</translation>
+    </message>
+    <message>
+        <source>Time, h:mm:ss</source>
+        <translation>Tid, t:mm:ss</translation>
+    </message>
+    <message>
+        <source>Time, mm:ss</source>
+        <translation>Tid, mm:ss</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ComparisonPanel</name>
+    <message>
+        <source>Figures of the comparison</source>
+        <translation>Sammenligningens tal</translation>
+    </message>
+    <message>
+        <source>Longest time unseen</source>
+        <translation>Længste tid uset</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Tal</translation>
+    </message>
+    <message>
+        <source>Unseen</source>
+        <translation>Uset</translation>
+    </message>
+    <message>
+        <source>Longest time for which each iceberg was out of view.</source>
+        <translation>Længste tid, hvert isbjerg var ude af syne.</translation>
+    </message>
+    <message>
+        <source>Compare with the shortest round tour</source>
+        <translation>Sammenlign med den korteste rundtur</translation>
+    </message>
+    <message>
+        <source>Progress of the flight in the background</source>
+        <translation>Fremskridt for flyvningen i baggrunden</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annullér</translation>
+    </message>
+    <message>
+        <source>τ</source>
+        <translation>τ</translation>
+    </message>
+    <message>
+        <source>Trade-off τ to be flown</source>
+        <translation>Afvejning τ, der skal flyves</translation>
+    </message>
+    <message>
+        <source>0: most uncertain first; the larger, the shorter the route.</source>
+        <translation>0: mest usikre først; jo større, jo kortere rute.</translation>
+    </message>
+    <message>
+        <source>Fly</source>
+        <translation>Flyv</translation>
+    </message>
+    <message>
+        <source>Flies the same scenario with this τ in the background.</source>
+        <translation>Flyver samme scenarie med denne τ i baggrunden.</translation>
+    </message>
+    <message>
+        <source>Open run…</source>
+        <translation>Åbn flyvning…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>Takes the chosen run off the list.</source>
+        <translation>Fjerner den valgte flyvning fra listen.</translation>
+    </message>
+    <message>
+        <source>Flying %1: %2 of %3</source>
+        <translation>Flyver %1: %2 af %3</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Åbner %1</translation>
+    </message>
+    <message>
+        <source>The reference A is the tour itself: choose another one as A.</source>
+        <translation>Referencen A er selve rundturen: vælg en anden som A.</translation>
+    </message>
+    <message>
+        <source>Flies the same scenario along the shortest closed tour through all icebergs, as in Figure 5 of the paper, in the background.</source>
+        <translation>Flyver samme scenarie ad den korteste lukkede rundtur gennem alle isbjerge, som i figur 5 i artiklen, i baggrunden.</translation>
+    </message>
+    <message>
+        <source>Compare with the tour</source>
+        <translation>Sammenlign med rundturen</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ComparisonTable</name>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ComparisonView</name>
+    <message>
+        <source>Runs (*.bergrun);;All files (*)</source>
+        <translation>Flyvninger (*.bergrun);;Alle filer (*)</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ContextMenus</name>
+    <message>
+        <source>Assign to %1</source>
+        <translation>Tildel til %1</translation>
+    </message>
+    <message>
+        <source>Any UAV may visit it</source>
+        <translation>Enhver drone må besøge det</translation>
+    </message>
+    <message>
+        <source>Show in the inspector</source>
+        <translation>Vis i Egenskaber</translation>
+    </message>
+    <message>
+        <source>Edit in the inspector</source>
+        <translation>Redigér i Egenskaber</translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Fjern objekt</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Fjern område</translation>
+    </message>
+    <message>
+        <source>New iceberg here</source>
+        <translation>Nyt isbjerg her</translation>
+    </message>
+    <message>
+        <source>New UAV here</source>
+        <translation>Ny drone her</translation>
+    </message>
+    <message>
+        <source>Paste here</source>
+        <translation>Sæt ind her</translation>
+    </message>
+    <message>
+        <source>Ground station here</source>
+        <translation>Jordstation her</translation>
+    </message>
+    <message>
+        <source>Place ground station</source>
+        <translation>Placér jordstation</translation>
+    </message>
+    <message>
+        <source>Remove no-fly area</source>
+        <translation>Fjern flyveforbudsområde</translation>
+    </message>
+    <message>
+        <source>Copy coordinates: %1</source>
+        <translation>Kopiér koordinater: %1</translation>
+    </message>
+    <message>
+        <source>Copied %1</source>
+        <translation>Kopierede %1</translation>
+    </message>
+    <message>
+        <source>Centre the map here</source>
+        <translation>Centrér kortet her</translation>
+    </message>
+    <message>
+        <source>Measure from here</source>
+        <translation>Mål herfra</translation>
+    </message>
+    <message>
+        <source>Place asset</source>
+        <translation>Placér objekt</translation>
+    </message>
+    <message>
+        <source>Unfold</source>
+        <translation>Fold ud</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Fold sammen</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Skjul</translation>
+    </message>
+    <message>
+        <source>Asset here</source>
+        <translation>Objekt her</translation>
+    </message>
+</context>
+<context>
+    <name>berg::DifferenceChart</name>
+    <message>
+        <source>Differences to the reference</source>
+        <translation>Forskelle til referencen</translation>
+    </message>
+    <message>
+        <source>Here each setting is compared with a reference, case by case.</source>
+        <translation>Her sammenlignes hver indstilling med en reference, tilfælde for tilfælde.</translation>
+    </message>
+    <message>
+        <source>Less ζ is better: to the left</source>
+        <translation>Mindre ζ er bedre: mod venstre</translation>
+    </message>
+    <message>
+        <source>Mean of the cases with its 95 % confidence interval</source>
+        <translation>Middel af tilfældene med 95 %-konfidensinterval</translation>
+    </message>
+    <message>
+        <source>Difference of ζ to %1, %</source>
+        <translation>Forskel i ζ til %1, %</translation>
+    </message>
+    <message>
+        <source>the reference</source>
+        <translation>referencen</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>95 %: %1 to %2</source>
+        <translation>95 %: %1 til %2</translation>
+    </message>
+    <message>
+        <source>less in %1 of %2 cases</source>
+        <translation>mindre i %1 af %2 tilfælde</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <translation>værst %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Docks</name>
+    <message>
+        <source>Trade-off</source>
+        <translation>Afvejning</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Egenskaber</translation>
+    </message>
+    <message>
+        <source>Trade-offs</source>
+        <translation>Afvejninger</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historik</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Diagram</translation>
+    </message>
+    <message>
+        <source>Chart 2</source>
+        <translation>Diagram 2</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Hændelser</translation>
+    </message>
+    <message>
+        <source>Comparison chart</source>
+        <translation>Sammenligningsdiagram</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Kontrol</translation>
+    </message>
+    <message>
+        <source>Solve time</source>
+        <translation>Løsningstid</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Sammenligning</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Isbjerge</translation>
+    </message>
+    <message>
+        <source>Map layers</source>
+        <translation>Kortlag</translation>
+    </message>
+</context>
+<context>
+    <name>berg::EventModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Hændelse</translation>
+    </message>
+    <message>
+        <source>How it was planned</source>
+        <translation>Hvordan det blev planlagt</translation>
+    </message>
+    <message>
+        <source>warm start</source>
+        <translation>varmstart</translation>
+    </message>
+    <message>
+        <source>last plan kept</source>
+        <translation>seneste plan beholdt</translation>
+    </message>
+</context>
+<context>
+    <name>berg::EventPanel</name>
+    <message>
+        <source>Events of the mission</source>
+        <translation>Missionens hændelser</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ExampleCard</name>
+    <message>
+        <source>1 iceberg</source>
+        <translation>1 isbjerg</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n isbjerg</numerusform>
+            <numerusform>%n isbjerge</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>berg::ExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Eksport</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fil</translation>
+    </message>
+    <message>
+        <source>&amp;Browse...</source>
+        <translation>&amp;Gennemse...</translation>
+    </message>
+    <message>
+        <source>Name the file.</source>
+        <translation>Navngiv filen.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>Der er ingen mappe %1.</translation>
+    </message>
+    <message>
+        <source>Export to</source>
+        <translation>Eksportér til</translation>
+    </message>
+    <message>
+        <source>Format of the file</source>
+        <translation>Filens format</translation>
+    </message>
+    <message>
+        <source>Not possible</source>
+        <translation>Ikke muligt</translation>
+    </message>
+    <message>
+        <source>Everything that was asked for is in the file.</source>
+        <translation>Alt, hvad der blev bedt om, er i filen.</translation>
+    </message>
+    <message>
+        <source>%1, %2, to %3</source>
+        <translation>%1, %2, til %3</translation>
+    </message>
+    <message>
+        <source>There already: you will be asked before anything is lost.</source>
+        <translation>Findes allerede: du bliver spurgt, før noget går tabt.</translation>
+    </message>
+    <message>
+        <source>Working ...</source>
+        <translation>Arbejder ...</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ExportOptionsView</name>
+    <message>
+        <source>What was flown</source>
+        <translation>Det fløjne</translation>
+    </message>
+    <message>
+        <source>The whole order</source>
+        <translation>Hele rækkefølgen</translation>
+    </message>
+    <message>
+        <source>The first leg</source>
+        <translation>Den første etape</translation>
+    </message>
+    <message>
+        <source>The path with turns</source>
+        <translation>Banen med drej</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>&amp;Hvad</translation>
+    </message>
+    <message>
+        <source>All UAVs</source>
+        <translation>Alle droner</translation>
+    </message>
+    <message>
+        <source>&amp;UAV</source>
+        <translation>&amp;Drone</translation>
+    </message>
+    <message>
+        <source>As in the scenario</source>
+        <translation>Som i scenariet</translation>
+    </message>
+    <message>
+        <source>&amp;Altitude</source>
+        <translation>Hø&amp;jde</translation>
+    </message>
+    <message>
+        <source>Air&amp;speed</source>
+        <translation>Flyvefa&amp;rt</translation>
+    </message>
+    <message>
+        <source>A&amp;cceptance radius</source>
+        <translation>&amp;Acceptradius</translation>
+    </message>
+    <message>
+        <source>None: fly over</source>
+        <translation>Ingen: flyv over</translation>
+    </message>
+    <message>
+        <source>&amp;Loiter turns</source>
+        <translation>&amp;Kredsninger</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nej</translation>
+    </message>
+    <message>
+        <source>&amp;Return home</source>
+        <translation>Fl&amp;yv hjem</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ExportPreviewView</name>
+    <message>
+        <source>Home</source>
+        <translation>Hjem</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isbjerg</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Waypoints of the file</source>
+        <translation>Filens rutepunkter</translation>
+    </message>
+    <message>
+        <source>Map of what is exported</source>
+        <translation>Kort over det, der eksporteres</translation>
+    </message>
+    <message>
+        <source>How the file begins</source>
+        <translation>Hvordan filen begynder</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Kort</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>Rutepunkter</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>The page as it is written</source>
+        <translation>Siden, som den skrives</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Side</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FindBox</name>
+    <message>
+        <source>Favourite: listed when the box is opened</source>
+        <translation>Favorit: vises, når feltet åbnes</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favorit</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Fundet</translation>
+    </message>
+    <message>
+        <source>Move the scenario here…</source>
+        <translation>Flyt scenariet hertil…</translation>
+    </message>
+    <message>
+        <source>New scenario here</source>
+        <translation>Nyt scenarie her</translation>
+    </message>
+    <message>
+        <source>Where is the new scenario? A place or coordinate</source>
+        <translation>Hvor er det nye scenarie? Et sted eller en koordinat</translation>
+    </message>
+    <message>
+        <source>Iceberg, UAV, place, coordinate or command</source>
+        <translation>Isbjerg, drone, sted, koordinat eller kommando</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FlightCard</name>
+    <message>
+        <source>Run complete</source>
+        <translation>Flyvning gennemført</translation>
+    </message>
+    <message>
+        <source>Result of the run</source>
+        <translation>Flyvningens resultat</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Luk</translation>
+    </message>
+    <message>
+        <source>Closes this card until the next run ends.</source>
+        <translation>Lukker denne boks, indtil den næste flyvning slutter.</translation>
+    </message>
+    <message>
+        <source>Zeta ζ</source>
+        <translation>Zeta ζ</translation>
+    </message>
+    <message>
+        <source>Against prediction</source>
+        <translation>Mod forudsigelsen</translation>
+    </message>
+    <message>
+        <source>ζ against what was predicted before take-off for the policy.</source>
+        <translation>ζ i forhold til det, der blev forudsagt for strategien før start.</translation>
+    </message>
+    <message>
+        <source>Lower bound</source>
+        <translation>Nedre grænse</translation>
+    </message>
+    <message>
+        <source>No flight can have a lower ζ in this world, whatever the policy.</source>
+        <translation>Ingen flyvning kan have en lavere ζ i denne verden, uanset strategi.</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøg</translation>
+    </message>
+    <message>
+        <source>Targets reached.</source>
+        <translation>Nåede mål.</translation>
+    </message>
+    <message>
+        <source>Longest unseen</source>
+        <translation>Længst uset</translation>
+    </message>
+    <message>
+        <source>The iceberg that was out of view longest.</source>
+        <translation>Det isbjerg, der var ude af syne længst.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Sammenlign</translation>
+    </message>
+    <message>
+        <source>Sets the run beside others.</source>
+        <translation>Stiller flyvningen ved siden af andre.</translation>
+    </message>
+    <message>
+        <source>Save run</source>
+        <translation>Gem flyvning</translation>
+    </message>
+    <message>
+        <source>Keeps the run in a file.</source>
+        <translation>Bevarer flyvningen i en fil.</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Exports the charts of the run as a page.</source>
+        <translation>Eksporterer flyvningens diagrammer som en side.</translation>
+    </message>
+    <message>
+        <source>%1 m² s</source>
+        <translation>%1 m² s</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FlightControls</name>
+    <message>
+        <source>The plan is still being made.</source>
+        <translation>Planen er stadig under udarbejdelse.</translation>
+    </message>
+    <message>
+        <source>Flight to %1 given up</source>
+        <translation>Flyvning til %1 opgivet</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FlightView</name>
+    <message>
+        <source>Planning</source>
+        <translation>Planlægger</translation>
+    </message>
+    <message>
+        <source>Ready: Space flies it</source>
+        <translation>Klar: tryk på mellemrum for at flyve</translation>
+    </message>
+    <message>
+        <source>Flying</source>
+        <translation>Flyver</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Sat på pause</translation>
+    </message>
+    <message>
+        <source>Run complete</source>
+        <translation>Flyvning gennemført</translation>
+    </message>
+    <message>
+        <source>Cannot be planned: %1</source>
+        <translation>Kan ikke planlægges: %1</translation>
+    </message>
+    <message>
+        <source>Press I and click on the map to place one, drag on to let it drift, or import sightings.</source>
+        <translation>Tryk på I, og klik på kortet for at placere et, træk videre for at lade det drive, eller importér observationer.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::GenerateDialog</name>
+    <message>
+        <source>There is no room for so many so far from each other. Take fewer, a smaller distance or a larger area.</source>
+        <translation>Der er ikke plads til så mange så langt fra hinanden. Vælg færre, en mindre afstand eller et større område.</translation>
+    </message>
+    <message>
+        <source>The area is too thin to place icebergs in.</source>
+        <translation>Området er for smalt til at placere isbjerge i.</translation>
+    </message>
+    <message>
+        <source>A scenario holds at most %1 icebergs.</source>
+        <translation>Et scenarie rummer højst %1 isbjerge.</translation>
+    </message>
+    <message>
+        <source>The highest speed is below the lowest.</source>
+        <translation>Den højeste fart er under den laveste.</translation>
+    </message>
+    <message>
+        <source>The largest uncertainty is below the smallest.</source>
+        <translation>Den største usikkerhed er under den mindste.</translation>
+    </message>
+    <message>
+        <source>Generate icebergs</source>
+        <translation>Generér isbjerge</translation>
+    </message>
+    <message>
+        <source>&amp;Number</source>
+        <translation>&amp;Antal</translation>
+    </message>
+    <message>
+        <source>The scenario&apos;s area</source>
+        <translation>Scenariets område</translation>
+    </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>Det, kortet viser</translation>
+    </message>
+    <message>
+        <source>Rectangle in the middle of the map</source>
+        <translation>Rektangel midt på kortet</translation>
+    </message>
+    <message>
+        <source>&amp;Where</source>
+        <translation>&amp;Hvor</translation>
+    </message>
+    <message>
+        <source>Width of the rectangle</source>
+        <translation>Rektanglets bredde</translation>
+    </message>
+    <message>
+        <source>Height of the rectangle</source>
+        <translation>Rektanglets højde</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Størrelse</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>Laveste fart</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Højeste fart</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>&amp;Fart</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>til</translation>
+    </message>
+    <message>
+        <source>In any direction</source>
+        <translation>I enhver retning</translation>
+    </message>
+    <message>
+        <source>About one direction</source>
+        <translation>Omkring én retning</translation>
+    </message>
+    <message>
+        <source>D&amp;rift</source>
+        <translation>&amp;Drift</translation>
+    </message>
+    <message>
+        <source>Direction they drift to, from north</source>
+        <translation>Retning, de driver mod, fra nord</translation>
+    </message>
+    <message>
+        <source>To either side of it</source>
+        <translation>Til hver side af den</translation>
+    </message>
+    <message>
+        <source>D&amp;irection</source>
+        <translation>&amp;Retning</translation>
+    </message>
+    <message>
+        <source>Smallest σ at the start</source>
+        <translation>Mindste σ ved starten</translation>
+    </message>
+    <message>
+        <source>Largest σ at the start</source>
+        <translation>Største σ ved starten</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty σ</source>
+        <translation>&amp;Usikkerhed σ</translation>
+    </message>
+    <message>
+        <source>Growth of σ</source>
+        <translation>Vækst i σ</translation>
+    </message>
+    <message>
+        <source>&amp;Growth q</source>
+        <translation>&amp;Vækst q</translation>
+    </message>
+    <message>
+        <source>Least distance between two icebergs</source>
+        <translation>Mindste afstand mellem to isbjerge</translation>
+    </message>
+    <message>
+        <source>Least &amp;distance</source>
+        <translation>&amp;Mindste afstand</translation>
+    </message>
+    <message>
+        <source>The same number draws the same field again.</source>
+        <translation>Det samme tal giver det samme felt igen.</translation>
+    </message>
+    <message>
+        <source>&amp;Another</source>
+        <translation>&amp;En anden</translation>
+    </message>
+    <message>
+        <source>Generates another random field.</source>
+        <translation>Genererer et andet tilfældigt felt.</translation>
+    </message>
+    <message>
+        <source>&amp;Seed</source>
+        <translation>S&amp;tartværdi</translation>
+    </message>
+    <message>
+        <source>R&amp;eplace the present icebergs</source>
+        <translation>Erstat de nuværende &amp;isbjerge</translation>
+    </message>
+    <message>
+        <source>Generate</source>
+        <translation>Generér</translation>
+    </message>
+    <message numerus="yes">
+        <source>The scenario then holds %n icebergs.</source>
+        <translation>
+            <numerusform>Scenariet rummer derefter %n isbjerg.</numerusform>
+            <numerusform>Scenariet rummer derefter %n isbjerge.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scenario then holds one iceberg.</source>
+        <translation>Scenariet rummer derefter ét isbjerg.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Not known, changing within 10 h</source>
+        <translation>Ikke kendt, ændrer sig inden for 10 t</translation>
+    </message>
+    <message>
+        <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. The icebergs are then measured in flight.</source>
+        <translation>Som tilpasset en bøje: 0,15 m/s langs hver akse, i enhver retning. Isbjergene måles derefter under flyvning.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::IcebergTable</name>
+    <message>
+        <source>Find by name or id</source>
+        <translation>Find efter navn eller id</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Isbjerge</translation>
+    </message>
+    <message>
+        <source>A row for each iceberg. Before take-off Return edits a cell, Ctrl+Return sets it in all rows selected, Ctrl+C and Ctrl+V exchange rows with a spreadsheet. In flight Return shows the iceberg on the map.</source>
+        <translation>En række for hvert isbjerg. Før start redigerer Enter en celle, Ctrl+Enter sætter den i alle valgte rækker, Ctrl+C og Ctrl+V udveksler rækker med et regneark. Under flyvning viser Enter isbjerget på kortet.</translation>
+    </message>
+    <message>
+        <source>No iceberg has this in its name or id.</source>
+        <translation>Intet isbjerg har dette i sit navn eller id.</translation>
+    </message>
+    <message>
+        <source>There are no icebergs in this flight.</source>
+        <translation>Der er ingen isbjerge i denne flyvning.</translation>
+    </message>
+    <message>
+        <source>No icebergs yet: press I and click on the map, or copy rows of a spreadsheet (name, east, north, speed, direction, σ₀ ...) and paste them here with Ctrl+V.</source>
+        <translation>Ingen isbjerge endnu: tryk på I, og klik på kortet, eller kopiér rækker fra et regneark (navn, øst, nord, fart, retning, σ₀ ...), og sæt dem ind her med Ctrl+V.</translation>
+    </message>
+    <message>
+        <source>In flight the icebergs cannot be edited. Stop the flight to paste.</source>
+        <translation>Under flyvning kan isbjergene ikke redigeres. Stop flyvningen for at sætte ind.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiér</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Sæt ind</translation>
+    </message>
+    <message>
+        <source>Copy &quot;%1&quot;</source>
+        <translation>Kopiér »%1«</translation>
+    </message>
+    <message>
+        <source>Show on the map</source>
+        <translation>Vis på kortet</translation>
+    </message>
+</context>
+<context>
+    <name>berg::IcebergTableModel</name>
+    <message>
+        <source>Paste icebergs</source>
+        <translation>Sæt isbjerge ind</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; follows from the others. Nothing was pasted.</source>
+        <translation>Kolonnen »%1« følger af de andre. Intet blev sat ind.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportColumnsView</name>
+    <message>
+        <source>This format has no columns to choose.</source>
+        <translation>Dette format har ingen kolonner at vælge.</translation>
+    </message>
+    <message>
+        <source>First rows of the file</source>
+        <translation>Filens første rækker</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatisk: %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportDialog</name>
+    <message>
+        <source>No icebergs</source>
+        <translation>Ingen isbjerge</translation>
+    </message>
+    <message>
+        <source>None of the sightings is taken.</source>
+        <translation>Ingen af observationerne er taget med.</translation>
+    </message>
+    <message>
+        <source>Import sightings from %1</source>
+        <translation>Importér observationer fra %1</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>Map of what comes out</source>
+        <translation>Kort over resultatet</translation>
+    </message>
+    <message>
+        <source>+ new   * updated</source>
+        <translation>+ nyt   * opdateret</translation>
+    </message>
+    <message>
+        <source>Icebergs of the file</source>
+        <translation>Filens isbjerge</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Isbjerge</translation>
+    </message>
+    <message>
+        <source>Rejected rows</source>
+        <translation>Afviste rækker</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Kolonner</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatisk: %1</translation>
+    </message>
+    <message>
+        <source>Icebergs (%1)</source>
+        <translation>Isbjerge (%1)</translation>
+    </message>
+    <message>
+        <source>Rejected rows (%1)</source>
+        <translation>Afviste rækker (%1)</translation>
+    </message>
+    <message>
+        <source>Reading %1, %2 ...</source>
+        <translation>Læser %1, %2 ...</translation>
+    </message>
+    <message>
+        <source>Working ...</source>
+        <translation>Arbejder ...</translation>
+    </message>
+    <message>
+        <source>Im&amp;port</source>
+        <translation>I&amp;mportér</translation>
+    </message>
+    <message>
+        <source>Icebergs (first %1 of %2)</source>
+        <translation>Isbjerge (de første %1 af %2)</translation>
+    </message>
+    <message>
+        <source>Rejected rows (first %1 of %2)</source>
+        <translation>Afviste rækker (de første %1 af %2)</translation>
+    </message>
+    <message>
+        <source>Velocities are not known exactly, so the observer becomes the Kalman filter.</source>
+        <translation>Hastighederne er ikke nøjagtigt kendt, så observatøren bliver Kalmanfilteret.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportOptionsView</name>
+    <message>
+        <source>S&amp;tart at</source>
+        <translation>&amp;Starttidspunkt</translation>
+    </message>
+    <message>
+        <source>UTC time that becomes the start of the scenario. Otherwise the last sighting is.</source>
+        <translation>Det UTC-tidspunkt, der bliver scenariets start. Ellers er det den seneste observation.</translation>
+    </message>
+    <message>
+        <source>Not &amp;before</source>
+        <translation>Ikke f&amp;ør</translation>
+    </message>
+    <message>
+        <source>Earlier sightings are left out.</source>
+        <translation>Tidligere observationer udelades.</translation>
+    </message>
+    <message>
+        <source>Not &amp;after</source>
+        <translation>Ikke &amp;efter</translation>
+    </message>
+    <message>
+        <source>Later sightings are left out.</source>
+        <translation>Senere observationer udelades.</translation>
+    </message>
+    <message>
+        <source>&amp;Growth q</source>
+        <translation>&amp;Vækst q</translation>
+    </message>
+    <message>
+        <source>Growth of the uncertainty where the sightings are too few to estimate it.</source>
+        <translation>Usikkerhedens vækst, hvor der er for få observationer til at anslå den.</translation>
+    </message>
+    <message>
+        <source>This scenario</source>
+        <translation>Dette scenarie</translation>
+    </message>
+    <message>
+        <source>A new scenario</source>
+        <translation>Et nyt scenarie</translation>
+    </message>
+    <message>
+        <source>Icebergs that this scenario has already are updated by their ids.</source>
+        <translation>Isbjerge, som dette scenarie allerede har, opdateres efter deres id&apos;er.</translation>
+    </message>
+    <message>
+        <source>&amp;Into</source>
+        <translation>&amp;Til</translation>
+    </message>
+    <message>
+        <source>Insi&amp;de</source>
+        <translation>I&amp;nden for</translation>
+    </message>
+    <message>
+        <source>Sightings outside these latitudes and longitudes are left out.</source>
+        <translation>Observationer uden for disse bredder og længder udelades.</translation>
+    </message>
+    <message>
+        <source>What the &amp;map shows</source>
+        <translation>Det, &amp;kortet viser</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>Syd</translation>
+    </message>
+    <message>
+        <source>West</source>
+        <translation>Vest</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Øst</translation>
+    </message>
+    <message>
+        <source>With &amp;recorded tracks</source>
+        <translation>Med &amp;registrerede spor</translation>
+    </message>
+    <message>
+        <source>Sightings after the start become the true motion of an iceberg. Name the start for that.</source>
+        <translation>Observationer efter starten bliver et isbjergs sande bevægelse. Angiv starten for at bruge det.</translation>
+    </message>
+    <message>
+        <source>All rows are &amp;one iceberg</source>
+        <translation>&amp;Alle rækker er ét isbjerg</translation>
+    </message>
+    <message>
+        <source>The file names no icebergs: its rows are the track of one beacon, or an iceberg each.</source>
+        <translation>Filen navngiver ingen isbjerge: dens rækker er sporet af én bøje eller ét isbjerg hver.</translation>
+    </message>
+    <message>
+        <source>Position &amp;error</source>
+        <translation>&amp;Positionsfejl</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a position where the file tells none: 20 m by satellite navigation, 300 m by Argos, 1,852 m from an aircraft.</source>
+        <translation>Standardafvigelse for en position, hvor filen ingen angiver: 20 m ved satellitnavigation, 300 m ved Argos, 1.852 m fra et fly.</translation>
+    </message>
+    <message>
+        <source>Drift &amp;variation</source>
+        <translation>Variation i &amp;drift</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the drift where it is not known, along each axis. With 0 the drift is taken as known and constant.</source>
+        <translation>Standardafvigelse for driften, hvor den ikke er kendt, langs hver akse. Med 0 regnes driften for kendt og konstant.</translation>
+    </message>
+    <message>
+        <source>Drift &amp;changes in</source>
+        <translation>Driften ændrer si&amp;g på</translation>
+    </message>
+    <message>
+        <source>Time in which a drift that was known is known no more. 0: never.</source>
+        <translation>Den tid, hvori en kendt drift ophører med at være kendt. 0: aldrig.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Month first: 12/31/2021</source>
+        <translation>Måned først: 12/31/2021</translation>
+    </message>
+    <message>
+        <source>Day first: 31/12/2021</source>
+        <translation>Dag først: 31/12/2021</translation>
+    </message>
+    <message>
+        <source>How dates such as 05/02/2021 are meant.</source>
+        <translation>Hvordan datoer som 05/02/2021 skal forstås.</translation>
+    </message>
+    <message>
+        <source>Dat&amp;es</source>
+        <translation>Dat&amp;oer</translation>
+    </message>
+</context>
+<context>
+    <name>berg::InspectorForm</name>
+    <message>
+        <source>mixed</source>
+        <translation>forskellige</translation>
+    </message>
+</context>
+<context>
+    <name>berg::InspectorPanel</name>
+    <message>
+        <source>Locked in flight. Stop the flight to edit.</source>
+        <translation>Låst under flyvning. Stop flyvningen for at redigere.</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Scenarie</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isbjerg</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n isbjerg</numerusform>
+            <numerusform>%n isbjerge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Only the icebergs selected are edited here.</source>
+        <translation>Kun de valgte isbjerge redigeres her.</translation>
+    </message>
+    <message>
+        <source>What is entered here goes to all of them.</source>
+        <translation>Det, der indtastes her, gælder for dem alle.</translation>
+    </message>
+    <message>
+        <source>UAV %1</source>
+        <translation>Drone %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n drone</numerusform>
+            <numerusform>%n droner</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>An iceberg needs an id.</source>
+        <translation>Et isbjerg skal have et id.</translation>
+    </message>
+    <message>
+        <source>The id &quot;%1&quot; is taken. Every iceberg and UAV needs one of its own.</source>
+        <translation>Id&apos;et »%1« er optaget. Hvert isbjerg og hver drone skal have sit eget.</translation>
+    </message>
+    <message>
+        <source>Change id</source>
+        <translation>Ændr id</translation>
+    </message>
+    <message>
+        <source>Select something on the map to edit it.</source>
+        <translation>Vælg noget på kortet for at redigere det.</translation>
+    </message>
+    <message>
+        <source>Asset</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Område</translation>
+    </message>
+    <message>
+        <source>Drag its corners on the map to change it.</source>
+        <translation>Træk i dets hjørner på kortet for at ændre det.</translation>
+    </message>
+    <message>
+        <source>Names the iceberg in files and lists; each id is there once.</source>
+        <translation>Navngiver isbjerget i filer og lister; hvert id findes kun én gang.</translation>
+    </message>
+    <message>
+        <source>Names the UAV in files and lists; each id is there once.</source>
+        <translation>Navngiver dronen i filer og lister; hvert id findes kun én gang.</translation>
+    </message>
+    <message>
+        <source>A UAV needs an id.</source>
+        <translation>En drone skal have et id.</translation>
+    </message>
+    <message>
+        <source>No-fly area</source>
+        <translation>Flyveforbudsområde</translation>
+    </message>
+</context>
+<context>
+    <name>berg::LayersPanel</name>
+    <message>
+        <source>Names</source>
+        <translation>Navne</translation>
+    </message>
+    <message>
+        <source>Drift arrows</source>
+        <translation>Driftpile</translation>
+    </message>
+    <message>
+        <source>Rings of uncertainty</source>
+        <translation>Usikkerhedsringe</translation>
+    </message>
+    <message>
+        <source>Graticule</source>
+        <translation>Gradnet</translation>
+    </message>
+    <message>
+        <source>Former plan</source>
+        <translation>Forrige plan</translation>
+    </message>
+    <message>
+        <source>Swept area</source>
+        <translation>Afsøgt område</translation>
+    </message>
+    <message>
+        <source>%1: opacity in per cent</source>
+        <translation>%1: dækkraft i procent</translation>
+    </message>
+    <message>
+        <source>Opacity; at the left end it is hidden</source>
+        <translation>Dækkraft; helt til venstre er det skjult</translation>
+    </message>
+    <message>
+        <source>How far ahead drift arrows look; those too long for the map are cut short and dashed</source>
+        <translation>Hvor langt frem driftpilene ser; de, der er for lange til kortet, er afkortet og stiplet</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Drift horizon</source>
+        <translation>Drifthorisont</translation>
+    </message>
+</context>
+<context>
+    <name>berg::MainWindow</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uden navn</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ManualWindow</name>
+    <message>
+        <source>Bergwatch manual</source>
+        <translation>Bergwatch-håndbog</translation>
+    </message>
+    <message>
+        <source>Contents of the manual</source>
+        <translation>Håndbogens indhold</translation>
+    </message>
+    <message>
+        <source>Text of the manual</source>
+        <translation>Håndbogens tekst</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Tilbage</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Frem</translation>
+    </message>
+    <message>
+        <source>Larger text</source>
+        <translation>Større tekst</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>Mindre tekst</translation>
+    </message>
+    <message>
+        <source>Search the manual (Ctrl+F)</source>
+        <translation>Søg i håndbogen (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Søg i håndbogen</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Forrige</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Næste</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Ikke fundet</translation>
+    </message>
+    <message>
+        <source>Lines found: %1</source>
+        <translation>Linjer fundet: %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::MapView</name>
+    <message>
+        <source>Delete iceberg</source>
+        <translation>Slet isbjerg</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n icebergs</source>
+        <translation>
+            <numerusform>Slet %n isbjerg</numerusform>
+            <numerusform>Slet %n isbjerge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Kort</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits.</source>
+        <translation>
+            <numerusform>%n isbjerg og dronen på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F tilpasser.</numerusform>
+            <numerusform>%n isbjerge og dronen på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F tilpasser.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not drifting</source>
+        <translation>driver ikke</translation>
+    </message>
+    <message>
+        <source>%1: σ %2 m² (√σ %3 m), %4</source>
+        <translation>%1: σ er %2 m² (√σ %3 m), %4</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n objects</source>
+        <translation>
+            <numerusform>Slet %n objekt</numerusform>
+            <numerusform>Slet %n objekter</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Fjern objekt</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Fjern område</translation>
+    </message>
+    <message>
+        <source>Cut iceberg</source>
+        <translation>Klip isbjerg</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n icebergs</source>
+        <translation>
+            <numerusform>Klip %n isbjerg</numerusform>
+            <numerusform>Klip %n isbjerge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no icebergs on the clipboard.</source>
+        <translation>Der er ingen isbjerge i udklipsholderen.</translation>
+    </message>
+    <message>
+        <source>What is on the clipboard cannot be pasted. %1</source>
+        <translation>Indholdet af udklipsholderen kan ikke sættes ind. %1</translation>
+    </message>
+    <message>
+        <source>Paste iceberg</source>
+        <translation>Sæt isbjerg ind</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n icebergs</source>
+        <translation>
+            <numerusform>Sæt %n isbjerg ind</numerusform>
+            <numerusform>Sæt %n isbjerge ind</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Duplicate iceberg</source>
+        <translation>Duplikér isbjerg</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n icebergs</source>
+        <translation>
+            <numerusform>Duplikér %n isbjerg</numerusform>
+            <numerusform>Duplikér %n isbjerge</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n icebergs.</source>
+        <translation>
+            <numerusform>Et scenarie rummer højst %n isbjerg.</numerusform>
+            <numerusform>Et scenarie rummer højst %n isbjerge.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add iceberg</source>
+        <translation>Tilføj isbjerg</translation>
+    </message>
+    <message>
+        <source>drifting %1 towards %2</source>
+        <translation>driver %1 mod %2</translation>
+    </message>
+    <message>
+        <source>Delete UAV</source>
+        <translation>Slet drone</translation>
+    </message>
+    <message>
+        <source>The last UAV stays: a scenario has at least one.</source>
+        <translation>Den sidste drone bliver: et scenarie har mindst én.</translation>
+    </message>
+    <message>
+        <source>Duplicate UAV</source>
+        <translation>Duplikér drone</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n UAVs</source>
+        <translation>
+            <numerusform>Duplikér %n drone</numerusform>
+            <numerusform>Duplikér %n droner</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n UAVs.</source>
+        <translation>
+            <numerusform>Et scenarie rummer højst %n drone.</numerusform>
+            <numerusform>Et scenarie rummer højst %n droner.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add UAV</source>
+        <translation>Tilføj drone</translation>
+    </message>
+    <message>
+        <source>Remove no-fly area</source>
+        <translation>Fjern flyveforbudsområde</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Filer</translation>
+    </message>
+    <message>
+        <source>&amp;New scenario</source>
+        <translation>&amp;Nyt scenarie</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Åbn...</translation>
+    </message>
+    <message>
+        <source>S&amp;tart page</source>
+        <translation>S&amp;tartside</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Åbn s&amp;eneste</translation>
+    </message>
+    <message>
+        <source>&amp;Import sightings...</source>
+        <translation>&amp;Importér observationer...</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Gem</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Gem &amp;som...</translation>
+    </message>
+    <message>
+        <source>Keep a &amp;backup copy</source>
+        <translation>Behold en sikkerheds&amp;kopi</translation>
+    </message>
+    <message>
+        <source>Before a file is first overwritten, a copy is kept as NAME.berg~</source>
+        <translation>Før en fil overskrives første gang, gemmes en kopi som NAVN.berg~</translation>
+    </message>
+    <message>
+        <source>Reco&amp;ver unsaved work...</source>
+        <translation>Gen&amp;dan ikke-gemt arbejde...</translation>
+    </message>
+    <message>
+        <source>No unsaved work is left to recover</source>
+        <translation>Der er intet ikke-gemt arbejde at gendanne</translation>
+    </message>
+    <message>
+        <source>Save r&amp;un...</source>
+        <translation>Gem fly&amp;vning...</translation>
+    </message>
+    <message>
+        <source>&amp;Export plan...</source>
+        <translation>Eks&amp;portér plan...</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Afslut</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Redigér</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>K&amp;lip</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiér</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Sæt ind</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>&amp;Duplikér</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>Sl&amp;et</translation>
+    </message>
+    <message>
+        <source>Add UA&amp;V</source>
+        <translation>&amp;Tilføj drone</translation>
+    </message>
+    <message>
+        <source>&amp;Generate icebergs...</source>
+        <translation>&amp;Generér isbjerge...</translation>
+    </message>
+    <message>
+        <source>Select &amp;all icebergs</source>
+        <translation>&amp;Markér alle isbjerge</translation>
+    </message>
+    <message>
+        <source>&amp;Move the scenario…</source>
+        <translation>Flyt s&amp;cenariet…</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Fortryd</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Omgør</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Fortryd</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Omgør</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vis</translation>
+    </message>
+    <message>
+        <source>Chec&amp;ks</source>
+        <translation>Kont&amp;rol</translation>
+    </message>
+    <message>
+        <source>S&amp;tudy of τ and policies</source>
+        <translation>Stu&amp;die af τ og strategier</translation>
+    </message>
+    <message>
+        <source>&amp;Solve time study</source>
+        <translation>Studie af &amp;løsningstid</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Paneler</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>&amp;Nulstil layout</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>Fulds&amp;kærm</translation>
+    </message>
+    <message>
+        <source>&amp;Fit everything</source>
+        <translation>&amp;Tilpas alt</translation>
+    </message>
+    <message>
+        <source>Follo&amp;w the UAV</source>
+        <translation>&amp;Følg dronen</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Zoom &amp;ind</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Zoom &amp;ud</translation>
+    </message>
+    <message>
+        <source>O&amp;verview</source>
+        <translation>&amp;Oversigtskort</translation>
+    </message>
+    <message>
+        <source>Swept ar&amp;ea</source>
+        <translation>&amp;Afsøgt område</translation>
+    </message>
+    <message>
+        <source>S&amp;how true positions</source>
+        <translation>&amp;Vis sande positioner</translation>
+    </message>
+    <message>
+        <source>Where the icebergs are in truth, beside where the observer believes them to be; off: only what an operator would see</source>
+        <translation>Hvor isbjergene i virkeligheden er, ved siden af hvor observatøren mener, de er; fra: kun det, en operatør ville se</translation>
+    </message>
+    <message>
+        <source>F&amp;light</source>
+        <translation>F&amp;lyvning</translation>
+    </message>
+    <message>
+        <source>Fly</source>
+        <translation>Flyv</translation>
+    </message>
+    <message>
+        <source>&amp;Step one second</source>
+        <translation>É&amp;t sekund frem</translation>
+    </message>
+    <message>
+        <source>Stop and &amp;edit</source>
+        <translation>Stop og &amp;redigér</translation>
+    </message>
+    <message>
+        <source>Bring the flight b&amp;ack</source>
+        <translation>Hent flyvningen til&amp;bage</translation>
+    </message>
+    <message>
+        <source>Prefer s&amp;horter route</source>
+        <translation>Foretræk &amp;kortere rute</translation>
+    </message>
+    <message>
+        <source>Prefer more un&amp;certain first</source>
+        <translation>Foretræk mere &amp;usikre først</translation>
+    </message>
+    <message>
+        <source>Report as seen no&amp;w</source>
+        <translation>&amp;Meld som set nu</translation>
+    </message>
+    <message>
+        <source>Win&amp;d...</source>
+        <translation>&amp;Vind...</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>&amp;Hurtigere</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>L&amp;angsommere</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Step &amp;back one second</source>
+        <translation>Ét sekund ti&amp;lbage</translation>
+    </message>
+    <message>
+        <source>Step one &amp;tick</source>
+        <translation>Ét tids&amp;skridt frem</translation>
+    </message>
+    <message>
+        <source>Step back one t&amp;ick</source>
+        <translation>Ét tidsskr&amp;idt tilbage</translation>
+    </message>
+    <message>
+        <source>&amp;Next event</source>
+        <translation>&amp;Næste hændelse</translation>
+    </message>
+    <message>
+        <source>&amp;Previous event</source>
+        <translation>Forri&amp;ge hændelse</translation>
+    </message>
+    <message>
+        <source>&amp;Go to time</source>
+        <translation>Gå til ti&amp;d</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k to latest</source>
+        <translation>Tilbage til s&amp;eneste</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hjælp</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>&amp;Genvejstaster</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Rundvisning</translation>
+    </message>
+    <message>
+        <source>&amp;About Bergwatch</source>
+        <translation>&amp;Om Bergwatch</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Værktøjer</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Vælg</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isbjerg</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Asset</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Område</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mål</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Panorér</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>Værk&amp;tøjer</translation>
+    </message>
+    <message>
+        <source>Zoom at the cursor</source>
+        <translation>Zoom ved markøren</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>hjulet</translation>
+    </message>
+    <message>
+        <source>middle button, or arrow keys</source>
+        <translation>midterste knap eller piletaster</translation>
+    </message>
+    <message>
+        <source>Nudge what is selected</source>
+        <translation>Skub det valgte</translation>
+    </message>
+    <message>
+        <source>arrow keys</source>
+        <translation>piletaster</translation>
+    </message>
+    <message>
+        <source>Close what is drawn, take its last point back</source>
+        <translation>Luk det, der tegnes, fjern dets sidste punkt</translation>
+    </message>
+    <message>
+        <source>Enter, Backspace</source>
+        <translation>Enter, Backspace</translation>
+    </message>
+    <message>
+        <source>Steps of 15° while an arrow is drawn</source>
+        <translation>Trin på 15°, mens en pil tegnes</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Skift</translation>
+    </message>
+    <message>
+        <source>Leave what is drawn, the tool, the selection</source>
+        <translation>Forlad det, der tegnes, værktøjet, markeringen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Genvejstaster</translation>
+    </message>
+    <message>
+        <source>About Bergwatch</source>
+        <translation>Om Bergwatch</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans, flies and measures UAV missions that keep watch over drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlægger, flyver og måler dronemissioner, der holder øje med drivende isbjerge.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-licens. Qt Charts: GPL 3. COIN-OR CBC: EPL. Landområder lavet med Natural Earth.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>No-fly area</source>
+        <translation>Flyveforbudsområde</translation>
+    </message>
+    <message>
+        <source>&amp;Return home now</source>
+        <translation>Flyv h&amp;jem nu</translation>
+    </message>
+    <message>
+        <source>Hold here</source>
+        <translation>Vent her</translation>
+    </message>
+    <message>
+        <source>Res&amp;ume</source>
+        <translation>F&amp;ortsæt</translation>
+    </message>
+    <message>
+        <source>Panels on the map</source>
+        <translation>Paneler på kortet</translation>
+    </message>
+    <message>
+        <source>&amp;Title and figures</source>
+        <translation>&amp;Titel og tal</translation>
+    </message>
+    <message>
+        <source>&amp;Legend</source>
+        <translation>&amp;Signaturforklaring</translation>
+    </message>
+    <message>
+        <source>&amp;Scale bar</source>
+        <translation>&amp;Målestok</translation>
+    </message>
+    <message>
+        <source>&amp;North arrow</source>
+        <translation>&amp;Nordpil</translation>
+    </message>
+    <message>
+        <source>&amp;Wind</source>
+        <translation>&amp;Vind</translation>
+    </message>
+    <message>
+        <source>Flight brie&amp;f...</source>
+        <translation>Flyvebrie&amp;fing...</translation>
+    </message>
+    <message>
+        <source>Copy p&amp;icture of the map</source>
+        <translation>Kopiér &amp;billede af kortet</translation>
+    </message>
+    <message>
+        <source>La&amp;youts</source>
+        <translation>La&amp;yout</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Planlæg</translation>
+    </message>
+    <message>
+        <source>&amp;Fly</source>
+        <translation>&amp;Flyv</translation>
+    </message>
+    <message>
+        <source>&amp;Analyse</source>
+        <translation>&amp;Analysér</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>Hånd&amp;bog</translation>
+    </message>
+    <message>
+        <source>Find or &amp;go to…</source>
+        <translation>Find eller &amp;gå til…</translation>
+    </message>
+</context>
+<context>
+    <name>berg::MissionRunner</name>
+    <message>
+        <source>The scenario has changed meanwhile. Nothing was exported.</source>
+        <translation>Scenariet er ændret i mellemtiden. Intet blev eksporteret.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::MissionWorker</name>
+    <message>
+        <source>The run has ended. Reset it to fly it in another way.</source>
+        <translation>Flyvningen er slut. Nulstil den for at flyve den på en anden måde.</translation>
+    </message>
+    <message>
+        <source>There is no run to save: the scenario cannot be planned.</source>
+        <translation>Der er ingen flyvning at gemme: scenariet kan ikke planlægges.</translation>
+    </message>
+    <message>
+        <source>Flown again, this run comes out differently: %1</source>
+        <translation>Fløjet igen giver denne flyvning et andet resultat: %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::NumberField</name>
+    <message>
+        <source>mixed</source>
+        <translation>forskellige</translation>
+    </message>
+</context>
+<context>
+    <name>berg::OriginDialog</name>
+    <message>
+        <source>Move the scenario</source>
+        <translation>Flyt scenariet</translation>
+    </message>
+    <message>
+        <source>&amp;Origin at</source>
+        <translation>&amp;Origo ved</translation>
+    </message>
+    <message>
+        <source>Move &amp;everything along with the origin</source>
+        <translation>Flyt &amp;alt sammen med origo</translation>
+    </message>
+    <message>
+        <source>&amp;Leave everything where it is on the Earth</source>
+        <translation>&amp;Lad alt blive, hvor det er på Jorden</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Flyt</translation>
+    </message>
+    <message>
+        <source>Not everything could stay where it is: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
+        <translation>Ikke alt kunne blive, hvor det er: et scenarie rækker %1 fra sit origo. Flyt alt med, eller vælg et nærmere sted.</translation>
+    </message>
+    <message>
+        <source>The origin comes to %1, %2 away. Places, courses and drift on the Earth stay the same.</source>
+        <translation>Origo flyttes til %1, %2 væk. Steder, kurser og drift på Jorden forbliver de samme.</translation>
+    </message>
+    <message>
+        <source>Everything comes to %1, %2 away, and keeps its place about the origin.</source>
+        <translation>Alt flyttes til %1, %2 væk, og beholder sin plads omkring origo.</translation>
+    </message>
+    <message>
+        <source>The origin is here now.</source>
+        <translation>Origo er her nu.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::OverviewInset</name>
+    <message>
+        <source>Overview</source>
+        <translation>Oversigtskort</translation>
+    </message>
+    <message>
+        <source>Polar chart of where the map is. A click picks a place for the map.</source>
+        <translation>Polarkort over, hvor kortet er. Et klik vælger et sted for kortet.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ParetoChart</name>
+    <message>
+        <source>Distance against uncertainty reward</source>
+        <translation>Distance mod usikkerhedsgevinst</translation>
+    </message>
+    <message>
+        <source>No icebergs to plan for</source>
+        <translation>Ingen isbjerge at planlægge for</translation>
+    </message>
+    <message>
+        <source>Computing the plans for every τ</source>
+        <translation>Beregner planerne for hver τ</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>Uncertainty reward, m²</source>
+        <translation>Usikkerhedsgevinst, m²</translation>
+    </message>
+    <message>
+        <source>Reward, m²</source>
+        <translation>Gevinst, m²</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Mest usikre først</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Korteste vej</translation>
+    </message>
+    <message>
+        <source>Distance, %1</source>
+        <translation>Distance, %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlaceField</name>
+    <message>
+        <source>Coordinate or name of a place</source>
+        <translation>Koordinat eller stednavn</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlanModel</name>
+    <message>
+        <source>in %1</source>
+        <translation>om %1</translation>
+    </message>
+    <message>
+        <source>%1 (id %2)</source>
+        <translation>%1 (id&apos;et er %2)</translation>
+    </message>
+    <message>
+        <source>Place in the visiting order</source>
+        <translation>Plads i besøgsrækkefølgen</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isbjerg</translation>
+    </message>
+    <message>
+        <source>Name of the iceberg</source>
+        <translation>Isbjergets navn</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Etape</translation>
+    </message>
+    <message>
+        <source>Distance from the one before, the first from the UAV</source>
+        <translation>Distance fra det forrige, for det første fra dronen</translation>
+    </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Ankomst</translation>
+    </message>
+    <message>
+        <source>Time from now until the UAV is there</source>
+        <translation>Tid fra nu, til dronen er der</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position now</source>
+        <translation>Positionens usikkerhed nu</translation>
+    </message>
+    <message>
+        <source>σ is %1 m² now, a standard deviation of %2 m; at arrival it is %3 m², if the iceberg is not seen before</source>
+        <translation>σ er %1 m² nu, en standardafvigelse på %2 m; ved ankomsten er den %3 m², hvis isbjerget ikke ses før</translation>
+    </message>
+    <message>
+        <source>σ at arrival</source>
+        <translation>σ ved ankomst</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position when the UAV is there, m²</source>
+        <translation>Positionens usikkerhed, når dronen er der, m²</translation>
+    </message>
+    <message>
+        <source>later</source>
+        <translation>senere</translation>
+    </message>
+    <message>
+        <source>The plan ends before this iceberg is seen.</source>
+        <translation>Planen slutter, før dette isbjerg ses.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n visits</source>
+        <translation>
+            <numerusform>%n besøg</numerusform>
+            <numerusform>%n besøg</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is nothing for it to visit.</source>
+        <translation>Der er intet for den at besøge.</translation>
+    </message>
+    <message>
+        <source>%1, flown %2</source>
+        <comment>length and end of a way</comment>
+        <translation>%1, fløjet %2</translation>
+    </message>
+    <message>
+        <source>Assigned to %1</source>
+        <translation>Tildelt %1</translation>
+    </message>
+    <message>
+        <source>It is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
+        <translation>Den er på vej hjem, på jorden eller venter: den planlægges igen ved start, eller når den fortsætter.</translation>
+    </message>
+    <message>
+        <source>1 visit</source>
+        <translation>1 besøg</translation>
+    </message>
+    <message>
+        <source>In view</source>
+        <translation>I synsfeltet</translation>
+    </message>
+    <message>
+        <source>Chance that the iceberg is in view when the UAV is over its estimate</source>
+        <translation>Sandsynlighed for, at isbjerget er i synsfeltet, når dronen er over estimatet af det</translation>
+    </message>
+    <message>
+        <source>%1 (search)</source>
+        <translation>%1 (eftersøgning)</translation>
+    </message>
+    <message>
+        <source>Lost: searched for %1</source>
+        <comment>times and chances of finding it</comment>
+        <translation>Mistet: eftersøges %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlanPanel</name>
+    <message>
+        <source>Nothing to visit: there are no icebergs yet, or all of them are in view.</source>
+        <translation>Intet at besøge: der er ingen isbjerge endnu, eller alle er i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>There is no plan: see Checks.</source>
+        <translation>Der er ingen plan: se Kontrol.</translation>
+    </message>
+    <message>
+        <source>Plan: icebergs in visiting order</source>
+        <translation>Plan: isbjerge i besøgsrækkefølge</translation>
+    </message>
+    <message>
+        <source>%1 including the return, flown %2</source>
+        <translation>%1 inklusive hjemturen, fløjet %2</translation>
+    </message>
+    <message>
+        <source>%1, flown %2</source>
+        <translation>%1, fløjet %2</translation>
+    </message>
+    <message>
+        <source>Against the plan before: %1, ζ %2 m² s</source>
+        <translation>Sammenlignet med den forrige plan: %1, ζ %2 m² s</translation>
+    </message>
+    <message>
+        <source>Order before the change at %1: %2</source>
+        <translation>Rækkefølge før ændringen ved %1: %2</translation>
+    </message>
+    <message>
+        <source>Predicted for straight legs to the icebergs as they drift,
+with nothing seen on the way and no new plans.</source>
+        <translation>Forudsagt for lige etaper til isbjergene, som de driver,
+uden noget set undervejs og uden nye planer.</translation>
+    </message>
+    <message>
+        <source>Predicted for the path on the map, with every iceberg that comes into view
+on it, and no new plans.</source>
+        <translation>Forudsagt for banen på kortet, med hvert isbjerg, der kommer i syne
+undervejs, og uden nye planer.</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ: %1 m² s</source>
+        <translation>Nedre grænse for ζ: %1 m² s</translation>
+    </message>
+    <message>
+        <source>That limit is proven for this scenario and the noise that it draws,
+whatever the policy and however tightly the UAV turns.</source>
+        <translation>Denne grænse er bevist for dette scenarie og den støj, det trækker,
+uanset strategi, og uanset hvor snævert dronen drejer.</translation>
+    </message>
+    <message>
+        <source>Out of radio range for %1</source>
+        <translation>Uden for radiorækkevidde i %1</translation>
+    </message>
+    <message>
+        <source>Home %1 before the reserve (5 %: %2)</source>
+        <translation>Hjemme %1 før reserven (5 %: %2)</translation>
+    </message>
+    <message>
+        <source>The UAV is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
+        <translation>Dronen er på vej hjem, på jorden eller venter: den planlægges igen ved start, eller når den fortsætter.</translation>
+    </message>
+    <message>
+        <source>ζ at %1 without another plan: %2 m² s</source>
+        <translation>ζ ved %1 uden ny plan: %2 m² s</translation>
+    </message>
+    <message>
+        <source>ζ at the end without another plan: %1 m² s</source>
+        <translation>ζ ved slutningen uden ny plan: %1 m² s</translation>
+    </message>
+    <message>
+        <source>Against the plan before: %1</source>
+        <translation>Sammenlignet med den forrige plan: %1</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ: %1 m² s, %2 % computed</source>
+        <translation>Nedre grænse for ζ: %1 m² s, %2 % beregnet</translation>
+    </message>
+    <message>
+        <source>ζ at the end: %1 m² s</source>
+        <translation>ζ ved slutningen: %1 m² s</translation>
+    </message>
+    <message>
+        <source>The run is complete.</source>
+        <translation>Flyvningen er gennemført.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlanReadoutView</name>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Length of the whole plan.</source>
+        <translation>Hele planens længde.</translation>
+    </message>
+    <message>
+        <source>Uncertainty reward</source>
+        <translation>Usikkerhedsgevinst</translation>
+    </message>
+    <message>
+        <source>Each iceberg&apos;s σ times the number of places after its own in the order: the sooner the uncertain ones come, the more.</source>
+        <translation>Hvert isbjergs σ gange antallet af pladser efter dets egen i rækkefølgen: jo før de usikre kommer, jo mere.</translation>
+    </message>
+    <message>
+        <source>Objective</source>
+        <translation>Målfunktion</translation>
+    </message>
+    <message>
+        <source>Distance cost minus uncertainty reward: the objective that the solver minimises.</source>
+        <translation>Vægtet distance minus usikkerhedsgevinst: den målfunktion, løseren minimerer.</translation>
+    </message>
+    <message>
+        <source>Distance weight μ</source>
+        <translation>Afstandsvægt μ</translation>
+    </message>
+    <message>
+        <source>Uncertainty that one metre of path must be worth; follows from τ.</source>
+        <translation>Den usikkerhed, som én meter vej skal være værd; følger af τ.</translation>
+    </message>
+    <message>
+        <source>State of the plan</source>
+        <translation>Planens tilstand</translation>
+    </message>
+    <message>
+        <source>%1 m²/m</source>
+        <translation>%1 m²/m</translation>
+    </message>
+    <message>
+        <source>Show the checks</source>
+        <translation>Vis kontrollen</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Detaljer</translation>
+    </message>
+    <message>
+        <source>Objective and distance weight of the plan</source>
+        <translation>Planens målfunktion og afstandsvægt</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlaybackBar</name>
+    <message>
+        <source>Fly</source>
+        <translation>Flyv</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Trin</translation>
+    </message>
+    <message>
+        <source>Rate of the flight</source>
+        <translation>Flyvningens hastighed</translation>
+    </message>
+    <message>
+        <source>Simulated seconds flown in one second</source>
+        <translation>Simulerede sekunder fløjet på ét sekund</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>The plan is still being made.</source>
+        <translation>Planen er stadig under udarbejdelse.</translation>
+    </message>
+    <message>
+        <source>This scenario cannot be flown. Correct what is reported first.</source>
+        <translation>Dette scenarie kan ikke flyves. Ret først det, der er meldt.</translation>
+    </message>
+    <message>
+        <source>The run has ended.</source>
+        <translation>Flyvningen er slut.</translation>
+    </message>
+    <message>
+        <source>Fly again from the start (Space)</source>
+        <translation>Flyv igen fra starten (mellemrum)</translation>
+    </message>
+    <message>
+        <source>Pause the flight (Space)</source>
+        <translation>Sæt flyvningen på pause (mellemrum)</translation>
+    </message>
+    <message>
+        <source>Fly the plan (Space)</source>
+        <translation>Flyv planen (mellemrum)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Fly one second and pause</source>
+        <translation>Flyv ét sekund, og hold pause</translation>
+    </message>
+    <message>
+        <source>Time line of the run</source>
+        <translation>Flyvningens tidslinje</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>Vist tid</translation>
+    </message>
+    <message>
+        <source>Time shown. Type one to look back at it, e.g. 3:20.</source>
+        <translation>Vist tid. Skriv en tid for at se tilbage på den, f.eks. 3:20.</translation>
+    </message>
+    <message>
+        <source>Length of the run</source>
+        <translation>Flyvningens længde</translation>
+    </message>
+    <message>
+        <source>Fastest</source>
+        <translation>Hurtigst</translation>
+    </message>
+    <message>
+        <source>Stop and edit</source>
+        <translation>Stop og redigér</translation>
+    </message>
+    <message>
+        <source>Ends the flight and goes back to the start, where everything can be edited.</source>
+        <translation>Afslutter flyvningen og går tilbage til starten, hvor alt kan redigeres.</translation>
+    </message>
+    <message>
+        <source>The run is complete. The scenario stays locked until you stop and edit.</source>
+        <translation>Flyvningen er gennemført. Scenariet forbliver låst, indtil du vælger Stop og redigér.</translation>
+    </message>
+    <message>
+        <source>Scenario locked in flight. τ and policy can be changed while flying; the plan follows at once.</source>
+        <translation>Scenariet er låst under flyvning. τ og strategi kan ændres under flyvningen; planen følger straks med.</translation>
+    </message>
+    <message>
+        <source>Scenario locked</source>
+        <translation>Scenariet er låst</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PolicyCombo</name>
+    <message>
+        <source>%1 m² s</source>
+        <translation>%1 m² s</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>Lavest</translation>
+    </message>
+    <message>
+        <source>%1 %…</source>
+        <translation>%1 %…</translation>
+    </message>
+    <message>
+        <source>takes too long</source>
+        <translation>tager for lang tid</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>valgt</translation>
+    </message>
+    <message>
+        <source>Not predicted: flying it in advance takes more than %1.</source>
+        <translation>Ikke forudsagt: at flyve den på forhånd tager mere end %1.</translation>
+    </message>
+    <message>
+        <source>ζ is predicted before take-off by flying the mission in advance with the policy, planned
+again at each sighting as in flight, with icebergs that drift exactly as entered. The real
+flight differs by the noise of the drift.</source>
+        <translation>ζ forudsiges før start ved at flyve missionen på forhånd med strategien, planlagt
+igen ved hver observation som under flyvning, med isbjerge, der driver nøjagtigt som
+angivet. Den virkelige flyvning afviger med driftens støj.</translation>
+    </message>
+    <message>
+        <source>ζ not predicted: takes too long</source>
+        <translation>ζ ikke forudsagt: tager for lang tid</translation>
+    </message>
+    <message>
+        <source>Predicting ζ…</source>
+        <translation>Forudsiger ζ…</translation>
+    </message>
+    <message>
+        <source>Predicted before take-off: ζ %1</source>
+        <translation>Forudsagt før start: ζ %1</translation>
+    </message>
+    <message>
+        <source>Predicted ζ %1</source>
+        <translation>Forudsagt ζ %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>Then each policy is flown %1 times with drift and sightings drawn as the scenario describes
+them, in the same %1 worlds: ζ is the mean of these flights, the range that of 90 % of them,
+and the policy with the lowest mean is recommended.</source>
+        <translation>Derefter flyves hver strategi %1 gange med drift og observationer trukket, som scenariet
+beskriver dem, i de samme %1 verdener: ζ er middelværdien af disse flyvninger, spændet
+gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</translation>
+    </message>
+    <message>
+        <source>Recommended</source>
+        <translation>Anbefalet</translation>
+    </message>
+    <message>
+        <source>Mean before take-off: ζ %1</source>
+        <translation>Middel før start: ζ %1</translation>
+    </message>
+    <message>
+        <source>Mean ζ %1</source>
+        <translation>Middel ζ %1</translation>
+    </message>
+    <message>
+        <source>%1, the lowest</source>
+        <translation>%1, den laveste</translation>
+    </message>
+    <message>
+        <source>%1, lowest %2</source>
+        <translation>%1, laveste %2</translation>
+    </message>
+    <message>
+        <source>too slow for %1 flights</source>
+        <translation>for langsom til %1 flyvninger</translation>
+    </message>
+    <message>
+        <source>%1; too slow to compare: %2</source>
+        <translation>%1; for langsomme til sammenligning: %2</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PreferenceMenus</name>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>Uds&amp;eende</translation>
+    </message>
+    <message>
+        <source>U&amp;nits</source>
+        <translation>En&amp;heder</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprog</translation>
+    </message>
+    <message>
+        <source>Follow system</source>
+        <translation>Følg systemet</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lyst</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Mørkt</translation>
+    </message>
+    <message>
+        <source>&amp;Distances</source>
+        <translation>&amp;Afstande</translation>
+    </message>
+    <message>
+        <source>Metres and kilometres</source>
+        <translation>Meter og kilometer</translation>
+    </message>
+    <message>
+        <source>Nautical miles</source>
+        <translation>Sømil</translation>
+    </message>
+    <message>
+        <source>&amp;Speeds</source>
+        <translation>&amp;Fart</translation>
+    </message>
+    <message>
+        <source>Metres per second</source>
+        <translation>Meter pr. sekund</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Knob</translation>
+    </message>
+    <message>
+        <source>&amp;Coordinates</source>
+        <translation>&amp;Koordinater</translation>
+    </message>
+    <message>
+        <source>Degrees and minutes, %1</source>
+        <translation>Grader og minutter, %1</translation>
+    </message>
+    <message>
+        <source>Decimal degrees, %1</source>
+        <translation>Decimalgrader, %1</translation>
+    </message>
+    <message>
+        <source>Degrees, minutes, seconds, %1</source>
+        <translation>Grader, minutter, sekunder, %1</translation>
+    </message>
+    <message>
+        <source>Speed and direction: wind from, drift towards</source>
+        <translation>Fart og retning: vind fra, drift mod</translation>
+    </message>
+    <message>
+        <source>Components east and north</source>
+        <translation>Komponenter øst og nord</translation>
+    </message>
+    <message>
+        <source>Drift and &amp;wind</source>
+        <translation>Drift og &amp;vind</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RecentRow</name>
+    <message>
+        <source>The file is gone</source>
+        <translation>Filen er væk</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>Take it out of this list.</source>
+        <translation>Fjern den fra denne liste.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RecoveryDialog</name>
+    <message>
+        <source>Recovered work</source>
+        <translation>Gendannet arbejde</translation>
+    </message>
+    <message>
+        <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, then save.</source>
+        <translation>Bergwatch sluttede uventet. Ændringer, der ikke var gemt, blev bevaret. Gendan dem, og gem derefter.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Gendan</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Forkast</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Senere</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Ændret</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>ikke gemt endnu</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ResultFiles</name>
+    <message>
+        <source>Runs (*.bergrun);;All files (*)</source>
+        <translation>Flyvninger (*.bergrun);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Gemte %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files of these names are there. What is in them would be lost.</source>
+        <translation>
+            <numerusform>%n fil med dette navn findes. Dens indhold ville gå tabt.</numerusform>
+            <numerusform>%n filer med disse navne findes. Deres indhold ville gå tabt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Eksporterede %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %n files</source>
+        <translation>
+            <numerusform>Eksporterede %n fil</numerusform>
+            <numerusform>Eksporterede %n filer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Picture of the map copied</source>
+        <translation>Billede af kortet kopieret</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RunMarkDelegate</name>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RunTable</name>
+    <message>
+        <source>Runs</source>
+        <translation>Flyvninger</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Flyvning</translation>
+    </message>
+    <message>
+        <source>ζ, m² s</source>
+        <translation>ζ, m² s</translation>
+    </message>
+    <message>
+        <source>vs A</source>
+        <translation>mod A</translation>
+    </message>
+    <message>
+        <source>The reference: click a circle, or press A.</source>
+        <translation>Referencen: klik på en cirkel, eller tryk på A.</translation>
+    </message>
+    <message>
+        <source>Compared with it: click a circle, or press B.</source>
+        <translation>Sammenlignes med den: klik på en cirkel, eller tryk på B.</translation>
+    </message>
+    <message>
+        <source>Zeta compared with that of A at the time both have flown.</source>
+        <translation>Zeta sammenlignet med A&apos;s på det tidspunkt, begge har fløjet til.</translation>
+    </message>
+    <message>
+        <source>Runs you have flown come here. The button below flies this scenario along the shortest round tour beside your own settings.</source>
+        <translation>Flyvninger, du har gennemført, kommer hertil. Knappen nedenfor flyver dette scenarie ad den korteste rundtur ved siden af dine egne indstillinger.</translation>
+    </message>
+    <message>
+        <source>Another scenario than that of A: they cannot be compared.</source>
+        <translation>Et andet scenarie end A&apos;s: de kan ikke sammenlignes.</translation>
+    </message>
+    <message>
+        <source>Make this run the reference A</source>
+        <translation>Gør denne flyvning til referencen A</translation>
+    </message>
+    <message>
+        <source>Compare this run with A</source>
+        <translation>Sammenlign denne flyvning med A</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n drone</numerusform>
+            <numerusform>%n droner</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>one UAV</source>
+        <translation>én drone</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RunTimeLine</name>
+    <message>
+        <source>%1: point of no return of the plan; later the reserve is needed to come home</source>
+        <translation>%1: planens sidste vendepunkt; senere kræves reserven for at komme hjem</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ScenarioDialogs</name>
+    <message>
+        <source>Generate iceberg</source>
+        <translation>Generér isbjerg</translation>
+    </message>
+    <message numerus="yes">
+        <source>Generate %n icebergs</source>
+        <translation>
+            <numerusform>Generér %n isbjerg</numerusform>
+            <numerusform>Generér %n isbjerge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move scenario</source>
+        <translation>Flyt scenariet</translation>
+    </message>
+    <message>
+        <source>Place the new scenario</source>
+        <translation>Placér det nye scenarie</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ScenarioFiles</name>
+    <message>
+        <source>Scenarios (*.berg);;All files (*)</source>
+        <translation>Scenarier (*.berg);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Another Bergwatch</source>
+        <translation>En anden Bergwatch</translation>
+    </message>
+    <message>
+        <source>Bergwatch, process %1 on %2</source>
+        <translation>Bergwatch, proces %1 på %2</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Uden navn</translation>
+    </message>
+    <message>
+        <source>New scenario</source>
+        <translation>Nyt scenarie</translation>
+    </message>
+    <message>
+        <source>Scenarios, runs and studies (*.berg *.bergrun *.bergstudy);;All files (*)</source>
+        <translation>Scenarier, flyvninger og studier (*.berg *.bergrun *.bergstudy);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Opened a copy of %1</source>
+        <translation>Åbnede en kopi af %1</translation>
+    </message>
+    <message>
+        <source>Another program has changed it since you opened it. Those changes would be lost.</source>
+        <translation>Et andet program har ændret den, siden du åbnede den. De ændringer ville gå tabt.</translation>
+    </message>
+    <message>
+        <source>%1 has it open. What is saved there would be lost.</source>
+        <translation>%1 har den åben. Det, der gemmes der, ville gå tabt.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Gemte %1</translation>
+    </message>
+    <message>
+        <source>Saved %1; its folder takes no backup copy</source>
+        <translation>Gemte %1; dens mappe tager ikke imod en sikkerhedskopi</translation>
+    </message>
+    <message>
+        <source>No files yet</source>
+        <translation>Ingen filer endnu</translation>
+    </message>
+</context>
+<context>
+    <name>berg::SightingsImport</name>
+    <message>
+        <source>In flight no sightings can be imported. Stop the flight to import them.</source>
+        <translation>Under flyvning kan der ikke importeres observationer. Stop flyvningen for at importere dem.</translation>
+    </message>
+    <message>
+        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;All files (*)</source>
+        <translation>Observationer (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Import 1 iceberg from %1</source>
+        <translation>Importér 1 isbjerg fra %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n icebergs from %1</source>
+        <translation>
+            <numerusform>Importér %n isbjerg fra %1</numerusform>
+            <numerusform>Importér %n isbjerge fra %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Imported 1 iceberg from %1</source>
+        <translation>Importerede 1 isbjerg fra %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Imported %n icebergs from %1</source>
+        <translation>
+            <numerusform>Importerede %n isbjerg fra %1</numerusform>
+            <numerusform>Importerede %n isbjerge fra %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>berg::SolveTimeChart</name>
+    <message>
+        <source>Solution time against the number of icebergs</source>
+        <translation>Løsningstid mod antallet af isbjerge</translation>
+    </message>
+    <message>
+        <source>Solution time</source>
+        <translation>Løsningstid</translation>
+    </message>
+    <message>
+        <source>Time for one plan, logarithmic</source>
+        <translation>Tid for én plan, logaritmisk</translation>
+    </message>
+    <message>
+        <source>Line: median. Dashed: worst. Hollow: some were cut short.</source>
+        <translation>Linje: median. Stiplet: værst. Hul: nogle blev afbrudt.</translation>
+    </message>
+    <message>
+        <source>Number of icebergs</source>
+        <translation>Antal isbjerge</translation>
+    </message>
+    <message>
+        <source>CPLEX, worst (paper)</source>
+        <translation>CPLEX, værst (artiklen)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n icebergs</source>
+        <translation>
+            <numerusform>%1, %n isbjerg</numerusform>
+            <numerusform>%1, %n isbjerge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>median %1, worst %2</source>
+        <translation>median %1, værst %2</translation>
+    </message>
+    <message>
+        <source>average %1, worst %2</source>
+        <translation>gennemsnit %1, værst %2</translation>
+    </message>
+    <message>
+        <source>proven: %1 of %2</source>
+        <translation>bevist: %1 af %2</translation>
+    </message>
+</context>
+<context>
+    <name>berg::SolveTimeDesk</name>
+    <message>
+        <source>Solve time</source>
+        <translation>Løsningstid</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tabeller (*.csv);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Gemte %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::SolveTimePanel</name>
+    <message>
+        <source>Proves the optimum, by dynamic programming or by the bound of our own engine.</source>
+        <translation>Beviser optimum ved dynamisk programmering eller ved vores egen løsers grænse.</translation>
+    </message>
+    <message>
+        <source>Searches, and proves as far as about a second&apos;s work goes.</source>
+        <translation>Søger, og beviser så langt, som omtrent et sekunds arbejde rækker.</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC on a MILP with a variable for each leg and position. Uses nothing of our own engine.</source>
+        <translation>COIN-OR CBC på et MILP med en variabel for hver etape og plads. Bruger intet fra vores egen løser.</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC on the MILP as the paper prints it. Slow beyond 8 icebergs.</source>
+        <translation>COIN-OR CBC på MILP&apos;et, som artiklen trykker det. Langsom ud over 8 isbjerge.</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC on the few legs that the bound of our engine leaves.</source>
+        <translation>COIN-OR CBC på de få etaper, som vores løsers grænse lader tilbage.</translation>
+    </message>
+    <message>
+        <source>Icebergs, up to</source>
+        <translation>Isbjerge, op til</translation>
+    </message>
+    <message>
+        <source>Largest number of icebergs. The paper went to 20.</source>
+        <translation>Største antal isbjerge. Artiklen gik til 20.</translation>
+    </message>
+    <message>
+        <source>Problems of each size</source>
+        <translation>Problemer af hver størrelse</translation>
+    </message>
+    <message>
+        <source>Random problems as in Table 1 of the paper, the same at every run.</source>
+        <translation>Tilfældige problemer som i artiklens tabel 1, de samme hver gang.</translation>
+    </message>
+    <message>
+        <source>Time for everything</source>
+        <translation>Tid til det hele</translation>
+    </message>
+    <message>
+        <source>A solver that does not finish a size is not given a larger one.</source>
+        <translation>En løser, der ikke bliver færdig med en størrelse, får ikke en større.</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Målingens fremskridt</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>Gem CSV…</translation>
+    </message>
+    <message>
+        <source>Saves the measured times as a table.</source>
+        <translation>Gemmer de målte tider som en tabel.</translation>
+    </message>
+    <message>
+        <source>Measuring, about %1 left</source>
+        <translation>Måler, omtrent %1 tilbage</translation>
+    </message>
+    <message>
+        <source>Start measures this machine beside the paper&apos;s, with the paper&apos;s problems.</source>
+        <translation>Start måler denne maskine ved siden af artiklens, med artiklens problemer.</translation>
+    </message>
+    <message>
+        <source>Cancelled. What had been measured is kept.</source>
+        <translation>Annulleret. Det, der var målt, er bevaret.</translation>
+    </message>
+    <message>
+        <source>Measured in %1.</source>
+        <translation>Målt på %1.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annullér</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Choose a solver first.</source>
+        <translation>Vælg en løser først.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StartGuide</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uden navn</translation>
+    </message>
+    <message>
+        <source>1. Place icebergs</source>
+        <translation>1. Placér isbjerge</translation>
+    </message>
+    <message>
+        <source>2. Drag τ</source>
+        <translation>2. Træk τ</translation>
+    </message>
+    <message>
+        <source>To the left the most uncertain icebergs come first, to the right the route gets shorter. Ticks mark where another order becomes the best one.</source>
+        <translation>Til venstre kommer de mest usikre isbjerge først, til højre bliver ruten kortere. Mærkerne viser, hvor en anden rækkefølge bliver den bedste.</translation>
+    </message>
+    <message>
+        <source>3. Press Space</source>
+        <translation>3. Tryk på mellemrum</translation>
+    </message>
+    <message>
+        <source>Space flies the plan and pauses it; drag along the time line to look back. Stop and edit goes back to the start.</source>
+        <translation>Mellemrum flyver planen og sætter den på pause; træk langs tidslinjen for at se tilbage. Stop og redigér går tilbage til starten.</translation>
+    </message>
+    <message>
+        <source>After this tour, press I and click on the map: an iceberg. Drag it to move it, double-click it to set its drift and how uncertain its place is. The plan follows at once.</source>
+        <translation>Efter denne rundvisning: tryk på I, og klik på kortet: et isbjerg. Træk det for at flytte det, dobbeltklik på det for at angive dets drift, og hvor usikker dets position er. Planen følger straks med.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StartPage</name>
+    <message>
+        <source>Keep watch over drifting icebergs.</source>
+        <translation>Hold øje med drivende isbjerge.</translation>
+    </message>
+    <message>
+        <source>Continue with %1</source>
+        <translation>Fortsæt med %1</translation>
+    </message>
+    <message>
+        <source>New scenario</source>
+        <translation>Nyt scenarie</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Åbn...</translation>
+    </message>
+    <message>
+        <source>New here? Take the tour, three steps</source>
+        <translation>Ny her? Tag rundvisningen, tre trin</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundvisning</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Seneste filer</translation>
+    </message>
+    <message>
+        <source>Show this page at the start</source>
+        <translation>Vis denne side ved opstart</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Eksempler</translation>
+    </message>
+    <message>
+        <source>No files yet</source>
+        <translation>Ingen filer endnu</translation>
+    </message>
+    <message>
+        <source>Import sightings...</source>
+        <translation>Importér observationer...</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StatusLine</name>
+    <message>
+        <source>Shows what is found about the scenario.</source>
+        <translation>Viser, hvad der er fundet om scenariet.</translation>
+    </message>
+    <message>
+        <source>%1   %2 E  %3 N</source>
+        <comment>place, east and north of the origin</comment>
+        <translation>%1   %2 Ø  %3 N</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyCasesModel</name>
+    <message>
+        <source>reference</source>
+        <translation>reference</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>fastlåst</translation>
+    </message>
+    <message>
+        <source>%1 visits, %2 plans, %3 flown. Return or a double click opens this run.</source>
+        <translation>%1 besøg, %2 planer, %3 fløjet. Enter eller et dobbeltklik åbner denne flyvning.</translation>
+    </message>
+    <message>
+        <source>Name of the scenario, or the seed it was drawn from.</source>
+        <translation>Scenariets navn eller den startværdi, det blev trukket fra.</translation>
+    </message>
+    <message>
+        <source>Noise seed</source>
+        <translation>Støjens startværdi</translation>
+    </message>
+    <message>
+        <source>What the true drift was drawn from: the same for every setting.</source>
+        <translation>Det, den sande drift blev trukket fra: det samme for hver indstilling.</translation>
+    </message>
+    <message>
+        <source>ζ, m² s</source>
+        <translation>ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty of this flight: less is better.</source>
+        <translation>Akkumuleret usikkerhed for denne flyvning: mindre er bedre.</translation>
+    </message>
+    <message>
+        <source>vs reference</source>
+        <translation>mod reference</translation>
+    </message>
+    <message>
+        <source>Compared with the flight of this case with the reference.</source>
+        <translation>Sammenlignet med dette tilfældes flyvning med referencen.</translation>
+    </message>
+    <message>
+        <source>Best τ</source>
+        <translation>Bedste τ</translation>
+    </message>
+    <message>
+        <source>The τ with the lowest ζ in this case, in hindsight.</source>
+        <translation>Den τ, der har den laveste ζ i dette tilfælde, bestemt bagefter.</translation>
+    </message>
+    <message>
+        <source>Best of all</source>
+        <translation>Bedst af alle</translation>
+    </message>
+    <message>
+        <source>The setting with the lowest ζ in this case.</source>
+        <translation>Den indstilling, der har den laveste ζ i dette tilfælde.</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Fastlåst</translation>
+    </message>
+    <message>
+        <source>Flies to two icebergs at most in the second half.</source>
+        <translation>Flyver til højst to isbjerge i anden halvdel.</translation>
+    </message>
+    <message>
+        <source>Random %1</source>
+        <comment>scenario drawn from a seed</comment>
+        <translation>Tilfældigt %1</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Tilfælde</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyChart</name>
+    <message>
+        <source>Accumulated uncertainty ζ against the trade-off τ</source>
+        <translation>Akkumuleret usikkerhed ζ mod afvejningen τ</translation>
+    </message>
+    <message>
+        <source>Choose what to fly and press Start, or take a figure of the paper.</source>
+        <translation>Vælg, hvad der skal flyves, og tryk på Start, eller tag en figur fra artiklen.</translation>
+    </message>
+    <message>
+        <source>Mean ζ, m² s</source>
+        <translation>Middel ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, m² s</source>
+        <translation>Zeta ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Afvejning τ</translation>
+    </message>
+    <message>
+        <source>Lowest: %1.</source>
+        <translation>Lavest: %1.</translation>
+    </message>
+    <message>
+        <source>Lowest: %1; of the values of τ: %2.</source>
+        <translation>Lavest: %1; af værdierne af τ: %2.</translation>
+    </message>
+    <message>
+        <source>Band: quartiles. Dashed: median. Ring: reference.</source>
+        <translation>Bånd: kvartiler. Stiplet: median. Ring: reference.</translation>
+    </message>
+    <message>
+        <source>Ring: reference.</source>
+        <translation>Ring: reference.</translation>
+    </message>
+    <message>
+        <source>Best τ of each case</source>
+        <translation>Bedste τ i hvert tilfælde</translation>
+    </message>
+    <message>
+        <source>ζ %1 m² s</source>
+        <translation>ζ %1 m² s</translation>
+    </message>
+    <message>
+        <source>mean %1, median %2</source>
+        <translation>middel %1, median %2</translation>
+    </message>
+    <message>
+        <source>quartiles %1 to %2</source>
+        <translation>kvartiler %1 til %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>stuck in %1 of %2 cases</source>
+        <translation>fastlåst i %1 af %2 tilfælde</translation>
+    </message>
+    <message>
+        <source>stuck: flies to two icebergs at most in the second half</source>
+        <translation>fastlåst: flyver til højst to isbjerge i anden halvdel</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyDesk</name>
+    <message>
+        <source>Studies (*.bergstudy);;All files (*)</source>
+        <translation>Studier (*.bergstudy);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Studies and their reports (*.bergstudy *.json *.html);;All files (*)</source>
+        <translation>Studier og deres rapporter (*.bergstudy *.json *.html);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Reports (*.html);;All files (*)</source>
+        <translation>Rapporter (*.html);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tabeller (*.csv);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Gemte %1</translation>
+    </message>
+    <message>
+        <source>Bergwatch ended unexpectedly. This unsaved study was kept. Save it, or fly the rest.</source>
+        <translation>Bergwatch sluttede uventet. Dette studie, der ikke var gemt, blev bevaret. Gem det, eller flyv resten.</translation>
+    </message>
+    <message>
+        <source>Autosaving failed: %1</source>
+        <translation>Automatisk lagring mislykkedes: %1</translation>
+    </message>
+    <message>
+        <source>Study: %1</source>
+        <translation>Studie: %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyFlights</name>
+    <message>
+        <source>Fly as in the study</source>
+        <translation>Flyv som i studiet</translation>
+    </message>
+    <message>
+        <source>Flown as in the study, which is under View, Study.</source>
+        <translation>Fløjet som i studiet, der findes under Vis, Studie.</translation>
+    </message>
+    <message>
+        <source>Fly Figure 5 of the paper</source>
+        <translation>Flyv figur 5 i artiklen</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Brug %1</translation>
+    </message>
+    <message>
+        <source>Planned with %1</source>
+        <translation>Planlagt med %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyPanel</name>
+    <message>
+        <source>As in the paper</source>
+        <translation>Som i artiklen</translation>
+    </message>
+    <message>
+        <source>Figure 3</source>
+        <translation>Figur 3</translation>
+    </message>
+    <message>
+        <source>Solution times by number of icebergs: opens the solve time study with the sizes of the paper.</source>
+        <translation>Løsningstider efter antal isbjerge: åbner studiet af løsningstid med artiklens størrelser.</translation>
+    </message>
+    <message>
+        <source>Figure 4</source>
+        <translation>Figur 4</translation>
+    </message>
+    <message>
+        <source>Figure 5</source>
+        <translation>Figur 5</translation>
+    </message>
+    <message>
+        <source>ζ of this scenario for τ = 0, 0.1 … 4, and of the shortest path.</source>
+        <translation>ζ for dette scenarie med τ = 0, 0,1 … 4 og for den korteste vej.</translation>
+    </message>
+    <message>
+        <source>Two flights of this scenario over the map: with the τ of lowest ζ, and along the shortest path.</source>
+        <translation>To flyvninger af dette scenarie over kortet: med den τ, der giver lavest ζ, og ad den korteste vej.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyPicture</name>
+    <message>
+        <source>1 case</source>
+        <translation>1 tilfælde</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cases</source>
+        <translation>
+            <numerusform>%n tilfælde</numerusform>
+            <numerusform>%n tilfælde</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>name of a study, how many cases</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyResults</name>
+    <message>
+        <source>Compared with</source>
+        <translation>Sammenlignet med</translation>
+    </message>
+    <message>
+        <source>Reference that the other settings are compared with</source>
+        <translation>Reference, som de andre indstillinger sammenlignes med</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Åbn…</translation>
+    </message>
+    <message>
+        <source>Opens a study to view or continue it.</source>
+        <translation>Åbner et studie for at se eller fortsætte det.</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Gem…</translation>
+    </message>
+    <message>
+        <source>Saves the study with all that was flown, also while it is being flown.</source>
+        <translation>Gemmer studiet med alt, der er fløjet, også mens det flyves.</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
+    </message>
+    <message>
+        <source>Writes a page with pictures, scenarios, seeds, version and machine.</source>
+        <translation>Skriver en side med billeder, scenarier, startværdier, version og maskine.</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tabel…</translation>
+    </message>
+    <message>
+        <source>Saves the numbers of all settings as CSV.</source>
+        <translation>Gemmer tallene for alle indstillinger som CSV.</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Billede…</translation>
+    </message>
+    <message>
+        <source>Saves the picture in front (PNG, SVG, PDF).</source>
+        <translation>Gemmer det forreste billede (PNG, SVG, PDF).</translation>
+    </message>
+    <message>
+        <source>ζ against τ</source>
+        <translation>ζ mod τ</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Forskelle</translation>
+    </message>
+    <message>
+        <source>Settings of the study</source>
+        <translation>Studiets indstillinger</translation>
+    </message>
+    <message>
+        <source>Cases of the setting chosen</source>
+        <translation>Tilfælde for den valgte indstilling</translation>
+    </message>
+    <message>
+        <source>Open this run</source>
+        <translation>Åbn denne flyvning</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Indstillinger</translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation>Tilfælde</translation>
+    </message>
+    <message>
+        <source>Cases of %1</source>
+        <translation>Tilfælde for %1</translation>
+    </message>
+    <message>
+        <source>Flies this case again, the same in every number, and shows it on the map and the time line.</source>
+        <translation>Flyver dette tilfælde igen, ens i hvert tal, og viser det på kortet og tidslinjen.</translation>
+    </message>
+    <message>
+        <source>Choose a point of the picture or a setting, then a case.</source>
+        <translation>Vælg et punkt i billedet eller en indstilling, derefter et tilfælde.</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Brug %1</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Brug</translation>
+    </message>
+    <message>
+        <source>Plans the scenario on the map with this setting.</source>
+        <translation>Planlægger scenariet på kortet med denne indstilling.</translation>
+    </message>
+    <message>
+        <source>Choose a point of the picture or a setting.</source>
+        <translation>Vælg et punkt i billedet eller en indstilling.</translation>
+    </message>
+    <message>
+        <source>Lowest ζ: %1. One case recommends no policy: fly more of them.</source>
+        <translation>Laveste ζ: %1. Ét tilfælde giver ingen anbefaling: flyv flere.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the best of another policy, in %n cases.</source>
+        <translation>
+            <numerusform>Anbefalet: %1. Dens ζ er %2 (95 %: %3 til %4) mod %5, den bedste med en anden strategi, i %n tilfælde.</numerusform>
+            <numerusform>Anbefalet: %1. Dens ζ er %2 (95 %: %3 til %4) mod %5, den bedste med en anden strategi, i %n tilfælde.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No policy is surely the best: the ζ of %1 is %2 (95 %: %3 to %4) against %5, in %n cases.</source>
+        <translation>
+            <numerusform>Ingen strategi er med sikkerhed den bedste: ζ for %1 er %2 (95 %: %3 til %4) mod %5, i %n tilfælde.</numerusform>
+            <numerusform>Ingen strategi er med sikkerhed den bedste: ζ for %1 er %2 (95 %: %3 til %4) mod %5, i %n tilfælde.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyRunBar</name>
+    <message>
+        <source>under a second</source>
+        <translation>under et sekund</translation>
+    </message>
+    <message>
+        <source>about %1 s</source>
+        <translation>omtrent %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min</source>
+        <translation>omtrent %1 min</translation>
+    </message>
+    <message>
+        <source>about %1 h</source>
+        <translation>omtrent %1 t</translation>
+    </message>
+    <message>
+        <source>Carry on</source>
+        <translation>Fortsæt</translation>
+    </message>
+    <message>
+        <source>Flies what is missing of the study shown.</source>
+        <translation>Flyver det, der mangler i det viste studie.</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>Studiets fremskridt</translation>
+    </message>
+    <message>
+        <source>%1 missions, %2</source>
+        <translation>%1 missioner, %2</translation>
+    </message>
+    <message>
+        <source>%1 missions flown.</source>
+        <translation>%1 missioner fløjet.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 missions flown.</source>
+        <translation>%1 af %2 missioner fløjet.</translation>
+    </message>
+    <message>
+        <source>About %1 left.</source>
+        <translation>Omtrent %1 tilbage.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annullér</translation>
+    </message>
+    <message>
+        <source>What has been flown is kept.</source>
+        <translation>Det, der er fløjet, bevares.</translation>
+    </message>
+    <message>
+        <source>Start study</source>
+        <translation>Start studie</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudySettingsModel</name>
+    <message>
+        <source>Best τ of each case</source>
+        <translation>Bedste τ i hvert tilfælde</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <comment>from, to</comment>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>reference</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>The τ of lowest ζ of each case, chosen in hindsight: median %1, quartiles %2 and %3.</source>
+        <translation>Den τ, der har lavest ζ i hvert tilfælde, valgt bagefter: median %1, kvartiler %2 og %3.</translation>
+    </message>
+    <message>
+        <source>Less than the reference in %1 of %2 cases, worst %3. On average %4 visits.</source>
+        <translation>Mindre end referencen i %1 af %2 tilfælde, værst %3. I gennemsnit %4 besøg.</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Indstilling</translation>
+    </message>
+    <message>
+        <source>How the next iceberg is chosen.</source>
+        <translation>Hvordan det næste isbjerg vælges.</translation>
+    </message>
+    <message>
+        <source>Mean ζ</source>
+        <translation>Middel ζ</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty in m² s, mean of all cases: less is better.</source>
+        <translation>Akkumuleret usikkerhed i m² s, middel af alle tilfælde: mindre er bedre.</translation>
+    </message>
+    <message>
+        <source>Median ζ</source>
+        <translation>Median ζ</translation>
+    </message>
+    <message>
+        <source>Half of the cases have less.</source>
+        <translation>Halvdelen af tilfældene har mindre.</translation>
+    </message>
+    <message>
+        <source>Quartiles</source>
+        <translation>Kvartiler</translation>
+    </message>
+    <message>
+        <source>A quarter of the cases has less than the first, a quarter more than the second.</source>
+        <translation>En fjerdedel af tilfældene har mindre end den første, en fjerdedel mere end den anden.</translation>
+    </message>
+    <message>
+        <source>vs reference</source>
+        <translation>mod reference</translation>
+    </message>
+    <message>
+        <source>Mean of the differences, case by case, in per cent of the reference.</source>
+        <translation>Middel af forskellene, tilfælde for tilfælde, i procent af referencen.</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95 %-interval</translation>
+    </message>
+    <message>
+        <source>Of the mean difference: confidence interval by Student&apos;s t.</source>
+        <translation>For den gennemsnitlige forskel: konfidensinterval efter Students t.</translation>
+    </message>
+    <message>
+        <source>Best in</source>
+        <translation>Bedst i</translation>
+    </message>
+    <message>
+        <source>Cases in which no other setting has less ζ.</source>
+        <translation>Tilfælde, hvor ingen anden indstilling har mindre ζ.</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Fastlåst</translation>
+    </message>
+    <message>
+        <source>Cases that fly to two icebergs at most in the second half.</source>
+        <translation>Tilfælde, der flyver til højst to isbjerge i anden halvdel.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudySetup</name>
+    <message>
+        <source>This scenario</source>
+        <translation>Dette scenarie</translation>
+    </message>
+    <message>
+        <source>Random scenarios</source>
+        <translation>Tilfældige scenarier</translation>
+    </message>
+    <message>
+        <source>Fields of icebergs as in Table 3 of the paper, one for each seed.</source>
+        <translation>Felter af isbjerge som i tabel 3 i artiklen, ét for hver startværdi.</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Hvor mange</translation>
+    </message>
+    <message>
+        <source>Number of random scenarios.</source>
+        <translation>Antal tilfældige scenarier.</translation>
+    </message>
+    <message>
+        <source>First seed</source>
+        <translation>Første startværdi</translation>
+    </message>
+    <message>
+        <source>The others have the seeds that follow.</source>
+        <translation>De andre har de startværdier, der følger.</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Isbjerge</translation>
+    </message>
+    <message>
+        <source>Number of icebergs in each random scenario.</source>
+        <translation>Antal isbjerge i hvert tilfældigt scenarie.</translation>
+    </message>
+    <message>
+        <source>Runs each</source>
+        <translation>Flyvninger af hvert</translation>
+    </message>
+    <message>
+        <source>Flights of each scenario with other noise: the true drift is drawn again, the same for every setting.</source>
+        <translation>Flyvninger af hvert scenarie med anden støj: den sande drift trækkes igen, den samme for hver indstilling.</translation>
+    </message>
+    <message>
+        <source>τ from</source>
+        <translation>τ fra</translation>
+    </message>
+    <message>
+        <source>Smallest trade-off τ.</source>
+        <translation>Mindste afvejning τ.</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <comment>largest tau</comment>
+        <translation>til</translation>
+    </message>
+    <message>
+        <source>Largest trade-off τ.</source>
+        <translation>Største afvejning τ.</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <comment>of tau</comment>
+        <translation>trin</translation>
+    </message>
+    <message>
+        <source>Between two values of τ.</source>
+        <translation>Mellem to værdier af τ.</translation>
+    </message>
+    <message>
+        <source>1 random scenario</source>
+        <translation>1 tilfældigt scenarie</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n random scenarios</source>
+        <translation>
+            <numerusform>%n tilfældigt scenarie</numerusform>
+            <numerusform>%n tilfældige scenarier</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This scenario has no icebergs.</source>
+        <translation>Dette scenarie har ingen isbjerge.</translation>
+    </message>
+    <message>
+        <source>The largest τ is below the smallest.</source>
+        <translation>Den største τ er under den mindste.</translation>
+    </message>
+    <message>
+        <source>These are too many values of τ. Take a larger step.</source>
+        <translation>Det er for mange værdier af τ. Vælg et større trin.</translation>
+    </message>
+    <message>
+        <source>Choose at least one policy.</source>
+        <translation>Vælg mindst én strategi.</translation>
+    </message>
+    <message>
+        <source>A study has at most %1 missions.</source>
+        <translation>Et studie har højst %1 missioner.</translation>
+    </message>
+    <message>
+        <source>What is known of the drift in random scenarios, and how icebergs are seen.</source>
+        <translation>Hvad der er kendt om driften i tilfældige scenarier, og hvordan isbjerge ses.</translation>
+    </message>
+    <message>
+        <source>As published</source>
+        <translation>Som offentliggjort</translation>
+    </message>
+    <message>
+        <source>Velocities are known, and an iceberg in view has no uncertainty.</source>
+        <translation>Hastighederne er kendt, og et isbjerg i synsfeltet har ingen usikkerhed.</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Målt</translation>
+    </message>
+    <message>
+        <source>Measurements with noise, filtered for position and velocity.</source>
+        <translation>Målinger med støj, filtreret for position og hastighed.</translation>
+    </message>
+    <message>
+        <source>Unknown velocity</source>
+        <translation>Ukendt hastighed</translation>
+    </message>
+    <message>
+        <source>Measured; velocities are not known by 0.1 m/s along each axis.</source>
+        <translation>Målt; hastighederne er ukendte med 0,1 m/s langs hver akse.</translation>
+    </message>
+    <message>
+        <source>Real drift</source>
+        <translation>Virkelig drift</translation>
+    </message>
+    <message>
+        <source>Measured; velocities are not known and change, as those of icebergs with beacons.</source>
+        <translation>Målt; hastighederne er ukendte og ændrer sig, som for isbjerge med bøjer.</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+</context>
+<context>
+    <name>berg::TauStrip</name>
+    <message>
+        <source>Plans along the trade-off τ</source>
+        <translation>Planer langs afvejningen τ</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n plan(s)</source>
+        <translation>
+            <numerusform>%n plan</numerusform>
+            <numerusform>%n planer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. Present plan: %2</source>
+        <translation>%1. Nuværende plan: %2</translation>
+    </message>
+    <message>
+        <source>The plans for every τ are being computed.</source>
+        <translation>Planerne for hver τ beregnes.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Tour</name>
+    <message>
+        <source>Skip</source>
+        <translation>Spring over</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Tilbage</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 af %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Færdig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Næste</translation>
+    </message>
+</context>
+<context>
+    <name>berg::TradeoffPanel</name>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Afvejning τ</translation>
+    </message>
+    <message>
+        <source>Trade-off τ from most uncertain first to shortest path</source>
+        <translation>Afvejning τ fra mest usikre først til korteste vej</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Mest usikre først</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Korteste vej</translation>
+    </message>
+    <message>
+        <source>Policy</source>
+        <translation>Strategi</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Løser</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>Rute</translation>
+    </message>
+    <message>
+        <source>This build of Bergwatch was made without this solver.</source>
+        <translation>Denne udgave af Bergwatch er bygget uden denne løser.</translation>
+    </message>
+    <message>
+        <source>The policy chosen does not use this.</source>
+        <translation>Den valgte strategi bruger ikke dette.</translation>
+    </message>
+    <message>
+        <source>Locked in flight. Stop the flight to change this.</source>
+        <translation>Låst under flyvning. Stop flyvningen for at ændre dette.</translation>
+    </message>
+    <message>
+        <source>Small: icebergs of great uncertainty come first. Large: the route gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
+        <translation>Lille: isbjerge med stor usikkerhed kommer først. Stor: ruten bliver kort. Piletaster ændrer τ med 0,01, Page-taster med 0,25.</translation>
+    </message>
+    <message>
+        <source>Trade-off τ from 0 to 100.</source>
+        <translation>Afvejning τ fra 0 til 100.</translation>
+    </message>
+    <message>
+        <source>What makes the plan. Automatic proves small problems and searches in large ones.</source>
+        <translation>Det, der laver planen. Automatisk beviser små problemer og søger i store.</translation>
+    </message>
+    <message>
+        <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
+        <translation>En plan for én vej slutter ved det sidste isbjerg; en rundtur omfatter hjemturen.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::WindDialog</name>
+    <message>
+        <source>Wind</source>
+        <translation>Vind</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>&amp;Indstil</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>F&amp;art</translation>
+    </message>
+    <message>
+        <source>Blows &amp;from</source>
+        <translation>Blæser &amp;fra</translation>
+    </message>
+    <message>
+        <source>The UAV will make little way against this wind.</source>
+        <translation>Dronen vil næsten ikke komme frem mod denne vind.</translation>
+    </message>
+    <message>
+        <source>Always slower than the UAV flies: %1.</source>
+        <translation>Altid langsommere, end dronen flyver: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::WorkSafety</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uden navn</translation>
+    </message>
+    <message>
+        <source>Autosaved %1</source>
+        <translation>Gemte %1 automatisk</translation>
+    </message>
+    <message>
+        <source>Autosaving failed: %1</source>
+        <translation>Automatisk lagring mislykkedes: %1</translation>
+    </message>
+    <message>
+        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
+%1</source>
+        <translation>Ikke-gemt arbejde fra et program, der sluttede uventet, kan ikke læses. Det er bevaret i denne fil:
+%1</translation>
+    </message>
+    <message>
+        <source>Restored, not saved yet</source>
+        <translation>Gendannet, ikke gemt endnu</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Workspace</name>
+    <message>
+        <source>Change trade-off</source>
+        <translation>Ændr afvejning</translation>
+    </message>
+    <message>
+        <source>Change policy</source>
+        <translation>Ændr strategi</translation>
+    </message>
+    <message>
+        <source>Change solver</source>
+        <translation>Ændr løser</translation>
+    </message>
+    <message>
+        <source>Change route</source>
+        <translation>Ændr rute</translation>
+    </message>
+    <message>
+        <source>You are looking back. Continue from here, or go back to the latest, to change this.</source>
+        <translation>Du ser tilbage. Fortsæt herfra, eller gå tilbage til det seneste for at ændre dette.</translation>
+    </message>
+    <message>
+        <source>Change wind</source>
+        <translation>Ændr vind</translation>
+    </message>
+    <message>
+        <source>Assign iceberg</source>
+        <translation>Tildel isbjerg</translation>
+    </message>
+    <message>
+        <source>The scenario is locked in flight. Stop the flight to change it.</source>
+        <translation>Scenariet er låst under flyvning. Stop flyvningen for at ændre det.</translation>
+    </message>
+    <message>
+        <source>The scenario was changed before take-off: nothing was flown.</source>
+        <translation>Scenariet blev ændret før start: intet blev fløjet.</translation>
+    </message>
+    <message>
+        <source>Bring the flight back</source>
+        <translation>Hent flyvningen tilbage</translation>
+    </message>
+</context>
+</TS>
