@@ -1,0 +1,9744 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr">
+<context>
+    <name>AreaTool</name>
+    <message>
+        <source>Add area</source>
+        <translation>Ajouter une zone</translation>
+    </message>
+    <message>
+        <source>Replace area</source>
+        <translation>Remplacer la zone</translation>
+    </message>
+    <message>
+        <source>An area needs three corners. Esc drops what is drawn.</source>
+        <translation>Une zone a besoin de trois sommets. Esc abandonne le tracé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>An area has at most %n corners.</source>
+        <translation>
+            <numerusform>Une zone a au plus %n sommet.</numerusform>
+            <numerusform>Une zone a au plus %n sommets.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A click on the first corner or Enter closes the area. Backspace takes a corner back, Esc all.</source>
+        <translation>Un clic sur le premier sommet ou Entrée ferme la zone. Retour arrière retire un sommet, Esc les retire tous.</translation>
+    </message>
+    <message>
+        <source>Click sets the next corner. Backspace takes one back, Esc drops the area.</source>
+        <translation>Un clic place le sommet suivant. Retour arrière en retire un, Esc abandonne la zone.</translation>
+    </message>
+    <message>
+        <source>Drag a corner or an edge&apos;s middle; a click begins another area. Esc leaves the tool.</source>
+        <translation>Faites glisser un sommet ou le milieu d&apos;un côté ; un clic commence une autre zone. Esc quitte l&apos;outil.</translation>
+    </message>
+    <message>
+        <source>Click sets the first corner of the area. Esc leaves the tool.</source>
+        <translation>Un clic place le premier sommet de la zone. Esc quitte l&apos;outil.</translation>
+    </message>
+    <message>
+        <source>Add no-fly area</source>
+        <translation>Ajouter une zone interdite</translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario has at most %n no-fly areas.</source>
+        <translation>
+            <numerusform>Un scénario a au plus %n zone interdite.</numerusform>
+            <numerusform>Un scénario a au plus %n zones interdites.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click sets the first corner of a no-fly area. Corners and edges&apos; middles of those there are can be dragged. Esc leaves the tool.</source>
+        <translation>Un clic place le premier sommet d&apos;une zone interdite. Les sommets et les milieux des côtés des zones existantes peuvent être déplacés. Esc quitte l&apos;outil.</translation>
+    </message>
+</context>
+<context>
+    <name>AssetText</name>
+    <message>
+        <source>%1 is inside the inner ring</source>
+        <translation>%1 est dans l&apos;anneau intérieur</translation>
+    </message>
+    <message>
+        <source>%1 enters the inner ring in %2</source>
+        <translation>%1 entre dans l&apos;anneau intérieur dans %2</translation>
+    </message>
+</context>
+<context>
+    <name>ChartPageText</name>
+    <message>
+        <source>Flown until %1</source>
+        <translation>Vol effectué jusqu&apos;à %1</translation>
+    </message>
+    <message>
+        <source>Nothing was flown</source>
+        <translation>Aucun vol effectué</translation>
+    </message>
+</context>
+<context>
+    <name>ComparedRunText</name>
+    <message>
+        <source>%1, changed in flight, to %2</source>
+        <translation>%1, modifié en vol, jusqu&apos;à %2</translation>
+    </message>
+    <message>
+        <source>%1, changed in flight</source>
+        <translation>%1, modifié en vol</translation>
+    </message>
+    <message>
+        <source>%1, to %2</source>
+        <translation>%1, jusqu&apos;à %2</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonChartText</name>
+    <message>
+        <source>The same ζ</source>
+        <translation>Même ζ</translation>
+    </message>
+    <message>
+        <source>%1 ahead by %2 %</source>
+        <translation>%1 en avance de %2 %</translation>
+    </message>
+    <message>
+        <source>%1 and %2: the same ζ</source>
+        <translation>%1 et %2 : même ζ</translation>
+    </message>
+    <message>
+        <source>%1 is ahead: %2 has %3 % more ζ</source>
+        <translation>%1 est en avance : %2 a %3 % de ζ en plus</translation>
+    </message>
+    <message>
+        <source>%1 is ahead: it has %3 % less ζ than %2</source>
+        <translation>%1 est en avance, avec %3 % de ζ en moins que %2</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonText</name>
+    <message>
+        <source>Zeta ζ, m² s</source>
+        <translation>Zêta ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty, Eq. (24): less is better.</source>
+        <translation>Incertitude cumulée, éq. (24) : une valeur plus faible est meilleure.</translation>
+    </message>
+    <message>
+        <source>Mean Σσ, m²</source>
+        <translation>Σσ moyen, m²</translation>
+    </message>
+    <message>
+        <source>Zeta over time: how uncertain all icebergs were together on average.</source>
+        <translation>Zêta rapporté au temps : incertitude moyenne de tous les icebergs ensemble.</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Visites</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Plans</translation>
+    </message>
+    <message>
+        <source>Times the visiting order was planned.</source>
+        <translation>Nombre de fois que l&apos;ordre de visite a été planifié.</translation>
+    </message>
+    <message>
+        <source>Distance flown through the air.</source>
+        <translation>Distance parcourue dans l&apos;air.</translation>
+    </message>
+    <message>
+        <source>Unseen up to</source>
+        <translation>Non vu, max.</translation>
+    </message>
+    <message>
+        <source>Longest time for which an iceberg was out of view.</source>
+        <translation>Durée la plus longue pendant laquelle un iceberg était hors de vue.</translation>
+    </message>
+    <message>
+        <source>which was</source>
+        <translation>à savoir</translation>
+    </message>
+    <message>
+        <source>The iceberg that was out of view for the longest time.</source>
+        <translation>Iceberg resté le plus longtemps hors de vue.</translation>
+    </message>
+    <message>
+        <source>Unseen for %1 in all in A.</source>
+        <translation>Non vu pendant %1 au total dans A.</translation>
+    </message>
+    <message>
+        <source>Flown, %1</source>
+        <translation>Parcouru, %1</translation>
+    </message>
+    <message>
+        <source>%1, visits</source>
+        <translation>%1, visites</translation>
+    </message>
+    <message>
+        <source>Icebergs that %1 reached.</source>
+        <translation>Icebergs que %1 a atteints.</translation>
+    </message>
+    <message>
+        <source>What %1 has flown through the air.</source>
+        <translation>Distance que %1 a parcourue dans l&apos;air.</translation>
+    </message>
+    <message>
+        <source>Icebergs that were targets and were reached.</source>
+        <translation>Icebergs qui étaient des cibles et ont été atteints.</translation>
+    </message>
+</context>
+<context>
+    <name>CurveText</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>τ %1: %2, proven optimal</source>
+        <translation>τ %1 : %2, optimalité prouvée</translation>
+    </message>
+    <message>
+        <source>τ %1: %2, not proven</source>
+        <translation>τ %1 : %2, non prouvée</translation>
+    </message>
+</context>
+<context>
+    <name>Dialogs</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>Save the changes to &quot;%1&quot;?</source>
+        <translation>Enregistrer les modifications de « %1 » ?</translation>
+    </message>
+    <message>
+        <source>They are lost if you do not save them.</source>
+        <translation>Elles seront perdues si vous ne les enregistrez pas.</translation>
+    </message>
+    <message>
+        <source>They are lost if you do not save them. The flight under way ends unless you cancel.</source>
+        <translation>Elles seront perdues si vous ne les enregistrez pas. Le vol en cours prendra fin, sauf si vous annulez.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Bergwatch</source>
+        <translation>Bergwatch</translation>
+    </message>
+    <message>
+        <source>File in use</source>
+        <translation>Fichier en cours d&apos;utilisation</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open in another window.</source>
+        <translation>« %1 » est ouvert dans une autre fenêtre.</translation>
+    </message>
+    <message>
+        <source>%1 has it open. A copy can be changed freely and saved under another name; if both windows save to the file, the last one wins.</source>
+        <translation>%1 l&apos;a ouvert. Une copie peut être modifiée librement et enregistrée sous un autre nom ; si les deux fenêtres enregistrent dans le fichier, la dernière l&apos;emporte.</translation>
+    </message>
+    <message>
+        <source>Open a copy</source>
+        <translation>Ouvrir une copie</translation>
+    </message>
+    <message>
+        <source>Open anyway</source>
+        <translation>Ouvrir quand même</translation>
+    </message>
+    <message>
+        <source>Overwrite the file?</source>
+        <translation>Remplacer le fichier ?</translation>
+    </message>
+    <message>
+        <source>Overwrite &quot;%1&quot;?</source>
+        <translation>Remplacer « %1 » ?</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>File changed</source>
+        <translation>Fichier modifié</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was changed by another program.</source>
+        <translation>« %1 » a été modifié par un autre programme.</translation>
+    </message>
+    <message>
+        <source>You have no unsaved changes of your own.</source>
+        <translation>Vous n&apos;avez aucune modification non enregistrée.</translation>
+    </message>
+    <message>
+        <source>Open it again</source>
+        <translation>Rouvrir le fichier</translation>
+    </message>
+    <message>
+        <source>Keep what I see</source>
+        <translation>Garder ce qui est affiché</translation>
+    </message>
+    <message>
+        <source>Flight under way</source>
+        <translation>Vol en cours</translation>
+    </message>
+    <message>
+        <source>A flight has begun in the meantime. End it?</source>
+        <translation>Un vol a commencé entre-temps. Y mettre fin ?</translation>
+    </message>
+    <message>
+        <source>A flight is under way. End it?</source>
+        <translation>Un vol est en cours. Y mettre fin ?</translation>
+    </message>
+    <message>
+        <source>The scenario can only be changed when no flight is under way. The flight stays in the list of runs.</source>
+        <translation>Le scénario ne peut être modifié que lorsqu&apos;aucun vol n&apos;est en cours. Le vol reste dans la liste des vols.</translation>
+    </message>
+    <message>
+        <source>As far as it went, it stays in the list of runs.</source>
+        <translation>La partie effectuée reste dans la liste des vols.</translation>
+    </message>
+    <message>
+        <source>It is lost with the window. Save run keeps it in a file.</source>
+        <translation>Il sera perdu à la fermeture de la fenêtre. « Enregistrer le vol » le conserve dans un fichier.</translation>
+    </message>
+    <message>
+        <source>End the flight</source>
+        <translation>Mettre fin au vol</translation>
+    </message>
+    <message>
+        <source>Continue flight</source>
+        <translation>Poursuivre le vol</translation>
+    </message>
+</context>
+<context>
+    <name>DriftArrow</name>
+    <message>
+        <source>The arrow is the drift over %1. Shift keeps to steps of %2°, Esc takes it back.</source>
+        <translation>La flèche représente la dérive sur %1. Maj impose des pas de %2°, Esc annule.</translation>
+    </message>
+    <message>
+        <source>Heading %1</source>
+        <translation>Cap %1</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorText</name>
+    <message>
+        <source>There is no such file. Check the name and the folder.</source>
+        <translation>Ce fichier n&apos;existe pas. Vérifiez le nom et le dossier.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read. Check that it is a file and that you have permission to read it.</source>
+        <translation>Le fichier ne peut pas être lu. Vérifiez qu&apos;il s&apos;agit d&apos;un fichier et que vous avez le droit de le lire.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Check that the folder exists, that you have permission to write there and that the disk is not full.</source>
+        <translation>Le fichier ne peut pas être écrit. Vérifiez que le dossier existe, que vous avez le droit d&apos;y écrire et que le disque n&apos;est pas plein.</translation>
+    </message>
+    <message>
+        <source>The file is too large to be one of Bergwatch&apos;s.</source>
+        <translation>Le fichier est trop volumineux pour être un fichier de Bergwatch.</translation>
+    </message>
+    <message>
+        <source>The file is not well-formed JSON. Correct it at the place named.</source>
+        <translation>Le fichier n&apos;est pas du JSON bien formé. Corrigez-le à l&apos;endroit indiqué.</translation>
+    </message>
+    <message>
+        <source>The file is of another kind than the one expected here.</source>
+        <translation>Le fichier n&apos;est pas du type attendu ici.</translation>
+    </message>
+    <message>
+        <source>The file was made by a newer version of Bergwatch. Update the program to open it.</source>
+        <translation>Le fichier provient d&apos;une version plus récente de Bergwatch. Mettez le programme à jour pour l&apos;ouvrir.</translation>
+    </message>
+    <message>
+        <source>The values named cannot be used. Correct them and try again.</source>
+        <translation>Les valeurs indiquées ne peuvent pas être utilisées. Corrigez-les et réessayez.</translation>
+    </message>
+    <message>
+        <source>This version of Bergwatch cannot do that.</source>
+        <translation>Cette version de Bergwatch ne peut pas le faire.</translation>
+    </message>
+    <message>
+        <source>The planner failed. Choose another planner back end.</source>
+        <translation>Le planificateur a échoué. Choisissez un autre solveur.</translation>
+    </message>
+    <message>
+        <source>Flying the run again gave another result than the one it recorded. It may come from another version of Bergwatch.</source>
+        <translation>En rejouant le vol, on obtient un autre résultat que celui qu&apos;il contient. Il provient peut-être d&apos;une autre version de Bergwatch.</translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation>
+            <numerusform>… et %n de plus</numerusform>
+            <numerusform>… et %n de plus</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>EventText</name>
+    <message>
+        <source>Every iceberg is in view: circling</source>
+        <translation>Tous les icebergs sont en vue : vol d&apos;attente</translation>
+    </message>
+    <message>
+        <source>Planned: next %1</source>
+        <translation>Plan établi : %1 ensuite</translation>
+    </message>
+    <message>
+        <source>%1 reached</source>
+        <translation>%1 atteint</translation>
+    </message>
+    <message>
+        <source>%1 in view</source>
+        <translation>%1 en vue</translation>
+    </message>
+    <message>
+        <source>%1 appeared</source>
+        <translation>%1 est apparu</translation>
+    </message>
+    <message>
+        <source>Trade-off or policy changed</source>
+        <translation>Compromis ou stratégie modifiés</translation>
+    </message>
+    <message>
+        <source>take-off</source>
+        <translation>décollage</translation>
+    </message>
+    <message>
+        <source>iceberg reached</source>
+        <translation>iceberg atteint</translation>
+    </message>
+    <message>
+        <source>iceberg out of view again</source>
+        <translation>iceberg de nouveau hors de vue</translation>
+    </message>
+    <message>
+        <source>new iceberg</source>
+        <translation>nouvel iceberg</translation>
+    </message>
+    <message>
+        <source>changed in flight</source>
+        <translation>modifié en vol</translation>
+    </message>
+    <message>
+        <source>%1 reported seen</source>
+        <translation>%1 signalé vu</translation>
+    </message>
+    <message>
+        <source>iceberg sighted en route</source>
+        <translation>iceberg observé en route</translation>
+    </message>
+    <message>
+        <source>sighting overdue</source>
+        <translation>observation en retard</translation>
+    </message>
+    <message>
+        <source>The planner failed: continuing with the previous plan</source>
+        <translation>Le planificateur a échoué : poursuite du plan précédent</translation>
+    </message>
+    <message>
+        <source>%1 will enter the inner ring</source>
+        <translation>%1 entrera dans l&apos;anneau intérieur</translation>
+    </message>
+    <message>
+        <source>Wind changed</source>
+        <translation>Le vent a changé</translation>
+    </message>
+    <message>
+        <source>The protected asset has changed</source>
+        <translation>Le bien protégé a changé</translation>
+    </message>
+    <message>
+        <source>%1 has left the area</source>
+        <translation>%1 a quitté la zone</translation>
+    </message>
+    <message>
+        <source>%1 is lost: not where it should be</source>
+        <translation>%1 est perdu : il n&apos;est pas à l&apos;endroit prévu</translation>
+    </message>
+    <message>
+        <source>%1 found again</source>
+        <translation>%1 retrouvé</translation>
+    </message>
+    <message>
+        <source>Search for %1 given up</source>
+        <translation>Recherche de %1 abandonnée</translation>
+    </message>
+    <message>
+        <source>Returning home</source>
+        <translation>Retour à la base</translation>
+    </message>
+    <message>
+        <source>Landed</source>
+        <translation>Atterrissage effectué</translation>
+    </message>
+    <message>
+        <source>Took off</source>
+        <translation>Décollage effectué</translation>
+    </message>
+    <message>
+        <source>iceberg left the area</source>
+        <translation>iceberg sorti de la zone</translation>
+    </message>
+    <message>
+        <source>iceberg lost</source>
+        <translation>iceberg perdu</translation>
+    </message>
+    <message>
+        <source>lost iceberg found</source>
+        <translation>iceberg perdu retrouvé</translation>
+    </message>
+    <message>
+        <source>search given up</source>
+        <translation>recherche abandonnée</translation>
+    </message>
+    <message>
+        <source>next sortie</source>
+        <translation>sortie suivante</translation>
+    </message>
+    <message>
+        <source>Any UAV may visit %1</source>
+        <translation>N&apos;importe quel drone peut visiter %1</translation>
+    </message>
+    <message>
+        <source>Close to another UAV: %1</source>
+        <translation>Proche d&apos;un autre drone : %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are %3 apart</source>
+        <translation>%1 et %2 sont distants de %3</translation>
+    </message>
+    <message>
+        <source>%1 has nothing to visit: circling</source>
+        <translation>%1 n&apos;a rien à visiter : vol d&apos;attente</translation>
+    </message>
+    <message>
+        <source>%1 flies to %2 next</source>
+        <translation>%1 va ensuite vers %2</translation>
+    </message>
+    <message>
+        <source>%1 given to %2</source>
+        <translation>%1 attribué à %2</translation>
+    </message>
+    <message>
+        <source>seen by another UAV</source>
+        <translation>vu par un autre drone</translation>
+    </message>
+    <message>
+        <source>another UAV needed a plan</source>
+        <translation>un autre drone avait besoin d&apos;un plan</translation>
+    </message>
+    <message>
+        <source>Outside the geofence</source>
+        <translation>Hors de la barrière virtuelle</translation>
+    </message>
+    <message>
+        <source>Back inside the geofence</source>
+        <translation>De nouveau à l&apos;intérieur de la barrière virtuelle</translation>
+    </message>
+    <message>
+        <source>Told to resume</source>
+        <translation>Ordre reçu : reprendre</translation>
+    </message>
+    <message>
+        <source>Told to return now</source>
+        <translation>Ordre reçu : rentrer maintenant</translation>
+    </message>
+    <message>
+        <source>Told to hold here</source>
+        <translation>Ordre reçu : attendre ici</translation>
+    </message>
+    <message>
+        <source>Home cannot be reached in time</source>
+        <translation>La base ne peut pas être atteinte à temps</translation>
+    </message>
+    <message>
+        <source>end of hold</source>
+        <translation>fin de l&apos;attente</translation>
+    </message>
+</context>
+<context>
+    <name>ExportPicture</name>
+    <message>
+        <source>No icebergs</source>
+        <translation>Aucun iceberg</translation>
+    </message>
+</context>
+<context>
+    <name>ExportText</name>
+    <message>
+        <source>Mission plan</source>
+        <translation>Plan de mission</translation>
+    </message>
+    <message>
+        <source>Take-off to home as mission items with altitude, speed and radii, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One UAV a file.</source>
+        <translation>Du décollage au retour, sous forme d&apos;éléments de mission avec altitude, vitesse et rayons, avec la barrière virtuelle et un point de ralliement à la base. Lu aussi par Mission Planner et MAVSDK. Un drone par fichier.</translation>
+    </message>
+    <message>
+        <source>Waypoint list</source>
+        <translation>Liste de points de cheminement</translation>
+    </message>
+    <message>
+        <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One UAV a file.</source>
+        <translation>Éléments de mission au format QGC WPL 110, la base en première ligne, pour Mission Planner et MAVProxy. Sans barrière virtuelle. Un drone par fichier.</translation>
+    </message>
+    <message>
+        <source>QGIS and other map programs</source>
+        <translation>QGIS et autres logiciels de cartographie</translation>
+    </message>
+    <message>
+        <source>Icebergs, UAVs, paths and area as features with their numbers, longitude and latitude of WGS 84.</source>
+        <translation>Icebergs, drones, trajectoires et zone sous forme d&apos;entités avec leurs valeurs, longitude et latitude WGS 84.</translation>
+    </message>
+    <message>
+        <source>Chart plotters, Garmin</source>
+        <translation>Traceurs de cartes, Garmin</translation>
+    </message>
+    <message>
+        <source>Icebergs as waypoints, the order as a route, a path or what was flown as a track with times.</source>
+        <translation>Les icebergs comme points de cheminement, l&apos;ordre comme route, une trajectoire ou le vol effectué comme trace horodatée.</translation>
+    </message>
+    <message>
+        <source>UAVs and icebergs moving in time over the globe, with ways, area and asset.</source>
+        <translation>Drones et icebergs en mouvement sur le globe, avec trajectoires, zone et bien protégé.</translation>
+    </message>
+    <message>
+        <source>The same as KML, packed into one small file.</source>
+        <translation>Identique au KML, compressé en un seul petit fichier.</translation>
+    </message>
+    <message>
+        <source>Paths in the colours of the UAVs, with times if the scenario has a start; icebergs with their numbers.</source>
+        <translation>Trajectoires aux couleurs des drones, avec les heures si le scénario a un début ; icebergs avec leurs valeurs.</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Incertitude</translation>
+    </message>
+    <message>
+        <source>Spreadsheets</source>
+        <translation>Tableurs</translation>
+    </message>
+    <message>
+        <source>Table with the uncertainty of every iceberg over the time of the flight.</source>
+        <translation>Tableau de l&apos;incertitude de chaque iceberg au cours du vol.</translation>
+    </message>
+    <message>
+        <source>Decisions</source>
+        <translation>Décisions</translation>
+    </message>
+    <message>
+        <source>Table with plans, visits and what else happened in the flight.</source>
+        <translation>Tableau des plans, des visites et des autres événements du vol.</translation>
+    </message>
+    <message>
+        <source>Zeta</source>
+        <translation>Zêta</translation>
+    </message>
+    <message>
+        <source>Table with zeta over the time of the flight.</source>
+        <translation>Tableau de zêta au cours du vol.</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trajectoire</translation>
+    </message>
+    <message>
+        <source>Table of the order with legs, coordinates and arrivals; of a path or what was flown one row for each point.</source>
+        <translation>Tableau de l&apos;ordre avec segments, coordonnées et arrivées ; pour une trajectoire ou le vol effectué, une ligne par point.</translation>
+    </message>
+    <message>
+        <source>%1 shows the cruise speed as a whole number: %2 m/s becomes %3 m/s. The speed in the mission is exact.</source>
+        <translation>%1 affiche la vitesse de croisière en nombre entier : %2 m/s devient %3 m/s. La vitesse dans la mission est exacte.</translation>
+    </message>
+    <message>
+        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m.</source>
+        <translation>%1 conserve les rayons d&apos;attente supérieurs à 255 m par pas de 10 m : %2 m devient %3 m.</translation>
+    </message>
+    <message>
+        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m.</source>
+        <translation>%1 conserve les rayons d&apos;acceptation jusqu&apos;à %3 m : %2 m devient %3 m.</translation>
+    </message>
+    <message>
+        <source>Autopilots</source>
+        <translation>Autopilotes</translation>
+    </message>
+    <message>
+        <source>Maps and globes</source>
+        <translation>Cartes et globes</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tableaux</translation>
+    </message>
+    <message>
+        <source>Good to know</source>
+        <translation>Bon à savoir</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Modifié</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Omis</translation>
+    </message>
+    <message numerus="yes">
+        <source>A file holds one UAV: %n files are written, named after the UAVs.</source>
+        <translation>
+            <numerusform>Un fichier contient un seul drone : %n fichier est écrit, au nom du drone.</numerusform>
+            <numerusform>Un fichier contient un seul drone : %n fichiers sont écrits, aux noms des drones.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scenario has no start time, so the file has no dates.</source>
+        <translation>Le scénario n&apos;a pas d&apos;heure de début ; le fichier ne contient donc aucune date.</translation>
+    </message>
+    <message>
+        <source>The format has no place for the geofence.</source>
+        <translation>Le format ne prévoit pas la barrière virtuelle.</translation>
+    </message>
+    <message>
+        <source>%1 may draw the fence the long way round: it crosses the antimeridian.</source>
+        <translation>%1 peut tracer la barrière en faisant le tour du globe : elle franchit l&apos;antiméridien.</translation>
+    </message>
+    <message>
+        <source>The places where icebergs were reached are written, not the track.</source>
+        <translation>Les positions où les icebergs ont été atteints sont écrites, pas la trace.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The path becomes %n waypoints close to it.</source>
+        <translation>
+            <numerusform>La trajectoire devient %n point de cheminement proche d&apos;elle.</numerusform>
+            <numerusform>La trajectoire devient %n points de cheminement proches d&apos;elle.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs have no iceberg to visit.</source>
+        <translation>
+            <numerusform>%n drone n&apos;a aucun iceberg à visiter.</numerusform>
+            <numerusform>%n drones n&apos;ont aucun iceberg à visiter.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Map as %1</source>
+        <translation>Carte au format %1</translation>
+    </message>
+    <message>
+        <source>Charts as %1</source>
+        <translation>Graphiques au format %1</translation>
+    </message>
+    <message>
+        <source>Flight brief</source>
+        <translation>Fiche de vol</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>One page to print and take along: map, order with coordinates, legs and times, wind, warnings.</source>
+        <translation>Une page à imprimer et à emporter : carte, ordre avec coordonnées, segments et heures, vent, avertissements.</translation>
+    </message>
+    <message>
+        <source>Drawing programs</source>
+        <translation>Logiciels de dessin</translation>
+    </message>
+    <message>
+        <source>Documents and messages</source>
+        <translation>Documents et messages</translation>
+    </message>
+    <message>
+        <source>The map with icebergs, paths and area, light, with scale and legend.</source>
+        <translation>La carte avec icebergs, trajectoires et zone, en clair, avec échelle et légende.</translation>
+    </message>
+    <message>
+        <source>Zeta and the uncertainty of every iceberg over the time of the flight.</source>
+        <translation>Zêta et l&apos;incertitude de chaque iceberg au cours du vol.</translation>
+    </message>
+    <message>
+        <source>Pictures and print</source>
+        <translation>Images et impression</translation>
+    </message>
+    <message>
+        <source>The file is about the whole flight, whatever is chosen.</source>
+        <translation>Le fichier porte sur le vol entier, quel que soit le choix.</translation>
+    </message>
+    <message>
+        <source>This sortie alone is written. Icebergs of the order left for later ones: %1.</source>
+        <translation>Seule cette sortie est écrite. Icebergs de l&apos;ordre laissés aux sorties suivantes : %1.</translation>
+    </message>
+    <message>
+        <source>The format has no place for no-fly areas and the stand-off ring.</source>
+        <translation>Le format ne prévoit ni les zones interdites ni l&apos;anneau de sécurité.</translation>
+    </message>
+    <message>
+        <source>No-fly areas have no heights in it: those at the altitude of the UAV are written.</source>
+        <translation>Les zones interdites n&apos;y ont pas de hauteurs : celles qui valent à l&apos;altitude du drone sont écrites.</translation>
+    </message>
+    <message>
+        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. Export the path instead: it leads round.</source>
+        <translation>Segments droits qui sortent de la barrière virtuelle ou traversent une zone interdite : %1. Exportez plutôt la trajectoire : elle les contourne.</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Altitude</translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation>Vitesse air</translation>
+    </message>
+    <message>
+        <source>Acceptance radius</source>
+        <translation>Rayon d&apos;acceptation</translation>
+    </message>
+    <message>
+        <source>Loiter turns</source>
+        <translation>Tours d&apos;attente</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Contenu</translation>
+    </message>
+</context>
+<context>
+    <name>FieldNames</name>
+    <message>
+        <source>Corner of the area</source>
+        <translation>Sommet de la zone</translation>
+    </message>
+    <message>
+        <source>Time of the recorded track</source>
+        <translation>Instant de la trace enregistrée</translation>
+    </message>
+    <message>
+        <source>Place of the recorded track</source>
+        <translation>Position de la trace enregistrée</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Compromis τ</translation>
+    </message>
+    <message>
+        <source>Corner of the no-fly area</source>
+        <translation>Sommet de la zone interdite</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>Sud</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>West</source>
+        <translation>Ouest</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Est</translation>
+    </message>
+    <message>
+        <source>Start at</source>
+        <translation>Début à</translation>
+    </message>
+    <message>
+        <source>Not before</source>
+        <translation>Pas avant</translation>
+    </message>
+    <message>
+        <source>Not after</source>
+        <translation>Pas après</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+</context>
+<context>
+    <name>FileNames</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+</context>
+<context>
+    <name>FindBox</name>
+    <message>
+        <source>Iceberg</source>
+        <translation>Iceberg</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lieu</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+</context>
+<context>
+    <name>FlightBrief</name>
+    <message>
+        <source>Times count from the start of the run</source>
+        <translation>Les temps sont comptés depuis le début du vol</translation>
+    </message>
+    <message>
+        <source>Start %1 %2 UTC</source>
+        <translation>Début %1 %2 UTC</translation>
+    </message>
+    <message>
+        <source>No wind</source>
+        <translation>Aucun vent</translation>
+    </message>
+    <message>
+        <source>%1 %2 from %3</source>
+        <translation>%1 %2 du %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 towards %3</source>
+        <translation>%1 %2 vers le %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Wind, true</source>
+        <translation>Vent, vrai</translation>
+    </message>
+    <message>
+        <source>Current, true</source>
+        <translation>Courant, vrai</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Time of flight</source>
+        <translation>Temps de vol</translation>
+    </message>
+    <message>
+        <source>End, UTC</source>
+        <translation>Fin, UTC</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Icebergs</translation>
+    </message>
+    <message>
+        <source>Planned by</source>
+        <translation>Planifié par</translation>
+    </message>
+    <message>
+        <source>Last plan</source>
+        <translation>Dernier plan</translation>
+    </message>
+    <message>
+        <source>Order of visits</source>
+        <translation>Ordre de visite</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Altitude</translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation>Vitesse air</translation>
+    </message>
+    <message>
+        <source>Turn radius</source>
+        <translation>Rayon de virage</translation>
+    </message>
+    <message>
+        <source>Acceptance radius</source>
+        <translation>Rayon d&apos;acceptation</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Loiter turns</source>
+        <translation>Tours d&apos;attente</translation>
+    </message>
+    <message>
+        <source>Endurance left</source>
+        <translation>Autonomie restante</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Autonomie</translation>
+    </message>
+    <message>
+        <source>Positions WGS 84: icebergs drift, each is given where it was when it was reached. Courses and distances are over ground.</source>
+        <translation>Positions WGS 84 : les icebergs dérivent ; chacun est donné là où il était lorsqu&apos;il a été atteint. Routes et distances sur le fond.</translation>
+    </message>
+    <message>
+        <source>Positions WGS 84: icebergs drift, each is given where it is expected at arrival. Courses and distances are over ground.</source>
+        <translation>Positions WGS 84 : les icebergs dérivent ; chacun est donné là où il est attendu à l&apos;arrivée. Routes et distances sur le fond.</translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation>Origine %1</translation>
+    </message>
+    <message>
+        <source>Flight brief: %1</source>
+        <translation>Fiche de vol : %1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
+    </message>
+    <message>
+        <source>No warnings</source>
+        <translation>Aucun avertissement</translation>
+    </message>
+    <message>
+        <source>Warnings (%1)</source>
+        <translation>Avertissements (%1)</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <source>End of track</source>
+        <translation>Fin de la trace</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Iceberg</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Latitude</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Longitude</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Route</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>vraie</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>Reached</source>
+        <translation>Atteint</translation>
+    </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Arrivée</translation>
+    </message>
+    <message>
+        <source>σ now</source>
+        <translation>σ actuel</translation>
+    </message>
+    <message>
+        <source>and %1 more; the whole list: export CSV</source>
+        <translation>et %1 de plus ; liste complète : exporter en CSV</translation>
+    </message>
+    <message>
+        <source>and %1 more UAVs; the whole list: export CSV</source>
+        <translation>et %1 drones de plus ; liste complète : exporter en CSV</translation>
+    </message>
+    <message>
+        <source>Lost, not where they were expected (%1): %2</source>
+        <translation>Perdus, pas à l&apos;endroit attendu (%1) : %2</translation>
+    </message>
+    <message>
+        <source>Given up after a search (%1): %2</source>
+        <translation>Abandonnés après une recherche (%1) : %2</translation>
+    </message>
+    <message>
+        <source>Not flown to (%1): %2</source>
+        <translation>Non rejoints (%1) : %2</translation>
+    </message>
+    <message>
+        <source>Not in the order (%1): %2</source>
+        <translation>Hors de l&apos;ordre de visite (%1) : %2</translation>
+    </message>
+    <message>
+        <source>The order is not proven to be the best one: %1.</source>
+        <translation>Il n&apos;est pas prouvé que cet ordre soit le meilleur : %1.</translation>
+    </message>
+    <message>
+        <source>Geofence in force: stay inside the area.</source>
+        <translation>Barrière virtuelle en vigueur : rester dans la zone.</translation>
+    </message>
+    <message>
+        <source>UAVs in one altitude layer: keep them %1 apart, nothing steers them.</source>
+        <translation>Drones dans une même tranche d&apos;altitude : les maintenir à %1 les uns des autres, rien ne les dévie.</translation>
+    </message>
+    <message>
+        <source>Nothing to visit</source>
+        <translation>Rien à visiter</translation>
+    </message>
+    <message>
+        <source>Solver limit reached; previous plan kept</source>
+        <translation>Limite du solveur atteinte ; plan précédent conservé</translation>
+    </message>
+    <message>
+        <source>Chosen one iceberg at a time</source>
+        <translation>Choisi un iceberg à la fois</translation>
+    </message>
+    <message>
+        <source>Proven optimal</source>
+        <translation>Optimalité prouvée</translation>
+    </message>
+    <message>
+        <source>Within %1 % of optimal</source>
+        <translation>À moins de %1 % de l&apos;optimum</translation>
+    </message>
+    <message>
+        <source>Best order found</source>
+        <translation>Meilleur ordre trouvé</translation>
+    </message>
+    <message>
+        <source>Not planned by a solver</source>
+        <translation>Non planifié par un solveur</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>Erreur : %1</translation>
+    </message>
+    <message>
+        <source>The planner reached its limit without an order: the rest of the plan before, or the nearest iceberg, is flown.</source>
+        <translation>Le planificateur a atteint sa limite sans trouver d&apos;ordre : le reste du plan précédent, ou l&apos;iceberg le plus proche, est suivi.</translation>
+    </message>
+    <message>
+        <source>Nothing to visit for %1</source>
+        <translation>Rien à visiter pour %1</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>%1 (%2): %3</source>
+        <translation>%1 (%2) : %3</translation>
+    </message>
+    <message>
+        <source>Times are without the loiter turns: %1 more at each iceberg, %2 in all.</source>
+        <translation>Les temps ne comprennent pas les tours d&apos;attente : %1 de plus à chaque iceberg, %2 au total.</translation>
+    </message>
+    <message>
+        <source>With the loiter turns the endurance is too short: %1</source>
+        <translation>Avec les tours d&apos;attente, l&apos;autonomie est insuffisante : %1</translation>
+    </message>
+    <message>
+        <source>Reserve</source>
+        <translation>Réserve</translation>
+    </message>
+    <message>
+        <source>No-fly area: %1.</source>
+        <translation>Zone interdite : %1.</translation>
+    </message>
+    <message>
+        <source>No-fly area %1: %2.</source>
+        <translation>Zone interdite %1 : %2.</translation>
+    </message>
+    <message>
+        <source>Stand-off from the asset: %1, %2.</source>
+        <translation>Distance de sécurité au bien protégé : %1, %2.</translation>
+    </message>
+    <message>
+        <source>Climb and landing</source>
+        <translation>Montée et atterrissage</translation>
+    </message>
+    <message>
+        <source>Home before the reserve</source>
+        <translation>À la base avant la réserve</translation>
+    </message>
+    <message>
+        <source>One flight in twenty</source>
+        <translation>Un vol sur vingt</translation>
+    </message>
+    <message>
+        <source>Out of radio range</source>
+        <translation>Hors de portée radio</translation>
+    </message>
+    <message>
+        <source>Chance of being in view on arrival: %1</source>
+        <translation>Probabilité d&apos;être en vue à l&apos;arrivée : %1</translation>
+    </message>
+    <message>
+        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. The UAV goes round.</source>
+        <translation>Segments droits qui sortent de la barrière virtuelle ou traversent une zone interdite : %1. Le drone les contourne.</translation>
+    </message>
+</context>
+<context>
+    <name>FlightDrag</name>
+    <message>
+        <source>Change wind</source>
+        <translation>Modifier le vent</translation>
+    </message>
+    <message>
+        <source>Let go: this wind blows from now on. Esc takes it back.</source>
+        <translation>Relâchez : ce vent souffle désormais. Esc annule.</translation>
+    </message>
+    <message>
+        <source>Let go to keep this wind. Shift keeps to steps of %1°, Esc takes it back.</source>
+        <translation>Relâchez pour garder ce vent. Maj impose des pas de %1°, Esc annule.</translation>
+    </message>
+    <message>
+        <source>Let go: the asset is here from now on. Esc takes it back.</source>
+        <translation>Relâchez : le bien protégé est désormais ici. Esc annule.</translation>
+    </message>
+    <message>
+        <source>The UAV makes little way against this wind. Esc takes it back.</source>
+        <translation>Le drone progresse peu contre ce vent. Esc annule.</translation>
+    </message>
+</context>
+<context>
+    <name>FlightNotices</name>
+    <message numerus="yes">
+        <source>%1, and %n more</source>
+        <translation>
+            <numerusform>%1, et %n de plus</numerusform>
+            <numerusform>%1, et %n de plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Searching for %1</source>
+        <translation>Recherche de %1</translation>
+    </message>
+    <message>
+        <source>Returning home</source>
+        <translation>Retour à la base</translation>
+    </message>
+    <message>
+        <source>On the ground, takes off in %1</source>
+        <translation>Au sol, décolle dans %1</translation>
+    </message>
+    <message>
+        <source>The planner failed: continuing with the previous plan</source>
+        <translation>Le planificateur a échoué : poursuite du plan précédent</translation>
+    </message>
+    <message>
+        <source>It is asked again when the next plan is needed.</source>
+        <translation>Il sera sollicité de nouveau lorsque le prochain plan sera nécessaire.</translation>
+    </message>
+    <message>
+        <source>Home cannot be reached in time any more</source>
+        <translation>La base ne peut plus être atteinte à temps</translation>
+    </message>
+    <message>
+        <source>The wind changed in flight.</source>
+        <translation>Le vent a changé en vol.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are %3 apart</source>
+        <translation>%1 et %2 sont distants de %3</translation>
+    </message>
+    <message>
+        <source>They fly at about the same altitude and are to stay %1 apart.</source>
+        <translation>Ils volent à peu près à la même altitude et doivent rester à %1 l&apos;un de l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Wind above its limit: %1, limit %2</source>
+        <translation>Vent au-dessus de la limite : %1, limite %2</translation>
+    </message>
+    <message>
+        <source>Holding as ordered</source>
+        <translation>En attente sur ordre</translation>
+    </message>
+    <message>
+        <source>On the ground until it is told to resume</source>
+        <translation>Au sol jusqu&apos;à l&apos;ordre de reprendre</translation>
+    </message>
+    <message>
+        <source>%1 is lost</source>
+        <translation>%1 est perdu</translation>
+    </message>
+    <message>
+        <source>%1 is lost, the search was given up</source>
+        <translation>%1 est perdu, la recherche a été abandonnée</translation>
+    </message>
+    <message>
+        <source>It was not in view where it was expected.</source>
+        <translation>Il n&apos;était pas en vue à l&apos;endroit attendu.</translation>
+    </message>
+</context>
+<context>
+    <name>HandleDrag</name>
+    <message>
+        <source>Change drift</source>
+        <translation>Modifier la dérive</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change drift of %n icebergs</source>
+        <translation>
+            <numerusform>Modifier la dérive de %n iceberg</numerusform>
+            <numerusform>Modifier la dérive de %n icebergs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turn UAV</source>
+        <translation>Orienter le drone</translation>
+    </message>
+    <message>
+        <source>Let go to keep this heading. Shift keeps to steps of %1°, Esc takes it back.</source>
+        <translation>Relâchez pour garder ce cap. Maj impose des pas de %1°, Esc annule.</translation>
+    </message>
+    <message>
+        <source>Add corner</source>
+        <translation>Ajouter un sommet</translation>
+    </message>
+    <message>
+        <source>Move corner</source>
+        <translation>Déplacer le sommet</translation>
+    </message>
+    <message>
+        <source>Let go to place the corner here. Esc takes it back.</source>
+        <translation>Relâchez pour placer le sommet ici. Esc annule.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drag gives all %n icebergs selected the same drift.</source>
+        <translation>
+            <numerusform>Faire glisser donne cette dérive à %n iceberg sélectionné.</numerusform>
+            <numerusform>Faire glisser donne la même dérive aux %n icebergs sélectionnés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag sets the drift of the iceberg.</source>
+        <translation>Faire glisser règle la dérive de l&apos;iceberg.</translation>
+    </message>
+    <message>
+        <source>Drag turns the UAV.</source>
+        <translation>Faire glisser oriente le drone.</translation>
+    </message>
+    <message>
+        <source>Drag moves the corner, a click and Del remove it.</source>
+        <translation>Faire glisser déplace le sommet ; un clic suivi de Suppr l&apos;enlève.</translation>
+    </message>
+    <message>
+        <source>Drag makes a new corner here.</source>
+        <translation>Faire glisser crée un nouveau sommet ici.</translation>
+    </message>
+    <message>
+        <source>An area has at least three corners. Remove the area as a whole.</source>
+        <translation>Une zone a au moins trois sommets. Retirez la zone entière.</translation>
+    </message>
+    <message>
+        <source>Without this corner the outline would cross itself.</source>
+        <translation>Sans ce sommet, le contour se croiserait.</translation>
+    </message>
+    <message>
+        <source>Remove corner</source>
+        <translation>Retirer le sommet</translation>
+    </message>
+    <message>
+        <source>The outline would cross itself here.</source>
+        <translation>Le contour se croiserait ici.</translation>
+    </message>
+    <message>
+        <source>Drag changes the wind from now on; in flight that cannot be undone.</source>
+        <translation>Faire glisser change le vent à partir de maintenant ; en vol, cela ne peut pas être annulé.</translation>
+    </message>
+    <message>
+        <source>Drag sets the wind: the arrow points where it blows to.</source>
+        <translation>Faire glisser règle le vent : la flèche pointe vers où il souffle.</translation>
+    </message>
+</context>
+<context>
+    <name>IcebergClipboard</name>
+    <message>
+        <source>The clipboard</source>
+        <translation>Le presse-papiers</translation>
+    </message>
+</context>
+<context>
+    <name>IcebergColumnText</name>
+    <message>
+        <source>Iceberg</source>
+        <translation>Iceberg</translation>
+    </message>
+    <message>
+        <source>Name of the iceberg, its id where it has none</source>
+        <translation>Nom de l&apos;iceberg, ou son identifiant s&apos;il n&apos;en a pas</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position now; the bar is on the scale of the map</source>
+        <translation>Incertitude actuelle de la position ; la barre est à l&apos;échelle de la carte</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the position now</source>
+        <translation>Écart-type actuel de la position</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>In view, next target, or its place in the visiting order</source>
+        <translation>En vue, prochaine cible, ou rang dans l&apos;ordre de visite</translation>
+    </message>
+    <message>
+        <source>Unseen for</source>
+        <translation>Non vu depuis</translation>
+    </message>
+    <message>
+        <source>Unseen for, s</source>
+        <translation>Non vu depuis, s</translation>
+    </message>
+    <message>
+        <source>Time since it was last in view, or since it is known</source>
+        <translation>Temps écoulé depuis qu&apos;il était en vue, ou depuis qu&apos;il est connu</translation>
+    </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Arrivée</translation>
+    </message>
+    <message>
+        <source>Arrival in, s</source>
+        <translation>Arrivée dans, s</translation>
+    </message>
+    <message>
+        <source>Time from now until the UAV is there, by the plan in force</source>
+        <translation>Temps d&apos;ici à l&apos;arrivée du drone, selon le plan en vigueur</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Visites</translation>
+    </message>
+    <message>
+        <source>How often it was the target and was reached</source>
+        <translation>Nombre de fois qu&apos;il était la cible et a été atteint</translation>
+    </message>
+    <message>
+        <source>Position east of the scenario&apos;s origin: before take-off at the start, in flight the estimate</source>
+        <translation>Position à l&apos;est de l&apos;origine du scénario : avant le décollage, celle du début ; en vol, l&apos;estimation</translation>
+    </message>
+    <message>
+        <source>Position north of the scenario&apos;s origin: before take-off at the start, in flight the estimate</source>
+        <translation>Position au nord de l&apos;origine du scénario : avant le décollage, celle du début ; en vol, l&apos;estimation</translation>
+    </message>
+    <message>
+        <source>Known drift; in flight the current is in it</source>
+        <translation>Dérive connue ; en vol, le courant y est compris</translation>
+    </message>
+    <message>
+        <source>Direction, °</source>
+        <translation>Direction, °</translation>
+    </message>
+    <message>
+        <source>Where it drifts to, degrees clockwise from north</source>
+        <translation>Vers où il dérive, en degrés dans le sens horaire à partir du nord</translation>
+    </message>
+    <message>
+        <source>Last seen, s ago</source>
+        <translation>Dernière obs., il y a (s)</translation>
+    </message>
+    <message>
+        <source>Appears at, s</source>
+        <translation>Apparaît à, s</translation>
+    </message>
+    <message>
+        <source>East, %1</source>
+        <translation>Est, %1</translation>
+    </message>
+    <message>
+        <source>North, %1</source>
+        <translation>Nord, %1</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>Vitesse, %1</translation>
+    </message>
+    <message>
+        <source>CPA, %1</source>
+        <translation>CPA, %1</translation>
+    </message>
+    <message>
+        <source>Closest point of approach: least distance from the asset within the next hour, by the estimate. A warning sign beside the name: it comes into the inner ring</source>
+        <translation>Point de rapprochement maximal (CPA) : plus petite distance au bien protégé dans l&apos;heure qui vient, selon l&apos;estimation. Un signe d&apos;avertissement à côté du nom : il entre dans l&apos;anneau intérieur</translation>
+    </message>
+    <message>
+        <source>TCPA</source>
+        <translation>TCPA</translation>
+    </message>
+    <message>
+        <source>TCPA, s</source>
+        <translation>TCPA, s</translation>
+    </message>
+    <message>
+        <source>Time to the closest point of approach</source>
+        <translation>Temps jusqu&apos;au point de rapprochement maximal</translation>
+    </message>
+    <message>
+        <source>The UAV that has it in its plan</source>
+        <translation>Drone qui l&apos;a dans son plan</translation>
+    </message>
+    <message>
+        <source>Where it is, in flight the estimate; typed and pasted in any form, a whole coordinate sets both</source>
+        <translation>Où il se trouve, en vol selon l&apos;estimation ; saisi ou collé sous toute forme ; une coordonnée complète règle les deux</translation>
+    </message>
+    <message>
+        <source>Drift east, %1</source>
+        <translation>Dérive est, %1</translation>
+    </message>
+    <message>
+        <source>Known drift to the east; the current comes on top</source>
+        <translation>Dérive connue vers l&apos;est ; le courant s&apos;y ajoute</translation>
+    </message>
+    <message>
+        <source>Drift north, %1</source>
+        <translation>Dérive nord, %1</translation>
+    </message>
+    <message>
+        <source>Known drift to the north; the current comes on top</source>
+        <translation>Dérive connue vers le nord ; le courant s&apos;y ajoute</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Latitude</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Longitude</translation>
+    </message>
+</context>
+<context>
+    <name>IcebergPasteText</name>
+    <message>
+        <source>There is no text to be pasted.</source>
+        <translation>Il n&apos;y a aucun texte à coller.</translation>
+    </message>
+    <message>
+        <source>Row %1 has a cell &quot;%2&quot; to the right of the last column.</source>
+        <translation>Ligne %1 : la cellule « %2 » est à droite de la dernière colonne.</translation>
+    </message>
+    <message>
+        <source>Row %1: a scenario holds at most %2 icebergs.</source>
+        <translation>Ligne %1 : un scénario contient au plus %2 icebergs.</translation>
+    </message>
+    <message>
+        <source>Row %1, column &quot;%2&quot;: &quot;%3&quot; is not a number.</source>
+        <translation>Ligne %1, colonne « %2 » : « %3 » n&apos;est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>Row %1, column &quot;%2&quot;: %3 is not from %4 to %5.</source>
+        <translation>Ligne %1, colonne « %2 » : %3 n&apos;est pas compris entre %4 et %5.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted.</source>
+        <translation>Rien n&apos;a été collé.</translation>
+    </message>
+    <message>
+        <source>Row %1, column &quot;%2&quot;, &quot;%3&quot;: %4</source>
+        <translation>Ligne %1, colonne « %2 », « %3 » : %4</translation>
+    </message>
+    <message>
+        <source>Row %1: %2</source>
+        <translation>Ligne %1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>IcebergRowText</name>
+    <message>
+        <source>in view</source>
+        <translation>en vue</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>cible</translation>
+    </message>
+    <message>
+        <source>number %1 in the order</source>
+        <translation>numéro %1 dans l&apos;ordre</translation>
+    </message>
+    <message>
+        <source>not in the order</source>
+        <translation>hors de l&apos;ordre</translation>
+    </message>
+    <message>
+        <source>not there yet</source>
+        <translation>pas encore présent</translation>
+    </message>
+    <message>
+        <source>%1 (id %2)</source>
+        <translation>%1 (identifiant %2)</translation>
+    </message>
+    <message>
+        <source>Appears at %1</source>
+        <translation>Apparaît à %1</translation>
+    </message>
+    <message>
+        <source>%1 m², a standard deviation of %2 m</source>
+        <translation>%1 m², soit un écart-type de %2 m</translation>
+    </message>
+    <message>
+        <source>It stands still.</source>
+        <translation>Il est immobile.</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>maintenant</translation>
+    </message>
+    <message>
+        <source>&gt; 1 h</source>
+        <translation>&gt; 1 h</translation>
+    </message>
+    <message>
+        <source>lost, searched for</source>
+        <translation>perdu, recherché</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perdu</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>abandonné</translation>
+    </message>
+    <message>
+        <source>left the area</source>
+        <translation>sorti de la zone</translation>
+    </message>
+    <message>
+        <source>It still comes nearer in an hour, to this distance by then.</source>
+        <translation>Dans une heure il se rapproche encore ; il sera alors à cette distance.</translation>
+    </message>
+    <message>
+        <source>target of %1</source>
+        <translation>cible de %1</translation>
+    </message>
+    <message>
+        <source>number %1 of %2</source>
+        <translation>numéro %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>ImportCells</name>
+    <message>
+        <source>Id</source>
+        <translation>Identifiant</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>Observations</translation>
+    </message>
+    <message>
+        <source>Last seen, UTC</source>
+        <translation>Dernière observation, UTC</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Âge</translation>
+    </message>
+    <message>
+        <source>Speed, m/s</source>
+        <translation>Vitesse, m/s</translation>
+    </message>
+    <message>
+        <source>Direction, °</source>
+        <translation>Direction, °</translation>
+    </message>
+    <message>
+        <source>σ, m²</source>
+        <translation>σ, m²</translation>
+    </message>
+    <message>
+        <source>q, m²/s</source>
+        <translation>q, m²/s</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+</context>
+<context>
+    <name>ImportWords</name>
+    <message>
+        <source>The file is too large to be imported. Split it, or leave out what is not needed.</source>
+        <translation>Le fichier est trop volumineux pour être importé. Divisez-le ou omettez ce qui n&apos;est pas nécessaire.</translation>
+    </message>
+    <message>
+        <source>The file is broken. Correct it at the place named, or export it again.</source>
+        <translation>Le fichier est endommagé. Corrigez-le à l&apos;endroit indiqué ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>This is no file of sightings that can be recognised. If it is a table, name its columns for latitude and longitude.</source>
+        <translation>Ce n&apos;est pas un fichier d&apos;observations reconnu. S&apos;il s&apos;agit d&apos;un tableau, indiquez ses colonnes de latitude et de longitude.</translation>
+    </message>
+    <message>
+        <source>Nothing of it can be used like this.</source>
+        <translation>Rien n&apos;y est utilisable tel quel.</translation>
+    </message>
+    <message>
+        <source>velocity unknown</source>
+        <translation>vitesse inconnue</translation>
+    </message>
+    <message>
+        <source>velocity from the file</source>
+        <translation>vitesse tirée du fichier</translation>
+    </message>
+    <message>
+        <source>velocity limited to 5 m/s</source>
+        <translation>vitesse limitée à 5 m/s</translation>
+    </message>
+    <message>
+        <source>q estimated</source>
+        <translation>q estimé</translation>
+    </message>
+    <message>
+        <source>q limited to 10⁶ m²/s</source>
+        <translation>q limité à 10⁶ m²/s</translation>
+    </message>
+    <message>
+        <source>stationary</source>
+        <translation>stationnaire</translation>
+    </message>
+    <message>
+        <source>several sightings at one time</source>
+        <translation>plusieurs observations au même instant</translation>
+    </message>
+    <message>
+        <source>sightings at impossible places not used</source>
+        <translation>observations en des lieux impossibles, non utilisées</translation>
+    </message>
+    <message>
+        <source>recorded track</source>
+        <translation>trace enregistrée</translation>
+    </message>
+    <message>
+        <source>no track: not sighted after the start</source>
+        <translation>aucune trace : pas observé après le début</translation>
+    </message>
+    <message>
+        <source>older than what the scenario has</source>
+        <translation>plus ancien que ce que contient le scénario</translation>
+    </message>
+    <message>
+        <source>sighted only after the start</source>
+        <translation>observé seulement après le début</translation>
+    </message>
+    <message>
+        <source>more than 1000 km from the origin at the start</source>
+        <translation>à plus de 1000 km de l&apos;origine au début</translation>
+    </message>
+    <message>
+        <source>the scenario is full</source>
+        <translation>le scénario est plein</translation>
+    </message>
+    <message>
+        <source>a UAV has this id</source>
+        <translation>un drone a cet identifiant</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>nouveau</translation>
+    </message>
+    <message>
+        <source>updated</source>
+        <translation>mis à jour</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>inchangé</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>omis</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Identifiant</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Latitude</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Longitude</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ</source>
+        <translation>Incertitude σ</translation>
+    </message>
+    <message>
+        <source>Growth q</source>
+        <translation>Croissance q</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>Size class</source>
+        <translation>Classe de taille</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>KML (Google Earth)</source>
+        <translation>KML (Google Earth)</translation>
+    </message>
+    <message>
+        <source>GeoJSON (QGIS)</source>
+        <translation>GeoJSON (QGIS)</translation>
+    </message>
+    <message>
+        <source>International Ice Patrol (CSV)</source>
+        <translation>Patrouille internationale des glaces (CSV)</translation>
+    </message>
+    <message>
+        <source>US National Ice Center (CSV)</source>
+        <translation>US National Ice Center (CSV)</translation>
+    </message>
+    <message>
+        <source>Any table (CSV)</source>
+        <translation>Tableau quelconque (CSV)</translation>
+    </message>
+    <message>
+        <source>1 new</source>
+        <translation>1 nouveau</translation>
+    </message>
+    <message>
+        <source>%1 new</source>
+        <translation>%1 nouveaux</translation>
+    </message>
+    <message>
+        <source>1 updated</source>
+        <translation>1 mis à jour</translation>
+    </message>
+    <message>
+        <source>%1 updated</source>
+        <translation>%1 mis à jour</translation>
+    </message>
+    <message>
+        <source>1 unchanged</source>
+        <translation>1 inchangé</translation>
+    </message>
+    <message>
+        <source>%1 unchanged</source>
+        <translation>%1 inchangés</translation>
+    </message>
+    <message>
+        <source>1 left out</source>
+        <translation>1 omis</translation>
+    </message>
+    <message>
+        <source>%1 left out</source>
+        <translation>%1 omis</translation>
+    </message>
+    <message>
+        <source>1 sighting outside the area</source>
+        <translation>1 observation hors de la zone</translation>
+    </message>
+    <message>
+        <source>%1 sightings outside the area</source>
+        <translation>%1 observations hors de la zone</translation>
+    </message>
+    <message>
+        <source>1 sighting outside the time</source>
+        <translation>1 observation hors de la période</translation>
+    </message>
+    <message>
+        <source>%1 sightings outside the time</source>
+        <translation>%1 observations hors de la période</translation>
+    </message>
+    <message>
+        <source>1 row rejected</source>
+        <translation>1 ligne rejetée</translation>
+    </message>
+    <message>
+        <source>%1 rows rejected</source>
+        <translation>%1 lignes rejetées</translation>
+    </message>
+    <message>
+        <source>Nothing to import</source>
+        <translation>Rien à importer</translation>
+    </message>
+    <message>
+        <source>%1 d %2 h</source>
+        <translation>%1 j %2 h</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>MET Norway (GeoJSON)</source>
+        <translation>MET Norway (GeoJSON)</translation>
+    </message>
+    <message>
+        <source>Canadian Ice Service (CSV)</source>
+        <translation>Service canadien des glaces (CSV)</translation>
+    </message>
+    <message>
+        <source>KMZ (KML, packed)</source>
+        <translation>KMZ (KML compressé)</translation>
+    </message>
+    <message>
+        <source>CZML (Cesium)</source>
+        <translation>CZML (Cesium)</translation>
+    </message>
+    <message>
+        <source>GPX (waypoints, routes and tracks)</source>
+        <translation>GPX (points de cheminement, routes et traces)</translation>
+    </message>
+    <message>
+        <source>QGroundControl plan</source>
+        <translation>Plan QGroundControl</translation>
+    </message>
+    <message>
+        <source>ArduPilot mission (QGC WPL)</source>
+        <translation>Mission ArduPilot (QGC WPL)</translation>
+    </message>
+    <message>
+        <source>1 UAV</source>
+        <translation>1 drone</translation>
+    </message>
+    <message>
+        <source>%1 UAVs</source>
+        <translation>%1 drones</translation>
+    </message>
+    <message>
+        <source>the area</source>
+        <translation>la zone</translation>
+    </message>
+    <message>
+        <source>the area as geofence</source>
+        <translation>la zone comme barrière virtuelle</translation>
+    </message>
+    <message>
+        <source>the asset</source>
+        <translation>le bien protégé</translation>
+    </message>
+    <message>
+        <source>UAVs, area and asset (the scenario has its own)</source>
+        <translation>drones, zone et bien protégé (le scénario a les siens)</translation>
+    </message>
+    <message>
+        <source>1 UAV (too many)</source>
+        <translation>1 drone (de trop)</translation>
+    </message>
+    <message>
+        <source>%1 UAVs (too many)</source>
+        <translation>%1 drones (de trop)</translation>
+    </message>
+    <message>
+        <source>1 UAV (more than 1000 km from the origin)</source>
+        <translation>1 drone (à plus de 1000 km de l&apos;origine)</translation>
+    </message>
+    <message>
+        <source>%1 UAVs (more than 1000 km from the origin)</source>
+        <translation>%1 drones (à plus de 1000 km de l&apos;origine)</translation>
+    </message>
+    <message>
+        <source>an area (unreadable)</source>
+        <translation>une zone (illisible)</translation>
+    </message>
+    <message>
+        <source>the area (too few or too many corners)</source>
+        <translation>la zone (trop peu ou trop de sommets)</translation>
+    </message>
+    <message>
+        <source>the area (more than 1000 km from the origin)</source>
+        <translation>la zone (à plus de 1000 km de l&apos;origine)</translation>
+    </message>
+    <message>
+        <source>the area (touches or crosses itself)</source>
+        <translation>la zone (se touche ou se croise elle-même)</translation>
+    </message>
+    <message>
+        <source>the area (in several parts)</source>
+        <translation>la zone (en plusieurs parties)</translation>
+    </message>
+    <message>
+        <source>1 further area</source>
+        <translation>1 autre zone</translation>
+    </message>
+    <message>
+        <source>%1 further areas</source>
+        <translation>%1 autres zones</translation>
+    </message>
+    <message>
+        <source>1 hole of the area</source>
+        <translation>1 trou dans la zone</translation>
+    </message>
+    <message>
+        <source>%1 holes of the area</source>
+        <translation>%1 trous dans la zone</translation>
+    </message>
+    <message>
+        <source>1 circle of the geofence</source>
+        <translation>1 cercle de la barrière virtuelle</translation>
+    </message>
+    <message>
+        <source>%1 circles of the geofence</source>
+        <translation>%1 cercles de la barrière virtuelle</translation>
+    </message>
+    <message>
+        <source>the geofence (too many corners)</source>
+        <translation>la barrière virtuelle (trop de sommets)</translation>
+    </message>
+    <message>
+        <source>the geofence (a UAV starts or lands outside)</source>
+        <translation>la barrière virtuelle (un drone part ou se pose à l&apos;extérieur)</translation>
+    </message>
+    <message>
+        <source>1 rally point</source>
+        <translation>1 point de ralliement</translation>
+    </message>
+    <message>
+        <source>%1 rally points</source>
+        <translation>%1 points de ralliement</translation>
+    </message>
+    <message>
+        <source>1 further asset</source>
+        <translation>1 autre bien protégé</translation>
+    </message>
+    <message>
+        <source>%1 further assets</source>
+        <translation>%1 autres biens protégés</translation>
+    </message>
+    <message>
+        <source>the asset (more than 1000 km from the origin)</source>
+        <translation>le bien protégé (à plus de 1000 km de l&apos;origine)</translation>
+    </message>
+    <message>
+        <source>1 number out of range</source>
+        <translation>1 nombre hors limites</translation>
+    </message>
+    <message>
+        <source>%1 numbers out of range</source>
+        <translation>%1 nombres hors limites</translation>
+    </message>
+    <message>
+        <source>Also from the file: %1</source>
+        <translation>Également tiré du fichier : %1</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>Omis : %1</translation>
+    </message>
+    <message>
+        <source>1 no-fly area</source>
+        <translation>1 zone interdite</translation>
+    </message>
+    <message>
+        <source>%1 no-fly areas</source>
+        <translation>%1 zones interdites</translation>
+    </message>
+    <message>
+        <source>1 no-fly area (a UAV starts or lands in it, or its heights are wrong)</source>
+        <translation>1 zone interdite (un drone y part ou s&apos;y pose, ou ses hauteurs sont erronées)</translation>
+    </message>
+    <message>
+        <source>%1 no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
+        <translation>%1 zones interdites (un drone y part ou s&apos;y pose, ou leurs hauteurs sont erronées)</translation>
+    </message>
+    <message>
+        <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
+        <translation>Ligne %1 : %2 est lu avec le mois en premier, ce que rien n&apos;indique dans le fichier. Choisissez sous « Dates » si le jour vient en premier.</translation>
+    </message>
+</context>
+<context>
+    <name>InspectorPanel</name>
+    <message>
+        <source>Id</source>
+        <translation>Identifiant</translation>
+    </message>
+</context>
+<context>
+    <name>InspectorRows</name>
+    <message>
+        <source>Change drift</source>
+        <translation>Modifier la dérive</translation>
+    </message>
+    <message>
+        <source>Drift east</source>
+        <translation>Dérive est</translation>
+    </message>
+    <message>
+        <source>Known drift to the east; the current comes on top.</source>
+        <translation>Dérive connue vers l&apos;est ; le courant s&apos;y ajoute.</translation>
+    </message>
+    <message>
+        <source>Drift north</source>
+        <translation>Dérive nord</translation>
+    </message>
+    <message>
+        <source>Known drift to the north; the current comes on top.</source>
+        <translation>Dérive connue vers le nord ; le courant s&apos;y ajoute.</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ₀</source>
+        <translation>Incertitude σ₀</translation>
+    </message>
+    <message>
+        <source>Variance of the position when it was last seen.</source>
+        <translation>Variance de la position lors de la dernière observation.</translation>
+    </message>
+    <message>
+        <source>Change uncertainty</source>
+        <translation>Modifier l&apos;incertitude</translation>
+    </message>
+    <message>
+        <source>Growth q</source>
+        <translation>Croissance q</translation>
+    </message>
+    <message>
+        <source>What the uncertainty grows by in a second out of view.</source>
+        <translation>Croissance de l&apos;incertitude par seconde hors de vue.</translation>
+    </message>
+    <message>
+        <source>Change growth of uncertainty</source>
+        <translation>Modifier la croissance de l&apos;incertitude</translation>
+    </message>
+    <message>
+        <source>standard deviation %1 m</source>
+        <translation>écart-type %1 m</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Dernière observation</translation>
+    </message>
+    <message>
+        <source>How long before the start it was last seen; σ has grown since.</source>
+        <translation>Temps entre la dernière observation et le début ; σ a augmenté depuis.</translation>
+    </message>
+    <message>
+        <source>Change time last seen</source>
+        <translation>Modifier l&apos;instant de la dernière observation</translation>
+    </message>
+    <message>
+        <source> s ago</source>
+        <comment>unit after a number</comment>
+        <translation> s avant</translation>
+    </message>
+    <message>
+        <source>Appears at</source>
+        <translation>Apparaît à</translation>
+    </message>
+    <message>
+        <source>Time of the run from which on it is known; 0 is the start.</source>
+        <translation>Instant du vol à partir duquel il est connu ; 0 est le début.</translation>
+    </message>
+    <message>
+        <source>Change time of appearing</source>
+        <translation>Modifier l&apos;instant d&apos;apparition</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Half its length; decides its size on the map.</source>
+        <translation>La moitié de sa longueur ; détermine sa taille sur la carte.</translation>
+    </message>
+    <message>
+        <source>Change radius</source>
+        <translation>Modifier le rayon</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Shown on the map in place of the id.</source>
+        <translation>Affiché sur la carte à la place de l&apos;identifiant.</translation>
+    </message>
+    <message>
+        <source>Change name</source>
+        <translation>Modifier le nom</translation>
+    </message>
+    <message>
+        <source>Change position</source>
+        <translation>Modifier la position</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Est</translation>
+    </message>
+    <message>
+        <source>Position at the start, east of the scenario&apos;s origin.</source>
+        <translation>Position au début, à l&apos;est de l&apos;origine du scénario.</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>Position at the start, north of the scenario&apos;s origin.</source>
+        <translation>Position au début, au nord de l&apos;origine du scénario.</translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation>immobile</translation>
+    </message>
+    <message>
+        <source>Change wind</source>
+        <translation>Modifier le vent</translation>
+    </message>
+    <message>
+        <source>Wind east</source>
+        <translation>Vent est</translation>
+    </message>
+    <message>
+        <source>Towards the east; always slower than the UAV flies.</source>
+        <translation>Vers l&apos;est ; toujours plus lent que le vol du drone.</translation>
+    </message>
+    <message>
+        <source>Wind north</source>
+        <translation>Vent nord</translation>
+    </message>
+    <message>
+        <source>Towards the north; always slower than the UAV flies.</source>
+        <translation>Vers le nord ; toujours plus lent que le vol du drone.</translation>
+    </message>
+    <message>
+        <source>no wind</source>
+        <translation>aucun vent</translation>
+    </message>
+    <message>
+        <source>Change current</source>
+        <translation>Modifier le courant</translation>
+    </message>
+    <message>
+        <source>Current east</source>
+        <translation>Courant est</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg towards the east.</source>
+        <translation>Entraîne tous les icebergs vers l&apos;est.</translation>
+    </message>
+    <message>
+        <source>Current north</source>
+        <translation>Courant nord</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg towards the north.</source>
+        <translation>Entraîne tous les icebergs vers le nord.</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Length of the run, at most seven days.</source>
+        <translation>Durée du vol, sept jours au plus.</translation>
+    </message>
+    <message>
+        <source>Change duration</source>
+        <translation>Modifier la durée</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Pas de temps</translation>
+    </message>
+    <message>
+        <source>Step of the simulation; small is exact and slow.</source>
+        <translation>Pas de la simulation ; un petit pas est exact et lent.</translation>
+    </message>
+    <message>
+        <source>Change time step</source>
+        <translation>Modifier le pas de temps</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Names the random drift: the same seed, the same run.</source>
+        <translation>Détermine la dérive aléatoire : même graine, même vol.</translation>
+    </message>
+    <message>
+        <source>Change seed</source>
+        <translation>Modifier la graine</translation>
+    </message>
+    <message>
+        <source>Random drift</source>
+        <translation>Dérive aléatoire</translation>
+    </message>
+    <message>
+        <source>Off: icebergs drift exactly as known.</source>
+        <translation>Désactivée : les icebergs dérivent exactement comme connu.</translation>
+    </message>
+    <message>
+        <source>Change random drift</source>
+        <translation>Modifier la dérive aléatoire</translation>
+    </message>
+    <message>
+        <source>Title of the scenario, shown on the map.</source>
+        <translation>Titre du scénario, affiché sur la carte.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Anything worth knowing, kept in the file.</source>
+        <translation>Tout ce qu&apos;il est utile de savoir, conservé dans le fichier.</translation>
+    </message>
+    <message>
+        <source>Change notes</source>
+        <translation>Modifier les notes</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Cap</translation>
+    </message>
+    <message>
+        <source>Clockwise from north, at the start.</source>
+        <translation>Dans le sens horaire à partir du nord, au début.</translation>
+    </message>
+    <message>
+        <source>Change heading</source>
+        <translation>Modifier le cap</translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation>Vitesse air</translation>
+    </message>
+    <message>
+        <source>Always faster than the wind.</source>
+        <translation>Toujours supérieure à celle du vent.</translation>
+    </message>
+    <message>
+        <source>Change airspeed</source>
+        <translation>Modifier la vitesse air</translation>
+    </message>
+    <message>
+        <source>Change field of view</source>
+        <translation>Modifier le champ de vision</translation>
+    </message>
+    <message>
+        <source>View along-track</source>
+        <translation>Champ longitudinal</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view along the heading.</source>
+        <translation>Étendue du champ de vision dans le sens du cap.</translation>
+    </message>
+    <message>
+        <source>View cross-track</source>
+        <translation>Champ transversal</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view across the heading.</source>
+        <translation>Étendue du champ de vision en travers du cap.</translation>
+    </message>
+    <message>
+        <source>Maximum bank angle</source>
+        <translation>Inclinaison maximale</translation>
+    </message>
+    <message>
+        <source>Bank in a turn; the larger, the tighter the turns.</source>
+        <translation>Inclinaison latérale en virage ; plus elle est grande, plus les virages sont serrés.</translation>
+    </message>
+    <message>
+        <source>Change maximum bank angle</source>
+        <translation>Modifier l&apos;inclinaison maximale</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Altitude</translation>
+    </message>
+    <message>
+        <source>Change altitude</source>
+        <translation>Modifier l&apos;altitude</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Autonomie</translation>
+    </message>
+    <message>
+        <source>Change endurance</source>
+        <translation>Modifier l&apos;autonomie</translation>
+    </message>
+    <message>
+        <source>unlimited</source>
+        <translation>illimitée</translation>
+    </message>
+    <message>
+        <source>Change velocity of the asset</source>
+        <translation>Modifier la vitesse du bien protégé</translation>
+    </message>
+    <message>
+        <source>Speed east</source>
+        <translation>Vitesse est</translation>
+    </message>
+    <message>
+        <source>What a ship makes to the east; 0 for a platform.</source>
+        <translation>Vitesse d&apos;un navire vers l&apos;est ; 0 pour une plateforme.</translation>
+    </message>
+    <message>
+        <source>Speed north</source>
+        <translation>Vitesse nord</translation>
+    </message>
+    <message>
+        <source>What a ship makes to the north; 0 for a platform.</source>
+        <translation>Vitesse d&apos;un navire vers le nord ; 0 pour une plateforme.</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Rayon d&apos;influence</translation>
+    </message>
+    <message>
+        <source>How near an iceberg matters to it.</source>
+        <translation>Distance à laquelle un iceberg le concerne.</translation>
+    </message>
+    <message>
+        <source>Change range of the asset</source>
+        <translation>Modifier le rayon d&apos;influence du bien protégé</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Pondération</translation>
+    </message>
+    <message>
+        <source>How much more an iceberg near it matters.</source>
+        <translation>De combien un iceberg proche de lui compte davantage.</translation>
+    </message>
+    <message>
+        <source>Change gain of the asset</source>
+        <translation>Modifier la pondération du bien protégé</translation>
+    </message>
+    <message>
+        <source>Takes the asset off the map.</source>
+        <translation>Retire le bien protégé de la carte.</translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Retirer le bien protégé</translation>
+    </message>
+    <message>
+        <source>Takes the area off the map.</source>
+        <translation>Retire la zone de la carte.</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Retirer la zone</translation>
+    </message>
+    <message>
+        <source>Acceptance radius</source>
+        <translation>Rayon d&apos;acceptation</translation>
+    </message>
+    <message>
+        <source>How near the UAV has to come to an iceberg; at 0 it is reached when it is in view.</source>
+        <translation>À quelle distance d&apos;un iceberg le drone doit arriver ; à 0, l&apos;iceberg est atteint lorsqu&apos;il est en vue.</translation>
+    </message>
+    <message>
+        <source>Change acceptance radius</source>
+        <translation>Modifier le rayon d&apos;acceptation</translation>
+    </message>
+    <message>
+        <source>in view</source>
+        <translation>en vue</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Champ de vision</translation>
+    </message>
+    <message>
+        <source>Shape of what the camera covers.</source>
+        <translation>Forme de ce que couvre la caméra.</translation>
+    </message>
+    <message>
+        <source>turns with the UAV</source>
+        <translation>tourne avec le drone</translation>
+    </message>
+    <message>
+        <source>along the north</source>
+        <translation>orienté au nord</translation>
+    </message>
+    <message>
+        <source>a disk</source>
+        <translation>un disque</translation>
+    </message>
+    <message>
+        <source>Formulation</source>
+        <translation>Formulation</translation>
+    </message>
+    <message>
+        <source>Integer program that COIN-OR CBC solves when it is the solver.</source>
+        <translation>Programme en nombres entiers que résout COIN-OR CBC lorsqu&apos;il est le solveur.</translation>
+    </message>
+    <message>
+        <source>Change formulation</source>
+        <translation>Modifier la formulation</translation>
+    </message>
+    <message>
+        <source>by position</source>
+        <translation>par rang</translation>
+    </message>
+    <message>
+        <source>as printed</source>
+        <translation>telle qu&apos;imprimée</translation>
+    </message>
+    <message>
+        <source>reduced</source>
+        <translation>réduite</translation>
+    </message>
+    <message>
+        <source>Change origin</source>
+        <translation>Modifier l&apos;origine</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Latitude</translation>
+    </message>
+    <message>
+        <source>Of the origin, north positive; everything moves along with it.</source>
+        <translation>De l&apos;origine, positive au nord ; tout se déplace avec elle.</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Longitude</translation>
+    </message>
+    <message>
+        <source>Of the origin, east positive; everything moves along with it.</source>
+        <translation>De l&apos;origine, positive à l&apos;est ; tout se déplace avec elle.</translation>
+    </message>
+    <message>
+        <source>Start (UTC)</source>
+        <translation>Début (UTC)</translation>
+    </message>
+    <message>
+        <source>Date and time of the start, such as 2024-05-01T06:00:00Z; empty: times are relative.</source>
+        <translation>Date et heure du début, par exemple 2024-05-01T06:00:00Z ; vide : les temps sont relatifs.</translation>
+    </message>
+    <message>
+        <source>Change start</source>
+        <translation>Modifier le début</translation>
+    </message>
+    <message>
+        <source>relative times</source>
+        <translation>temps relatifs</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n corners, %1</source>
+        <translation>
+            <numerusform>%n sommet, %1</numerusform>
+            <numerusform>%n sommets, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recorded track</source>
+        <translation>Trace enregistrée</translation>
+    </message>
+    <message>
+        <source>Its true motion follows this record, while the estimate follows the drift above.</source>
+        <translation>Son mouvement réel suit cet enregistrement, alors que l&apos;estimation suit la dérive ci-dessus.</translation>
+    </message>
+    <message>
+        <source>Clear recorded track</source>
+        <translation>Effacer la trace enregistrée</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 towards %2°</source>
+        <translation>%1 vers %2°</translation>
+    </message>
+    <message>
+        <source>Inner ring</source>
+        <translation>Anneau intérieur</translation>
+    </message>
+    <message>
+        <source>An iceberg on its way into it within an hour is an alarm; at 0 it is half the range.</source>
+        <translation>Un iceberg qui doit y entrer dans l&apos;heure déclenche une alarme ; à 0, c&apos;est la moitié du rayon d&apos;influence.</translation>
+    </message>
+    <message>
+        <source>Change inner ring of the asset</source>
+        <translation>Modifier l&apos;anneau intérieur du bien protégé</translation>
+    </message>
+    <message>
+        <source>half the range</source>
+        <translation>moitié du rayon d&apos;influence</translation>
+    </message>
+    <message>
+        <source>Planning time</source>
+        <translation>Temps de planification</translation>
+    </message>
+    <message>
+        <source>How long a plan takes in flight; until it is there the UAV flies the last one on.</source>
+        <translation>Temps que prend un plan en vol ; d&apos;ici là, le drone poursuit le précédent.</translation>
+    </message>
+    <message>
+        <source>Change planning time</source>
+        <translation>Modifier le temps de planification</translation>
+    </message>
+    <message>
+        <source>Autopilot rate</source>
+        <translation>Cadence de l&apos;autopilote</translation>
+    </message>
+    <message>
+        <source>Time between two commands of the autopilot; at 0 it commands at each time step.</source>
+        <translation>Temps entre deux commandes de l&apos;autopilote ; à 0, il commande à chaque pas de temps.</translation>
+    </message>
+    <message>
+        <source>Change autopilot rate</source>
+        <translation>Modifier la cadence de l&apos;autopilote</translation>
+    </message>
+    <message>
+        <source>each time step</source>
+        <translation>à chaque pas de temps</translation>
+    </message>
+    <message>
+        <source>Geofence</source>
+        <translation>Barrière virtuelle</translation>
+    </message>
+    <message>
+        <source>The UAVs stay inside the area.</source>
+        <translation>Les drones restent dans la zone.</translation>
+    </message>
+    <message>
+        <source>Change geofence</source>
+        <translation>Modifier la barrière virtuelle</translation>
+    </message>
+    <message>
+        <source>Change home</source>
+        <translation>Modifier la base</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>It lands elsewhere than it starts.</source>
+        <translation>Il se pose ailleurs qu&apos;à son point de départ.</translation>
+    </message>
+    <message>
+        <source>Land where it starts</source>
+        <translation>Se poser au point de départ</translation>
+    </message>
+    <message>
+        <source>%1 from the start</source>
+        <translation>à %1 du départ</translation>
+    </message>
+    <message>
+        <source>Home east</source>
+        <translation>Base est</translation>
+    </message>
+    <message>
+        <source>Where it lands, east of the scenario&apos;s origin.</source>
+        <translation>Lieu d&apos;atterrissage, à l&apos;est de l&apos;origine du scénario.</translation>
+    </message>
+    <message>
+        <source>Home north</source>
+        <translation>Base nord</translation>
+    </message>
+    <message>
+        <source>Where it lands, north of the scenario&apos;s origin.</source>
+        <translation>Lieu d&apos;atterrissage, au nord de l&apos;origine du scénario.</translation>
+    </message>
+    <message>
+        <source>Turn-around</source>
+        <translation>Temps au sol</translation>
+    </message>
+    <message>
+        <source>Time on the ground between landing and the next take-off.</source>
+        <translation>Temps au sol entre l&apos;atterrissage et le décollage suivant.</translation>
+    </message>
+    <message>
+        <source>Change turn-around</source>
+        <translation>Modifier le temps au sol</translation>
+    </message>
+    <message>
+        <source>Drift error</source>
+        <translation>Erreur de dérive</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the known drift, along each axis: its true drift differs from it by as much.</source>
+        <translation>Écart-type de la dérive connue, selon chaque axe : la dérive réelle s&apos;en écarte d&apos;autant.</translation>
+    </message>
+    <message>
+        <source>Change drift error</source>
+        <translation>Modifier l&apos;erreur de dérive</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Erreur de position</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured position, along each axis.</source>
+        <translation>Écart-type d&apos;une position mesurée, selon chaque axe.</translation>
+    </message>
+    <message>
+        <source>Change position error</source>
+        <translation>Modifier l&apos;erreur de position</translation>
+    </message>
+    <message>
+        <source>Sensor interval</source>
+        <translation>Intervalle du capteur</translation>
+    </message>
+    <message>
+        <source>Time between two samples of the sensor, each of which measures what is in view.</source>
+        <translation>Temps entre deux prises du capteur ; chacune mesure ce qui est en vue.</translation>
+    </message>
+    <message>
+        <source>Change sensor interval</source>
+        <translation>Modifier l&apos;intervalle du capteur</translation>
+    </message>
+    <message>
+        <source>Detection probability</source>
+        <translation>Probabilité de détection</translation>
+    </message>
+    <message>
+        <source>Chance that one sample shows an iceberg in view.</source>
+        <translation>Probabilité qu&apos;une prise montre un iceberg en vue.</translation>
+    </message>
+    <message>
+        <source>Change detection probability</source>
+        <translation>Modifier la probabilité de détection</translation>
+    </message>
+    <message>
+        <source>Observer</source>
+        <translation>Observateur</translation>
+    </message>
+    <message>
+        <source>Exact: an iceberg in view is where it is seen. Filter: noisy measurements, from which position and velocity are estimated, and icebergs can get lost.</source>
+        <translation>Exact : un iceberg en vue est là où il est vu. Filtre : mesures bruitées, dont la position et la vitesse sont estimées ; des icebergs peuvent être perdus.</translation>
+    </message>
+    <message>
+        <source>Change observer</source>
+        <translation>Modifier l&apos;observateur</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exact</translation>
+    </message>
+    <message>
+        <source>Kalman filter</source>
+        <translation>filtre de Kalman</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>Change search</source>
+        <translation>Modifier la recherche</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>expanding square</source>
+        <translation>carré croissant</translation>
+    </message>
+    <message>
+        <source>sectors</source>
+        <translation>secteurs</translation>
+    </message>
+    <message>
+        <source>Group nearby icebergs</source>
+        <translation>Grouper les icebergs proches</translation>
+    </message>
+    <message>
+        <source>Icebergs that fit into one field of view are planned as one point, from which all are seen.</source>
+        <translation>Les icebergs qui tiennent dans un même champ de vision sont planifiés comme un seul point, d&apos;où tous sont vus.</translation>
+    </message>
+    <message>
+        <source>Change grouping of nearby icebergs</source>
+        <translation>Modifier le groupement des icebergs proches</translation>
+    </message>
+    <message>
+        <source>Longest flight: it is home before that; at 0 it never lands.</source>
+        <translation>Vol le plus long : il est à la base avant ; à 0, il ne se pose jamais.</translation>
+    </message>
+    <message>
+        <source>Visited by</source>
+        <translation>Visité par</translation>
+    </message>
+    <message>
+        <source>The UAV that alone is to visit it.</source>
+        <translation>Le seul drone qui doit le visiter.</translation>
+    </message>
+    <message>
+        <source>Change UAV of an iceberg</source>
+        <translation>Modifier le drone d&apos;un iceberg</translation>
+    </message>
+    <message>
+        <source>any UAV</source>
+        <translation>n&apos;importe quel drone</translation>
+    </message>
+    <message>
+        <source>Separation</source>
+        <translation>Espacement</translation>
+    </message>
+    <message>
+        <source>UAVs are kept so far from each other, unless their altitudes are 30 m apart.</source>
+        <translation>Les drones sont maintenus à cette distance les uns des autres, sauf si leurs altitudes diffèrent de 30 m.</translation>
+    </message>
+    <message>
+        <source>Change separation</source>
+        <translation>Modifier l&apos;espacement</translation>
+    </message>
+    <message>
+        <source>not kept apart</source>
+        <translation>non maintenu</translation>
+    </message>
+    <message>
+        <source>Height above the sea: UAVs that are 30 m apart in it pass each other.</source>
+        <translation>Hauteur au-dessus de la mer : les drones dont l&apos;altitude diffère de 30 m peuvent se croiser.</translation>
+    </message>
+    <message>
+        <source>Reserve</source>
+        <translation>Réserve</translation>
+    </message>
+    <message>
+        <source>Fixed reserve</source>
+        <translation>Réserve fixe</translation>
+    </message>
+    <message>
+        <source>Climb</source>
+        <translation>Montée</translation>
+    </message>
+    <message>
+        <source>Landing</source>
+        <translation>Atterrissage</translation>
+    </message>
+    <message>
+        <source>Wind limit</source>
+        <translation>Limite de vent</translation>
+    </message>
+    <message>
+        <source>Gust limit</source>
+        <translation>Limite de rafales</translation>
+    </message>
+    <message>
+        <source>Stand-off ring</source>
+        <translation>Distance de sécurité</translation>
+    </message>
+    <message>
+        <source>Stand-off ceiling</source>
+        <translation>Plafond de sécurité</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Plancher</translation>
+    </message>
+    <message>
+        <source>Ceiling</source>
+        <translation>Plafond</translation>
+    </message>
+    <message>
+        <source>Antenna height</source>
+        <translation>Hauteur d&apos;antenne</translation>
+    </message>
+    <message>
+        <source>Link range</source>
+        <translation>Portée de la liaison</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Rafales</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Température</translation>
+    </message>
+    <message>
+        <source>Dew point</source>
+        <translation>Point de rosée</translation>
+    </message>
+    <message>
+        <source>Icing conditions</source>
+        <translation>Conditions givrantes</translation>
+    </message>
+    <message>
+        <source>Whether it may be flown below 0 °C in air that is nearly saturated.</source>
+        <translation>Indique s&apos;il peut voler sous 0 °C dans un air presque saturé.</translation>
+    </message>
+    <message>
+        <source>Change icing limit</source>
+        <translation>Modifier la limite de givrage</translation>
+    </message>
+    <message>
+        <source>Move ground station</source>
+        <translation>Déplacer la station sol</translation>
+    </message>
+    <message>
+        <source>Ground station</source>
+        <translation>Station sol</translation>
+    </message>
+    <message>
+        <source>Where the radio link to the UAVs is kept from. Its range is a ring on the map.</source>
+        <translation>D&apos;où la liaison radio avec les drones est assurée. Sa portée est un cercle sur la carte.</translation>
+    </message>
+    <message>
+        <source>Change ground station</source>
+        <translation>Modifier la station sol</translation>
+    </message>
+    <message>
+        <source>Height above the sea.</source>
+        <translation>Hauteur au-dessus de la mer.</translation>
+    </message>
+    <message>
+        <source>Change antenna height</source>
+        <translation>Modifier la hauteur d&apos;antenne</translation>
+    </message>
+    <message>
+        <source>How far the link reaches; at the lowest value to the radio horizon of the antenna and the UAV&apos;s altitude.</source>
+        <translation>Portée de la liaison ; à la valeur la plus basse, jusqu&apos;à l&apos;horizon radio de l&apos;antenne et de l&apos;altitude du drone.</translation>
+    </message>
+    <message>
+        <source>Change link range</source>
+        <translation>Modifier la portée de la liaison</translation>
+    </message>
+    <message>
+        <source>radio horizon</source>
+        <translation>horizon radio</translation>
+    </message>
+    <message>
+        <source>Station east</source>
+        <translation>Station est</translation>
+    </message>
+    <message>
+        <source>East of the scenario&apos;s origin.</source>
+        <translation>À l&apos;est de l&apos;origine du scénario.</translation>
+    </message>
+    <message>
+        <source>Station north</source>
+        <translation>Station nord</translation>
+    </message>
+    <message>
+        <source>North of the scenario&apos;s origin.</source>
+        <translation>Au nord de l&apos;origine du scénario.</translation>
+    </message>
+    <message>
+        <source>Part of the endurance that no flight is planned to use.</source>
+        <translation>Part de l&apos;autonomie qu&apos;aucun vol ne prévoit d&apos;utiliser.</translation>
+    </message>
+    <message>
+        <source>Change reserve</source>
+        <translation>Modifier la réserve</translation>
+    </message>
+    <message>
+        <source>A time in place of the percentage.</source>
+        <translation>Un temps au lieu du pourcentage.</translation>
+    </message>
+    <message>
+        <source>by percentage</source>
+        <translation>en pourcentage</translation>
+    </message>
+    <message>
+        <source>Time from take-off to the altitude.</source>
+        <translation>Temps du décollage à l&apos;altitude de vol.</translation>
+    </message>
+    <message>
+        <source>Change climb time</source>
+        <translation>Modifier le temps de montée</translation>
+    </message>
+    <message>
+        <source>Time from the altitude, over home, to the ground.</source>
+        <translation>Temps de l&apos;altitude de vol, au-dessus de la base, jusqu&apos;au sol.</translation>
+    </message>
+    <message>
+        <source>Change landing time</source>
+        <translation>Modifier le temps d&apos;atterrissage</translation>
+    </message>
+    <message>
+        <source>Strongest wind in which it is flown.</source>
+        <translation>Vent le plus fort dans lequel il vole.</translation>
+    </message>
+    <message>
+        <source>Change wind limit</source>
+        <translation>Modifier la limite de vent</translation>
+    </message>
+    <message>
+        <source>Strongest gusts in which it is flown.</source>
+        <translation>Rafales les plus fortes dans lesquelles il vole.</translation>
+    </message>
+    <message>
+        <source>Change gust limit</source>
+        <translation>Modifier la limite de rafales</translation>
+    </message>
+    <message>
+        <source>Change weather</source>
+        <translation>Modifier la météo</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>valeur inconnue</translation>
+    </message>
+    <message>
+        <source>Speed of the gusts, compared with the limits of the UAVs.</source>
+        <translation>Vitesse des rafales, comparée aux limites des drones.</translation>
+    </message>
+    <message>
+        <source>Of the air at the sea.</source>
+        <translation>De l&apos;air au niveau de la mer.</translation>
+    </message>
+    <message>
+        <source>With the temperature it tells whether ice may form.</source>
+        <translation>Avec la température, il indique si du givre peut se former.</translation>
+    </message>
+    <message>
+        <source>do not fly</source>
+        <translation>ne pas voler</translation>
+    </message>
+    <message>
+        <source>flying allowed</source>
+        <translation>vol autorisé</translation>
+    </message>
+    <message>
+        <source>No UAV comes nearer to it; of a ship, to all of its track.</source>
+        <translation>Aucun drone ne s&apos;en approche davantage ; pour un navire, cela vaut pour toute sa route.</translation>
+    </message>
+    <message>
+        <source>Change stand-off ring</source>
+        <translation>Modifier l&apos;anneau de sécurité</translation>
+    </message>
+    <message>
+        <source>Above it UAVs may fly over the ring.</source>
+        <translation>Au-dessus, les drones peuvent survoler l&apos;anneau.</translation>
+    </message>
+    <message>
+        <source>Change stand-off ceiling</source>
+        <translation>Modifier le plafond de l&apos;anneau de sécurité</translation>
+    </message>
+    <message>
+        <source>Shown on the map.</source>
+        <translation>Affiché sur la carte.</translation>
+    </message>
+    <message>
+        <source>UAVs lower than this fly below it.</source>
+        <translation>Les drones plus bas volent en dessous.</translation>
+    </message>
+    <message>
+        <source>Change floor of the no-fly area</source>
+        <translation>Modifier le plancher de la zone interdite</translation>
+    </message>
+    <message>
+        <source>UAVs higher than this fly above it.</source>
+        <translation>Les drones plus hauts volent au-dessus.</translation>
+    </message>
+    <message>
+        <source>Change ceiling of the no-fly area</source>
+        <translation>Modifier le plafond de la zone interdite</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Contour</translation>
+    </message>
+    <message>
+        <source>Takes the no-fly area off the map.</source>
+        <translation>Retire la zone interdite de la carte.</translation>
+    </message>
+    <message>
+        <source>Remove no-fly area</source>
+        <translation>Retirer la zone interdite</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>No-fly area: %1</source>
+        <translation>Zone interdite : %1</translation>
+    </message>
+    <message>
+        <source>No-fly area %1: %2</source>
+        <translation>Zone interdite %1 : %2</translation>
+    </message>
+    <message>
+        <source>Raises UAVs until their altitudes are 30 m apart, so that none has to wait for another.</source>
+        <translation>Élève les drones jusqu&apos;à ce que leurs altitudes diffèrent de 30 m, afin qu&apos;aucun n&apos;ait à en attendre un autre.</translation>
+    </message>
+    <message>
+        <source>Separate altitudes</source>
+        <translation>Séparer les altitudes</translation>
+    </message>
+    <message>
+        <source>Drift variation</source>
+        <translation>Variabilité de la dérive</translation>
+    </message>
+    <message>
+        <source>Standard deviation of its drift in the long run, along each axis, about that of the current. A beacon off Canada: 0.15 m/s.</source>
+        <translation>Écart-type de sa dérive à long terme, selon chaque axe, autour de celle du courant. Une balise au large du Canada : 0,15 m/s.</translation>
+    </message>
+    <message>
+        <source>Change drift variation</source>
+        <translation>Modifier la variabilité de la dérive</translation>
+    </message>
+    <message>
+        <source>Drift changes in</source>
+        <translation>La dérive change en</translation>
+    </message>
+    <message>
+        <source>Time in which a drift that was known is known no more: it fades to the current. 0: the drift is constant. A beacon off Canada: 36,000 s.</source>
+        <translation>Temps au bout duquel une dérive qui était connue ne l&apos;est plus : elle tend vers le courant. 0 : la dérive est constante. Une balise au large du Canada : 36 000 s.</translation>
+    </message>
+    <message>
+        <source>Change time of drift</source>
+        <translation>Modifier le temps de changement de la dérive</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>What a ship makes; 0 for a platform.</source>
+        <translation>Vitesse d&apos;un navire ; 0 pour une plateforme.</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Route</translation>
+    </message>
+    <message>
+        <source>Where it goes, clockwise from north.</source>
+        <translation>Où il va, dans le sens horaire à partir du nord.</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Dérive</translation>
+    </message>
+    <message>
+        <source>Known drift; the current comes on top.</source>
+        <translation>Dérive connue ; le courant s&apos;y ajoute.</translation>
+    </message>
+    <message>
+        <source>Drift towards</source>
+        <translation>Dérive vers</translation>
+    </message>
+    <message>
+        <source>Where it drifts to, clockwise from north.</source>
+        <translation>Vers où il dérive, dans le sens horaire à partir du nord.</translation>
+    </message>
+    <message>
+        <source>In any form; a whole coordinate sets both.</source>
+        <translation>Sous toute forme ; une coordonnée complète règle les deux.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vent</translation>
+    </message>
+    <message>
+        <source>Always slower than the UAV flies.</source>
+        <translation>Toujours plus lent que le vol du drone.</translation>
+    </message>
+    <message>
+        <source>Wind from</source>
+        <translation>Vent du</translation>
+    </message>
+    <message>
+        <source>Where it blows from, clockwise from north.</source>
+        <translation>D&apos;où il souffle, dans le sens horaire à partir du nord.</translation>
+    </message>
+    <message>
+        <source>%1 from %2</source>
+        <translation>%1 du %2</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Courant</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg.</source>
+        <translation>Entraîne tous les icebergs.</translation>
+    </message>
+    <message>
+        <source>Current towards</source>
+        <translation>Courant vers</translation>
+    </message>
+    <message>
+        <source>Where it flows to, clockwise from north.</source>
+        <translation>Vers où il va, dans le sens horaire à partir du nord.</translation>
+    </message>
+    <message>
+        <source>Pattern that finds an iceberg which was not where it was believed to be.</source>
+        <translation>Parcours qui permet de retrouver un iceberg qui n&apos;était pas là où on le croyait.</translation>
+    </message>
+</context>
+<context>
+    <name>IssueText</name>
+    <message>
+        <source>%1 must be UTF-8 text.</source>
+        <translation>%1 : un texte UTF-8 est attendu.</translation>
+    </message>
+    <message>
+        <source>%1 must be a finite number.</source>
+        <translation>%1 : un nombre fini est attendu.</translation>
+    </message>
+    <message>
+        <source>The wind must be two finite numbers.</source>
+        <translation>Le vent doit être donné par deux nombres finis.</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3, not %4.</source>
+        <translation>%1 : une valeur de %2 à %3 est attendue, et non %4.</translation>
+    </message>
+    <message>
+        <source>%1 must be above %2 and at most %3, not %4.</source>
+        <translation>%1 : une valeur supérieure à %2 et d&apos;au plus %3 est attendue, et non %4.</translation>
+    </message>
+    <message>
+        <source>The start must be a UTC date and time such as 2024-05-01T06:00:00Z.</source>
+        <translation>Le début doit être une date et une heure UTC, par exemple 2024-05-01T06:00:00Z.</translation>
+    </message>
+    <message>
+        <source>The area must have from 3 to %2 corners, not %3.</source>
+        <translation>La zone doit avoir de 3 à %2 sommets, et non %3.</translation>
+    </message>
+    <message>
+        <source>The area must neither touch nor cross itself.</source>
+        <translation>La zone ne doit ni se toucher ni se croiser elle-même.</translation>
+    </message>
+    <message>
+        <source>The id must not be empty.</source>
+        <translation>L&apos;identifiant ne doit pas être vide.</translation>
+    </message>
+    <message>
+        <source>The id &quot;%2&quot; is taken already.</source>
+        <translation>L&apos;identifiant « %2 » est déjà pris.</translation>
+    </message>
+    <message>
+        <source>A scenario holds from 1 to %2 UAVs, not %3.</source>
+        <translation>Un scénario contient de 1 à %2 drones, et non %3.</translation>
+    </message>
+    <message>
+        <source>A scenario holds at most %2 icebergs, not %3.</source>
+        <translation>Un scénario contient au plus %2 icebergs, et non %3.</translation>
+    </message>
+    <message>
+        <source>The recorded track must have from 2 to %2 points, not %3.</source>
+        <translation>La trace enregistrée doit avoir de 2 à %2 points, et non %3.</translation>
+    </message>
+    <message>
+        <source>The recorded track has %2 times, but %3 places.</source>
+        <translation>La trace enregistrée a %2 instants, mais %3 positions.</translation>
+    </message>
+    <message>
+        <source>The times of the recorded track must rise.</source>
+        <translation>Les instants de la trace enregistrée doivent être croissants.</translation>
+    </message>
+    <message>
+        <source>There are %2 more errors.</source>
+        <translation>Il y a %2 erreurs de plus.</translation>
+    </message>
+    <message>
+        <source>The time step must not be longer than the run.</source>
+        <translation>Le pas de temps ne doit pas dépasser la durée du vol.</translation>
+    </message>
+    <message>
+        <source>With a limited endurance, the time between two commands of the autopilot must be at most %2, not %3.</source>
+        <translation>Si l&apos;autonomie est limitée, le temps entre deux commandes de l&apos;autopilote doit être au plus %2, et non %3.</translation>
+    </message>
+    <message>
+        <source>A geofence has at most %2 corners, not %3.</source>
+        <translation>Une barrière virtuelle a au plus %2 sommets, et non %3.</translation>
+    </message>
+    <message>
+        <source>There is no UAV &quot;%2&quot; in this scenario.</source>
+        <translation>Il n&apos;y a pas de drone « %2 » dans ce scénario.</translation>
+    </message>
+    <message>
+        <source>The sensor interval must not be shorter than the time step.</source>
+        <translation>L&apos;intervalle du capteur ne doit pas être inférieur au pas de temps.</translation>
+    </message>
+    <message>
+        <source>Drifts so fast that the UAV may not catch up with it.</source>
+        <translation>Dérive si vite que le drone risque de ne pas le rattraper.</translation>
+    </message>
+    <message>
+        <source>The UAV will make little way against this wind.</source>
+        <translation>Le drone progressera peu contre ce vent.</translation>
+    </message>
+    <message>
+        <source>There are no icebergs yet, so there is nothing to plan.</source>
+        <translation>Il n&apos;y a pas encore d&apos;icebergs ; il n&apos;y a donc rien à planifier.</translation>
+    </message>
+    <message>
+        <source>Appears after the end of the run, so it is never planned.</source>
+        <translation>Apparaît après la fin du vol ; il n&apos;est donc jamais planifié.</translation>
+    </message>
+    <message>
+        <source>The file holds members that this version does not know. They are kept, but not used.</source>
+        <translation>Le fichier contient des champs que cette version ne connaît pas. Ils sont conservés, mais pas utilisés.</translation>
+    </message>
+    <message>
+        <source>The endurance is too short for the path to the nearest iceberg and back.</source>
+        <translation>L&apos;autonomie est insuffisante pour aller à l&apos;iceberg le plus proche et en revenir.</translation>
+    </message>
+    <message>
+        <source>Starts outside the area.</source>
+        <translation>Part de l&apos;extérieur de la zone.</translation>
+    </message>
+    <message>
+        <source>The turn radius is larger than half the field of view, so that an iceberg may be missed.</source>
+        <translation>Le rayon de virage dépasse la moitié du champ de vision ; un iceberg peut donc être manqué.</translation>
+    </message>
+    <message>
+        <source>The radius that counts as reached is smaller than the turn radius, so that the UAV flies on and comes back.</source>
+        <translation>Le rayon d&apos;acceptation est inférieur au rayon de virage ; le drone passe donc l&apos;iceberg et revient.</translation>
+    </message>
+    <message>
+        <source>Lies outside the area.</source>
+        <translation>Se trouve hors de la zone.</translation>
+    </message>
+    <message>
+        <source>Drifts out of the area before the end of the run.</source>
+        <translation>Dérive hors de la zone avant la fin du vol.</translation>
+    </message>
+    <message>
+        <source>Lies where another iceberg lies. Is it the same one?</source>
+        <translation>Se trouve à la position d&apos;un autre iceberg. Est-ce le même ?</translation>
+    </message>
+    <message>
+        <source>So far away that the UAV cannot get there before the end of the run.</source>
+        <translation>Si éloigné que le drone ne peut pas y arriver avant la fin du vol.</translation>
+    </message>
+    <message>
+        <source>The run is over before the UAV can get to the first iceberg.</source>
+        <translation>Le vol se termine avant que le drone puisse arriver au premier iceberg.</translation>
+    </message>
+    <message>
+        <source>Drifts faster than icebergs do. Is the unit right?</source>
+        <translation>Dérive plus vite que ne le font les icebergs. L&apos;unité est-elle juste ?</translation>
+    </message>
+    <message>
+        <source>Its recorded track ends before the run does; from then on it stands still.</source>
+        <translation>Sa trace enregistrée se termine avant le vol ; il est ensuite immobile.</translation>
+    </message>
+    <message>
+        <source>Its recorded track begins so far from the estimate that the UAV will not see it there.</source>
+        <translation>Sa trace enregistrée commence si loin de l&apos;estimation que le drone ne l&apos;y verra pas.</translation>
+    </message>
+    <message>
+        <source>The asset lies inside an iceberg.</source>
+        <translation>Le bien protégé se trouve à l&apos;intérieur d&apos;un iceberg.</translation>
+    </message>
+    <message>
+        <source>No iceberg is uncertain at the start, so distance alone makes the first plan.</source>
+        <translation>Aucun iceberg n&apos;est incertain au début ; la distance seule détermine donc le premier plan.</translation>
+    </message>
+    <message>
+        <source>More icebergs than can be proven optimal; the plan comes with a bound.</source>
+        <translation>Trop d&apos;icebergs pour prouver l&apos;optimum ; le plan est accompagné d&apos;une borne.</translation>
+    </message>
+    <message>
+        <source>This solver cannot plan so many icebergs. Choose Automatic.</source>
+        <translation>Ce solveur ne peut pas planifier autant d&apos;icebergs. Choisissez « Automatique ».</translation>
+    </message>
+    <message>
+        <source>Proving the optimum of so many icebergs can take a minute and more.</source>
+        <translation>Prouver l&apos;optimum pour autant d&apos;icebergs peut prendre une minute et plus.</translation>
+    </message>
+    <message>
+        <source>The wind must be slower than the UAV flies.</source>
+        <translation>Le vent doit être plus lent que le vol du drone.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n errors</source>
+        <translation>
+            <numerusform>%n erreur</numerusform>
+            <numerusform>%n erreurs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warnings</source>
+        <translation>
+            <numerusform>%n avertissement</numerusform>
+            <numerusform>%n avertissements</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hints</source>
+        <translation>
+            <numerusform>%n conseil</numerusform>
+            <numerusform>%n conseils</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 error</source>
+        <translation>1 erreur</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 avertissement</translation>
+    </message>
+    <message>
+        <source>1 hint</source>
+        <translation>1 conseil</translation>
+    </message>
+    <message>
+        <source>Icebergs outside the area are not monitored; the UAV may fly beyond it.</source>
+        <translation>Les icebergs hors de la zone ne sont pas surveillés ; le drone peut voler au-delà.</translation>
+    </message>
+    <message>
+        <source>The endurance is too short for the path home from the start.</source>
+        <translation>L&apos;autonomie est insuffisante pour aller du départ à la base.</translation>
+    </message>
+    <message>
+        <source>Home counts with a limited endurance only.</source>
+        <translation>La base ne compte que si l&apos;autonomie est limitée.</translation>
+    </message>
+    <message>
+        <source>The time between two commands of the autopilot is too long for the UAV to follow a leg.</source>
+        <translation>Le temps entre deux commandes de l&apos;autopilote est trop long pour que le drone suive un segment.</translation>
+    </message>
+    <message>
+        <source>A geofence needs an area.</source>
+        <translation>Une barrière virtuelle a besoin d&apos;une zone.</translation>
+    </message>
+    <message>
+        <source>Must be inside the area, which is a geofence.</source>
+        <translation>Doit se trouver à l&apos;intérieur de la zone, qui est une barrière virtuelle.</translation>
+    </message>
+    <message>
+        <source>This policy plans icebergs one by one: several in one field of view are not planned as one point.</source>
+        <translation>Cette stratégie planifie les icebergs un par un : plusieurs icebergs dans un même champ de vision ne sont pas planifiés comme un seul point.</translation>
+    </message>
+    <message>
+        <source>A scenario holds at most %2 no-fly areas, not %3.</source>
+        <translation>Un scénario contient au plus %2 zones interdites, et non %3.</translation>
+    </message>
+    <message>
+        <source>The ceiling must be above the floor.</source>
+        <translation>Le plafond doit être au-dessus du plancher.</translation>
+    </message>
+    <message>
+        <source>The endurance must be longer than reserve, climb and landing together.</source>
+        <translation>L&apos;autonomie doit dépasser la réserve, la montée et l&apos;atterrissage réunis.</translation>
+    </message>
+    <message>
+        <source>The wind is above the limit of this UAV: %2, limit %3.</source>
+        <translation>Le vent dépasse la limite de ce drone : %2, limite %3.</translation>
+    </message>
+    <message>
+        <source>The gusts are above the limit of this UAV: %2, limit %3.</source>
+        <translation>Les rafales dépassent la limite de ce drone : %2, limite %3.</translation>
+    </message>
+    <message>
+        <source>Icing conditions at its altitude: not for this UAV.</source>
+        <translation>Conditions givrantes à son altitude : pas pour ce drone.</translation>
+    </message>
+    <message>
+        <source>With wind and airspeed off their values, one flight in twenty uses %2 or more of the reserve to come home.</source>
+        <translation>Quand le vent et la vitesse air s&apos;écartent de leurs valeurs, un vol sur vingt utilise %2 ou plus de la réserve pour rentrer à la base.</translation>
+    </message>
+    <message>
+        <source>The plan leads out of the range of the ground station for %2.</source>
+        <translation>Le plan sort de la portée de la station sol pendant %2.</translation>
+    </message>
+    <message>
+        <source>With the geofence and the stand-off ring, the no-fly areas at the altitude of a UAV have at most %2 corners, not %3.</source>
+        <translation>Avec la barrière virtuelle et l&apos;anneau de sécurité, les zones interdites à l&apos;altitude d&apos;un drone ont au plus %2 sommets, et non %3.</translation>
+    </message>
+    <message>
+        <source>Must be outside the no-fly area &quot;%2&quot;.</source>
+        <translation>Doit se trouver hors de la zone interdite « %2 ».</translation>
+    </message>
+    <message>
+        <source>Must be outside the stand-off ring round the asset.</source>
+        <translation>Doit se trouver hors de l&apos;anneau de sécurité autour du bien protégé.</translation>
+    </message>
+    <message>
+        <source>In flight, the velocity&apos;s deviation counts with the Kalman filter only.</source>
+        <translation>En vol, l&apos;écart-type de la vitesse ne compte qu&apos;avec le filtre de Kalman.</translation>
+    </message>
+    <message>
+        <source>Home is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home.</source>
+        <translation>La base est si proche de la barrière virtuelle ou d&apos;une zone interdite que le drone ne peut pas y redécoller en étant sûr d&apos;y revenir.</translation>
+    </message>
+    <message>
+        <source>For its heading, the UAV has no path home inside the geofence and outside no-fly areas from where it starts: no start is safe.</source>
+        <translation>Compte tenu de son cap, le drone n&apos;a depuis son point de départ aucun trajet vers la base à l&apos;intérieur de la barrière virtuelle et hors des zones interdites : aucun départ n&apos;est sûr.</translation>
+    </message>
+    <message>
+        <source>The UAV starts so near the geofence or a no-fly area, for its heading, that it cannot turn in time.</source>
+        <translation>Compte tenu de son cap, le drone part si près de la barrière virtuelle ou d&apos;une zone interdite qu&apos;il ne peut pas virer à temps.</translation>
+    </message>
+    <message>
+        <source>So near the geofence, or in a no-fly area, that the UAV cannot come as near as it has to.</source>
+        <translation>Si proche de la barrière virtuelle, ou dans une zone interdite, que le drone ne peut pas s&apos;en approcher autant qu&apos;il le doit.</translation>
+    </message>
+    <message>
+        <source>This policy plans without geofence and no-fly areas; they are kept in flight.</source>
+        <translation>Cette stratégie planifie sans barrière virtuelle ni zones interdites ; elles sont respectées en vol.</translation>
+    </message>
+    <message>
+        <source>The acceptance radius is larger than half the field of view, so that icebergs count as reached that are not seen.</source>
+        <translation>Le rayon d&apos;acceptation dépasse la moitié du champ de vision ; des icebergs comptent donc comme atteints sans être vus.</translation>
+    </message>
+    <message>
+        <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by 30 m.</source>
+        <translation>Part trop près d&apos;un autre drone de la même tranche d&apos;altitude : ils s&apos;éloignent d&apos;abord. Séparez leurs altitudes de 30 m.</translation>
+    </message>
+    <message>
+        <source>On the way home this UAV may have to wait %2 for others of its altitude layer, longer than its reserve. Separate altitudes, or a greater reserve, avoid it.</source>
+        <translation>Au retour, ce drone devra peut-être attendre %2 d&apos;autres drones de sa tranche d&apos;altitude, plus longtemps que sa réserve. Des altitudes séparées, ou une réserve plus grande, l&apos;évitent.</translation>
+    </message>
+    <message>
+        <source>With these drifts and a round of %2 minutes, %3 of %4 icebergs will be out of view at the next visit.</source>
+        <translation>Avec ces dérives et un tour de %2 minutes, %3 icebergs sur %4 seront hors de vue à la visite suivante.</translation>
+    </message>
+    <message>
+        <source>Seen %2 h ago: may be %3 away (%4 × the field of view).</source>
+        <translation>Vu il y a %2 h : peut se trouver à %3 (%4 × le champ de vision).</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>ligne %1, colonne %2 : ce n&apos;est pas du JSON valide</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3: a number too large for this program</source>
+        <translation>ligne %1, colonne %2 : %3 : un nombre trop grand pour ce programme</translation>
+    </message>
+    <message>
+        <source>nested deeper than %1 levels</source>
+        <translation>a plus de %1 niveaux d&apos;imbrication</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>ligne %1 : ce n&apos;est pas du XML valide</translation>
+    </message>
+    <message>
+        <source>is no %1 file: must be %2, not %3</source>
+        <translation>n&apos;est pas un fichier %1 : doit être %2, et non %3</translation>
+    </message>
+    <message>
+        <source>must be &quot;%1&quot;</source>
+        <translation>doit être « %1 »</translation>
+    </message>
+    <message>
+        <source>must be &quot;%1&quot;, not &quot;%2&quot;</source>
+        <translation>doit être « %1 », et non « %2 »</translation>
+    </message>
+    <message>
+        <source>%1 is not known: this program reads %2</source>
+        <translation>%1 n&apos;est pas connu : ce programme lit %2</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>manque</translation>
+    </message>
+    <message>
+        <source>is missing, and so is %1</source>
+        <translation>manque, de même que %1</translation>
+    </message>
+    <message>
+        <source>must not be given beside %1</source>
+        <translation>ne doit pas être donné en même temps que %1</translation>
+    </message>
+    <message>
+        <source>appears more than once</source>
+        <translation>apparaît plus d&apos;une fois</translation>
+    </message>
+    <message>
+        <source>must be %1, not %2</source>
+        <translation>doit être %1, et non %2</translation>
+    </message>
+    <message>
+        <source>must be one of %1</source>
+        <translation>doit être l&apos;un des suivants : %1</translation>
+    </message>
+    <message>
+        <source>must be a whole number from %1 to %2, not %3</source>
+        <translation>doit être un nombre entier de %1 à %2, et non %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number</source>
+        <translation>« %1 » n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number: decimals follow a point</source>
+        <translation>« %1 » n&apos;est pas un nombre : les décimales suivent un point</translation>
+    </message>
+    <message>
+        <source>must be a finite number of at least 0</source>
+        <translation>doit être un nombre fini d&apos;au moins 0</translation>
+    </message>
+    <message>
+        <source>must not be below %1</source>
+        <translation>ne doit pas être inférieur à %1</translation>
+    </message>
+    <message>
+        <source>must not be before %1</source>
+        <translation>ne doit pas être antérieur à %1</translation>
+    </message>
+    <message>
+        <source>must rise from entry to entry</source>
+        <translation>doit augmenter d&apos;une valeur à la suivante</translation>
+    </message>
+    <message>
+        <source>must hold %1 entries, not %2</source>
+        <translation>doit contenir %1 valeurs, et non %2</translation>
+    </message>
+    <message>
+        <source>must hold from %1 to %2 entries, not %3</source>
+        <translation>doit contenir de %1 à %2 valeurs, et non %3</translation>
+    </message>
+    <message>
+        <source>must hold at least %1 entries</source>
+        <translation>doit contenir au moins %1 valeurs</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 entries, not %2</source>
+        <translation>doit contenir au plus %1 valeurs, et non %2</translation>
+    </message>
+    <message>
+        <source>must not repeat an iceberg</source>
+        <translation>ne doit pas répéter un iceberg</translation>
+    </message>
+    <message>
+        <source>no iceberg &quot;%1&quot; is there at this time</source>
+        <translation>il n&apos;y a pas d&apos;iceberg « %1 » à cet instant</translation>
+    </message>
+    <message>
+        <source>with these, the run must hold at most %1 icebergs, not %2</source>
+        <translation>avec ceux-ci, le vol doit contenir au plus %1 icebergs, et non %2</translation>
+    </message>
+    <message>
+        <source>is the UAV&apos;s and must be 0</source>
+        <translation>est celui du drone et doit être 0</translation>
+    </message>
+    <message>
+        <source>must be a square matrix with one row and column per sigma</source>
+        <translation>doit être une matrice carrée avec une ligne et une colonne par sigma</translation>
+    </message>
+    <message>
+        <source>must be empty or hold one entry per UAV and sigma</source>
+        <translation>doit être vide ou contenir une valeur par drone et par sigma</translation>
+    </message>
+    <message>
+        <source>must be true for one UAV at least</source>
+        <translation>doit être true pour un drone au moins</translation>
+    </message>
+    <message>
+        <source>is too large: the cost of a plan may exceed %1</source>
+        <translation>est trop grand : le coût d&apos;un plan peut dépasser %1</translation>
+    </message>
+    <message>
+        <source>is too small: a cost that is not 0 is less than %1</source>
+        <translation>est trop petit : un coût qui n&apos;est pas 0 est inférieur à %1</translation>
+    </message>
+    <message>
+        <source>must not be empty when random is 0</source>
+        <translation>ne doit pas être vide lorsque random est 0</translation>
+    </message>
+    <message>
+        <source>must name a policy; visitation needs taus</source>
+        <translation>doit nommer une stratégie ; visitation a besoin de taus</translation>
+    </message>
+    <message>
+        <source>must be I of N with 1 &lt;= I &lt;= N</source>
+        <translation>doit être la partie I sur N, avec 1 &lt;= I &lt;= N</translation>
+    </message>
+    <message>
+        <source>differs: parts of one study are wanted</source>
+        <translation>diffère : les parties doivent être d&apos;une même étude</translation>
+    </message>
+    <message>
+        <source>setting %1 of case %2 has two different outcomes: the parts were not flown by the same program</source>
+        <translation>le réglage %1 du cas %2 a deux résultats différents : les parties n&apos;ont pas été calculées par le même programme</translation>
+    </message>
+    <message>
+        <source>no study is kept in this page</source>
+        <translation>cette page ne contient aucune étude</translation>
+    </message>
+    <message>
+        <source>would become larger than %1 MiB: take fewer scenarios, or several studies</source>
+        <translation>dépasserait %1 Mio : prenez moins de scénarios, ou plusieurs études</translation>
+    </message>
+    <message>
+        <source>recorded %1, replayed %2</source>
+        <translation>enregistré %1, rejoué %2</translation>
+    </message>
+    <message>
+        <source>at %1 s: recorded %2, replayed %3</source>
+        <translation>à %1 s : enregistré %2, rejoué %3</translation>
+    </message>
+    <message>
+        <source>at %1 s: the replay has another</source>
+        <translation>à %1 s : le vol rejoué diffère</translation>
+    </message>
+    <message>
+        <source>at %1 s: not reached by the replay</source>
+        <translation>à %1 s : non atteint par le vol rejoué</translation>
+    </message>
+    <message>
+        <source>solves were cut by the clock, so this run is not bound to repeat</source>
+        <translation>des résolutions ont été interrompues par l&apos;horloge ; ce vol ne se répète donc pas forcément</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>ne peut pas être ouvert : %1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>ne peut pas être lu : %1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>ne peut pas être écrit : %1</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>est endommagé</translation>
+    </message>
+    <message>
+        <source>is of another version</source>
+        <translation>est d&apos;une autre version</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>n&apos;est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MiB</source>
+        <translation>dépasse %1 Mio</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MiB; %2 in the environment doubles the limits of reading</source>
+        <translation>dépasse %1 Mio ; %2 dans l&apos;environnement double les limites de lecture</translation>
+    </message>
+    <message>
+        <source>holds more than %1 values; %2 in the environment doubles the limits of reading</source>
+        <translation>contient plus de %1 valeurs ; %2 dans l&apos;environnement double les limites de lecture</translation>
+    </message>
+    <message>
+        <source>holds more than %1 rows or features; %2 in the environment doubles the limits of reading</source>
+        <translation>contient plus de %1 lignes ou entités ; %2 dans l&apos;environnement double les limites de lecture</translation>
+    </message>
+    <message>
+        <source>would take more than %1 MB of memory, the limit for a file of its size: split it, or leave out what is empty; %2 in the environment doubles the limits of reading</source>
+        <translation>prendrait plus de %1 Mo de mémoire, la limite pour un fichier de cette taille : divisez-le ou omettez ce qui est vide ; %2 dans l&apos;environnement double les limites de lecture</translation>
+    </message>
+    <message>
+        <source>there are more than %1 icebergs to choose from: narrow the area or the time; %2 in the environment doubles the limits of reading</source>
+        <translation>il y a plus de %1 icebergs parmi lesquels choisir : réduisez la zone ou la période ; %2 dans l&apos;environnement double les limites de lecture</translation>
+    </message>
+    <message>
+        <source>is an archive that cannot be read: it is cut off or damaged</source>
+        <translation>est une archive illisible : elle est tronquée ou endommagée</translation>
+    </message>
+    <message>
+        <source>is a compressed archive (such as XLSX) without a file *%1</source>
+        <translation>est une archive compressée (par exemple XLSX) sans fichier *%1</translation>
+    </message>
+    <message>
+        <source>is an archive whose entry *%1 cannot be unpacked</source>
+        <translation>est une archive dont l&apos;élément *%1 ne peut pas être décompressé</translation>
+    </message>
+    <message>
+        <source>is an archive in an archive</source>
+        <translation>est une archive dans une archive</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>est vide</translation>
+    </message>
+    <message>
+        <source>is UTF-16 text; save it as UTF-8</source>
+        <translation>est un texte UTF-16 ; enregistrez-le en UTF-8</translation>
+    </message>
+    <message>
+        <source>is no text file</source>
+        <translation>n&apos;est pas un fichier texte</translation>
+    </message>
+    <message>
+        <source>no import format &quot;%1&quot;; there are %2</source>
+        <translation>il n&apos;y a pas de format d&apos;importation « %1 » ; il y a %2</translation>
+    </message>
+    <message>
+        <source>is of no known format, and no columns for latitude and longitude are named; known formats: %1</source>
+        <translation>est d&apos;un format inconnu, et aucune colonne de latitude et de longitude n&apos;est indiquée ; formats connus : %1</translation>
+    </message>
+    <message>
+        <source>columns of the format %1 cannot be mapped</source>
+        <translation>les colonnes du format %1 ne peuvent pas être affectées</translation>
+    </message>
+    <message>
+        <source>holds no sightings</source>
+        <translation>ne contient aucune observation</translation>
+    </message>
+    <message>
+        <source>there is no column &quot;%1&quot;</source>
+        <translation>il n&apos;y a pas de colonne « %1 »</translation>
+    </message>
+    <message>
+        <source>no column holds it; name one with a mapping</source>
+        <translation>aucune colonne ne le contient ; indiquez-en une</translation>
+    </message>
+    <message>
+        <source>columns %1 and %2 are both called &quot;%3&quot;: rename one</source>
+        <translation>les colonnes %1 et %2 s&apos;appellent toutes deux « %3 » : renommez-en une</translation>
+    </message>
+    <message>
+        <source>the first line must name from 1 to %1 columns</source>
+        <translation>la première ligne doit nommer de 1 à %1 colonnes</translation>
+    </message>
+    <message>
+        <source>has %2 columns and not %1</source>
+        <translation>a %2 colonnes et non %1</translation>
+    </message>
+    <message>
+        <source>by then %1 is off the plane</source>
+        <translation>à ce moment, %1 est hors du plan de la carte</translation>
+    </message>
+    <message>
+        <source>cannot move while the scenario holds icebergs, an asset or an area</source>
+        <translation>impossible à déplacer tant que le scénario contient des icebergs, un bien protégé ou une zone</translation>
+    </message>
+    <message>
+        <source>this is not a place on the Earth</source>
+        <translation>ce n&apos;est pas un lieu sur la Terre</translation>
+    </message>
+    <message>
+        <source>has another number of columns than the first line</source>
+        <translation>n&apos;a pas le même nombre de colonnes que la première ligne</translation>
+    </message>
+    <message>
+        <source>a quote is opened and never closed</source>
+        <translation>un guillemet est ouvert et jamais fermé</translation>
+    </message>
+    <message>
+        <source>text follows a closing quote</source>
+        <translation>du texte suit un guillemet fermant</translation>
+    </message>
+    <message>
+        <source>has no time</source>
+        <translation>n&apos;a pas d&apos;heure</translation>
+    </message>
+    <message>
+        <source>time cannot be read</source>
+        <translation>l&apos;heure est illisible</translation>
+    </message>
+    <message>
+        <source>date is not in the season</source>
+        <translation>la date n&apos;est pas dans la saison</translation>
+    </message>
+    <message>
+        <source>has no position</source>
+        <translation>n&apos;a pas de position</translation>
+    </message>
+    <message>
+        <source>latitude is no number from -90 to 90</source>
+        <translation>la latitude n&apos;est pas un nombre de -90 à 90</translation>
+    </message>
+    <message>
+        <source>longitude is no number from -180 to 360</source>
+        <translation>la longitude n&apos;est pas un nombre de -180 à 360</translation>
+    </message>
+    <message>
+        <source>a number is out of range</source>
+        <translation>un nombre est hors limites</translation>
+    </message>
+    <message>
+        <source>id is too long</source>
+        <translation>l&apos;identifiant est trop long</translation>
+    </message>
+    <message>
+        <source>is no point</source>
+        <translation>n&apos;est pas un point</translation>
+    </message>
+    <message>
+        <source>is more than 1000 km east, west, north or south of the origin</source>
+        <translation>est à plus de 1000 km à l&apos;est, à l&apos;ouest, au nord ou au sud de l&apos;origine</translation>
+    </message>
+    <message>
+        <source>there is no room for more</source>
+        <translation>il n&apos;y a plus de place</translation>
+    </message>
+    <message>
+        <source>must lie within %1 m</source>
+        <translation>doit se trouver à moins de %1 m</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 icebergs found a place at least %3 m from the others</source>
+        <translation>seuls %1 icebergs sur %2 ont trouvé une place à au moins %3 m des autres</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 icebergs found a place: the area is too thin</source>
+        <translation>seuls %1 icebergs sur %2 ont trouvé une place : la zone est trop étroite</translation>
+    </message>
+    <message>
+        <source>a scenario has no such file: nothing was flown</source>
+        <translation>un scénario n&apos;a pas de tel fichier : aucun vol n&apos;a été effectué</translation>
+    </message>
+    <message>
+        <source>must be above the speed of the wind</source>
+        <translation>doit être supérieur à la vitesse du vent</translation>
+    </message>
+    <message>
+        <source>there is no UAV %1</source>
+        <translation>il n&apos;y a pas de drone %1</translation>
+    </message>
+    <message>
+        <source>%1 holds one UAV: choose one</source>
+        <translation>%1 contient un seul drone : choisissez-en un</translation>
+    </message>
+    <message>
+        <source>%1 is painted, which needs the program bergwatch</source>
+        <translation>%1 est une image, ce qui nécessite le programme bergwatch</translation>
+    </message>
+    <message>
+        <source>cannot be exported: at %1 s of the flight, later than any date</source>
+        <translation>ne peut pas être exporté : à %1 s du vol, au-delà de toute date</translation>
+    </message>
+    <message>
+        <source>cannot be exported: at %1 s it is %2 m from the origin of the map, which holds %3 m</source>
+        <translation>ne peut pas être exporté : à %1 s, il est à %2 m de l&apos;origine de la carte, qui s&apos;étend sur %3 m</translation>
+    </message>
+    <message>
+        <source>cannot be exported: its turns are not finite</source>
+        <translation>ne peut pas être exporté : ses virages ne sont pas finis</translation>
+    </message>
+    <message>
+        <source>the scenario cannot be planned</source>
+        <translation>le scénario ne peut pas être planifié</translation>
+    </message>
+    <message>
+        <source>this build was made without COIN-OR CBC</source>
+        <translation>cette version a été compilée sans COIN-OR CBC</translation>
+    </message>
+    <message>
+        <source>the back end cbc cannot plan for the policy latency</source>
+        <translation>le solveur cbc ne peut pas planifier pour la stratégie latency</translation>
+    </message>
+    <message>
+        <source>%1 is not flown by this version</source>
+        <translation>%1 ne peut pas être exécuté par cette version</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objet</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>un tableau</translation>
+    </message>
+    <message>
+        <source>a string</source>
+        <translation>une chaîne</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>two numbers</source>
+        <translation>deux nombres</translation>
+    </message>
+    <message>
+        <source>pairs of numbers</source>
+        <translation>des paires de nombres</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>no such file or folder</source>
+        <translation>fichier ou dossier inexistant</translation>
+    </message>
+    <message>
+        <source>no permission</source>
+        <translation>aucune autorisation</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>c&apos;est un dossier</translation>
+    </message>
+    <message>
+        <source>part of the path is no folder</source>
+        <translation>une partie du chemin n&apos;est pas un dossier</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>le disque est plein</translation>
+    </message>
+    <message>
+        <source>the quota is used up</source>
+        <translation>le quota est épuisé</translation>
+    </message>
+    <message>
+        <source>the disk is read-only</source>
+        <translation>le disque est en lecture seule</translation>
+    </message>
+    <message>
+        <source>the disk is faulty</source>
+        <translation>le disque est défectueux</translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation>le nom est trop long</translation>
+    </message>
+    <message>
+        <source>the program bergwatch-cbc is not there: %1</source>
+        <translation>le programme bergwatch-cbc est introuvable : %1</translation>
+    </message>
+    <message>
+        <source>must be at least %1 for a run of this length and so many icebergs, not %2; %3 in the environment doubles the limits of reading</source>
+        <translation>doit être au moins %1 pour un vol de cette durée et autant d&apos;icebergs, et non %2 ; %3 dans l&apos;environnement double les limites de lecture</translation>
+    </message>
+    <message>
+        <source>with the policies would be %1 settings; at most %2 fit into one study: take several</source>
+        <translation>donnerait, avec les stratégies, %1 réglages ; une étude en contient au plus %2 : prenez-en plusieurs</translation>
+    </message>
+    <message>
+        <source>would be %1 missions; at most %2 fit into one study: take several</source>
+        <translation>donnerait %1 missions ; une étude en contient au plus %2 : prenez-en plusieurs</translation>
+    </message>
+    <message>
+        <source>names an iceberg, but the run holds none</source>
+        <translation>nomme un iceberg, mais le vol n&apos;en contient aucun</translation>
+    </message>
+</context>
+<context>
+    <name>Main</name>
+    <message>
+        <source>Write map.png, zeta.png and sigma.png of the run or the scenario flown to its end into &lt;folder&gt;.</source>
+        <translation>Écrire map.png, zeta.png et sigma.png du vol, ou du scénario joué jusqu&apos;à la fin, dans &lt;dossier&gt;.</translation>
+    </message>
+    <message>
+        <source>Overwrite files that exist.</source>
+        <translation>Remplacer les fichiers existants.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>La mémoire est insuffisante.</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>dossier</translation>
+    </message>
+    <message>
+        <source>Size of each picture in pixels, e.g. 1920x1080 (default: 1600x1000 for the map, 1600x700 for the charts).</source>
+        <translation>Taille de chaque image en pixels, p. ex. 1920x1080 (par défaut : 1600x1000 pour la carte, 1600x700 pour les graphiques).</translation>
+    </message>
+    <message>
+        <source>WxH</source>
+        <comment>width x height</comment>
+        <translation>LxH</translation>
+    </message>
+    <message>
+        <source>Appearance of the pictures: light, dark or both.</source>
+        <translation>Apparence des images : light (clair), dark (sombre) ou both (les deux).</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>thème</translation>
+    </message>
+    <message>
+        <source>--size: &quot;%1&quot; is not a size like 1920x1080 with sides from %2 to %3 pixels.</source>
+        <translation>--size : « %1 » n&apos;est pas une taille comme 1920x1080 avec des côtés de %2 à %3 pixels.</translation>
+    </message>
+    <message>
+        <source>--theme: &quot;%1&quot; is not light, dark or both.</source>
+        <translation>--theme : « %1 » n&apos;est ni light, ni dark, ni both.</translation>
+    </message>
+    <message>
+        <source>--pictures: the name of a folder is missing.</source>
+        <translation>--pictures : le nom d&apos;un dossier manque.</translation>
+    </message>
+    <message>
+        <source>Bergwatch draws missions of a UAV that keeps watch over drifting icebergs.</source>
+        <translation>Bergwatch dessine les missions d&apos;un drone qui surveille des icebergs à la dérive.</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>fichier</translation>
+    </message>
+    <message>
+        <source>Name one run or scenario file; %1 were named.</source>
+        <translation>Indiquez un seul fichier de vol ou de scénario ; %1 ont été indiqués.</translation>
+    </message>
+    <message>
+        <source>Bergwatch has crashed: %1</source>
+        <translation>Bergwatch s&apos;est arrêté brutalement : %1</translation>
+    </message>
+    <message>
+        <source>Render the window with the scenario into &lt;file&gt;, then end.</source>
+        <translation>Dessiner la fenêtre avec le scénario dans &lt;fichier&gt;, puis quitter.</translation>
+    </message>
+    <message>
+        <source>Fly until this time before the screenshot.</source>
+        <translation>Jouer le vol jusqu&apos;à cet instant avant la capture d&apos;écran.</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>secondes</translation>
+    </message>
+    <message>
+        <source>Keep settings in &lt;file&gt; in place of your own.</source>
+        <translation>Conserver les paramètres dans &lt;fichier&gt; au lieu des vôtres.</translation>
+    </message>
+    <message>
+        <source>--size: &quot;%1&quot; is not a size like 1920x1080.</source>
+        <translation>--size : « %1 » n&apos;est pas une taille comme 1920x1080.</translation>
+    </message>
+    <message>
+        <source>--theme: &quot;%1&quot; is not light or dark.</source>
+        <translation>--theme : « %1 » n&apos;est ni light ni dark.</translation>
+    </message>
+    <message>
+        <source>--at: &quot;%1&quot; is not a number of seconds.</source>
+        <translation>--at : « %1 » n&apos;est pas un nombre de secondes.</translation>
+    </message>
+    <message>
+        <source>Name one scenario file at most; %1 were named.</source>
+        <translation>Indiquez au plus un fichier de scénario ; %1 ont été indiqués.</translation>
+    </message>
+    <message>
+        <source>The command &quot;export&quot; writes plans and flights as files, maps, charts and briefs: see &quot;bergwatch export --help&quot;.</source>
+        <translation>La commande « export » écrit les plans et les vols sous forme de fichiers, cartes, graphiques et fiches : voir « bergwatch export --help ».</translation>
+    </message>
+    <message>
+        <source>A scenario (.berg), run (.bergrun) or study (.bergstudy).</source>
+        <translation>Un scénario (.berg), un vol (.bergrun) ou une étude (.bergstudy).</translation>
+    </message>
+    <message>
+        <source>Write the manual as web pages and as PDF into &lt;folder&gt;, with the pictures there.</source>
+        <translation>Écrire le manuel en pages web et en PDF dans &lt;dossier&gt;, avec les images qui s&apos;y trouvent.</translation>
+    </message>
+    <message>
+        <source>--manual takes no scenario file, --pictures or --screenshot.</source>
+        <translation>--manual n&apos;accepte ni fichier de scénario, ni --pictures, ni --screenshot.</translation>
+    </message>
+</context>
+<context>
+    <name>ManualPages</name>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>The Bergwatch manual</source>
+        <translation>Manuel de Bergwatch</translation>
+    </message>
+</context>
+<context>
+    <name>ManualText</name>
+    <message>
+        <source>en</source>
+        <comment>folder of the manual in this language</comment>
+        <translation>en</translation>
+    </message>
+</context>
+<context>
+    <name>MapLayoutText</name>
+    <message>
+        <source>lost</source>
+        <translation>perdu</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>abandonné</translation>
+    </message>
+</context>
+<context>
+    <name>MapLegend</name>
+    <message>
+        <source>In view now: σ is 0</source>
+        <translation>En vue maintenant : σ vaut 0</translation>
+    </message>
+    <message>
+        <source>Plan, next leg thicker</source>
+        <translation>Plan, prochain segment plus épais</translation>
+    </message>
+    <message>
+        <source>Flown, older parts fainter</source>
+        <translation>Parcouru, parties anciennes estompées</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Champ de vision</translation>
+    </message>
+    <message>
+        <source>Drift in %1</source>
+        <translation>Dérive en %1</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ</source>
+        <translation>Incertitude σ</translation>
+    </message>
+    <message>
+        <source>Still to come, with its time</source>
+        <translation>À venir, avec son heure</translation>
+    </message>
+    <message>
+        <source>Compared: %1</source>
+        <translation>Comparé : %1</translation>
+    </message>
+    <message>
+        <source>Plan before the change</source>
+        <translation>Plan avant la modification</translation>
+    </message>
+    <message>
+        <source>Seen so far</source>
+        <translation>Vu jusqu&apos;ici</translation>
+    </message>
+    <message>
+        <source>In view</source>
+        <translation>En vue</translation>
+    </message>
+    <message>
+        <source>To come</source>
+        <translation>À venir</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Point aimed at</source>
+        <translation>Point visé</translation>
+    </message>
+    <message>
+        <source>Aim point</source>
+        <translation>Point visé</translation>
+    </message>
+    <message>
+        <source>Former plan</source>
+        <translation>Ancien plan</translation>
+    </message>
+    <message>
+        <source>Flown</source>
+        <translation>Parcouru</translation>
+    </message>
+    <message>
+        <source>In view now</source>
+        <translation>En vue maintenant</translation>
+    </message>
+    <message>
+        <source>Lost: not where it should be</source>
+        <translation>Perdu : pas à l&apos;endroit prévu</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Perdu</translation>
+    </message>
+    <message>
+        <source>Search for it given up</source>
+        <translation>Recherche abandonnée</translation>
+    </message>
+    <message>
+        <source>Given up</source>
+        <translation>Abandonné</translation>
+    </message>
+    <message>
+        <source>Inside it with 95 %</source>
+        <translation>À l&apos;intérieur à 95 %</translation>
+    </message>
+    <message>
+        <source>95 % circle</source>
+        <translation>Cercle à 95 %</translation>
+    </message>
+    <message>
+        <source>True position</source>
+        <translation>Position réelle</translation>
+    </message>
+    <message>
+        <source>Truth</source>
+        <translation>Réalité</translation>
+    </message>
+    <message>
+        <source>Will enter inner ring</source>
+        <translation>Entrera dans l&apos;anneau intérieur</translation>
+    </message>
+    <message>
+        <source>Enters ring</source>
+        <translation>Entre dans l&apos;anneau</translation>
+    </message>
+    <message>
+        <source>Planned as one point</source>
+        <translation>Planifiés comme un seul point</translation>
+    </message>
+    <message>
+        <source>One point</source>
+        <translation>Point unique</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Geofence: flown inside only</source>
+        <translation>Barrière virtuelle : vol à l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>Geofence</source>
+        <translation>Barrière virtuelle</translation>
+    </message>
+    <message>
+        <source>Asset&apos;s range: more urgent inside</source>
+        <translation>Rayon d&apos;influence : plus urgent dedans</translation>
+    </message>
+    <message>
+        <source>Asset&apos;s range</source>
+        <translation>Rayon d&apos;influence</translation>
+    </message>
+    <message>
+        <source>Inner ring: alarm</source>
+        <translation>Anneau intérieur : alarme</translation>
+    </message>
+    <message>
+        <source>Inner ring</source>
+        <translation>Anneau intérieur</translation>
+    </message>
+    <message>
+        <source>Search pattern</source>
+        <translation>Parcours de recherche</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>UAVs too close to each other</source>
+        <translation>Drones trop proches l&apos;un de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Too close</source>
+        <translation>Trop proches</translation>
+    </message>
+    <message>
+        <source>Assigned to the UAV of this colour</source>
+        <translation>Attribué au drone de cette couleur</translation>
+    </message>
+    <message>
+        <source>Assigned to one</source>
+        <translation>Attribué à un drone</translation>
+    </message>
+    <message>
+        <source>Point of no return: reserve needed beyond</source>
+        <translation>Point de non-retour : réserve nécessaire au-delà</translation>
+    </message>
+    <message>
+        <source>Point of no return</source>
+        <translation>Point de non-retour</translation>
+    </message>
+    <message>
+        <source>Radio range of the ground station</source>
+        <translation>Portée radio de la station sol</translation>
+    </message>
+    <message>
+        <source>Radio range</source>
+        <translation>Portée radio</translation>
+    </message>
+    <message>
+        <source>No-fly area</source>
+        <translation>Zone interdite</translation>
+    </message>
+    <message>
+        <source>Stand-off round the asset</source>
+        <translation>Distance de sécurité au bien protégé</translation>
+    </message>
+    <message>
+        <source>Stand-off</source>
+        <translation>Distance de sécurité</translation>
+    </message>
+    <message>
+        <source>Icebergs close together: dots, or how many</source>
+        <translation>Icebergs rapprochés : points, ou leur nombre</translation>
+    </message>
+    <message>
+        <source>Close together</source>
+        <translation>Rapprochés</translation>
+    </message>
+    <message>
+        <source>Place to search, chance of finding</source>
+        <translation>Lieu à fouiller, probabilité de découverte</translation>
+    </message>
+    <message>
+        <source>Place to search</source>
+        <translation>Lieu à fouiller</translation>
+    </message>
+</context>
+<context>
+    <name>MapOverlays</name>
+    <message>
+        <source>N</source>
+        <comment>north on the compass</comment>
+        <translation>N</translation>
+    </message>
+</context>
+<context>
+    <name>MapPageText</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Zeta ζ</source>
+        <translation>Zêta ζ</translation>
+    </message>
+    <message>
+        <source>Visits, dots on the path</source>
+        <translation>Visites, points sur la trajectoire</translation>
+    </message>
+    <message>
+        <source>Longest flight</source>
+        <translation>Vol le plus long</translation>
+    </message>
+    <message>
+        <source>Flight time</source>
+        <translation>Temps de vol</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Visites</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+</context>
+<context>
+    <name>MapTools</name>
+    <message>
+        <source>Drag moves the map, the wheel zooms. Esc leaves the tool.</source>
+        <translation>Faire glisser déplace la carte, la molette zoome. Esc quitte l&apos;outil.</translation>
+    </message>
+    <message>
+        <source>Move UAV</source>
+        <translation>Déplacer le drone</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n objects</source>
+        <translation>
+            <numerusform>Déplacer %n objet</numerusform>
+            <numerusform>Déplacer %n objets</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move iceberg</source>
+        <translation>Déplacer l&apos;iceberg</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n icebergs</source>
+        <translation>
+            <numerusform>Déplacer %n iceberg</numerusform>
+            <numerusform>Déplacer %n icebergs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move asset</source>
+        <translation>Déplacer le bien protégé</translation>
+    </message>
+    <message>
+        <source>Move area</source>
+        <translation>Déplacer la zone</translation>
+    </message>
+    <message>
+        <source>Move no-fly area</source>
+        <translation>Déplacer la zone interdite</translation>
+    </message>
+</context>
+<context>
+    <name>MapWorld</name>
+    <message>
+        <source>PNR</source>
+        <translation>PNR</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureTool</name>
+    <message>
+        <source>Total %1</source>
+        <translation>Total %1</translation>
+    </message>
+    <message>
+        <source>Click sets the next point, Enter ends the line, Backspace takes one back, Esc clears.</source>
+        <translation>Un clic place le point suivant, Entrée termine la ligne, Retour arrière en retire un, Esc efface.</translation>
+    </message>
+    <message>
+        <source>Click begins another line. Esc clears this one.</source>
+        <translation>Un clic commence une autre ligne. Esc efface celle-ci.</translation>
+    </message>
+    <message>
+        <source>Click points to measure the path between them: geodesic length, true bearing, time of flight.</source>
+        <translation>Cliquez des points pour mesurer le trajet entre eux : longueur géodésique, relèvement vrai, temps de vol.</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2 in the wind</source>
+        <translation>%1 à %2 dans le vent</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>MissionCharts</name>
+    <message>
+        <source>iceberg reached</source>
+        <translation>iceberg atteint</translation>
+    </message>
+    <message>
+        <source>Uncertainty now and accumulated</source>
+        <translation>Incertitude actuelle et cumulée</translation>
+    </message>
+    <message>
+        <source>Sum of σ, m²</source>
+        <translation>Somme des σ, m²</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, m² s</source>
+        <translation>Zêta ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Sum of σ</source>
+        <translation>Somme des σ</translation>
+    </message>
+    <message>
+        <source>Zeta %1 m² s</source>
+        <translation>Zêta %1 m² s</translation>
+    </message>
+    <message>
+        <source>Uncertainty of each iceberg</source>
+        <translation>Incertitude de chaque iceberg</translation>
+    </message>
+    <message>
+        <source>σ, m²</source>
+        <translation>σ, m²</translation>
+    </message>
+    <message>
+        <source>Nothing flown yet: Space flies the plan</source>
+        <translation>Aucun vol encore : Espace exécute le plan</translation>
+    </message>
+    <message>
+        <source>m²</source>
+        <translation>m²</translation>
+    </message>
+    <message>
+        <source>m² s</source>
+        <translation>m² s</translation>
+    </message>
+    <message>
+        <source>Zeta</source>
+        <translation>Zêta</translation>
+    </message>
+    <message>
+        <source>At %1 zeta is %2 m² s and the sum of σ %3 m².</source>
+        <translation>À %1, zêta vaut %2 m² s et la somme des σ %3 m².</translation>
+    </message>
+    <message>
+        <source>Rate of zeta, now and on average</source>
+        <translation>Croissance de zêta, actuelle et moyenne</translation>
+    </message>
+    <message>
+        <source>Sum of σ = dζ/dt, m²</source>
+        <translation>Somme des σ = dζ/dt, m²</translation>
+    </message>
+    <message>
+        <source>Mean since take-off</source>
+        <translation>Moyenne depuis le décollage</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Maintenant</translation>
+    </message>
+    <message>
+        <source>At %1 zeta grows by %2 m² s each second, since take-off by %3 on average.</source>
+        <translation>À %1, zêta augmente de %2 m² s par seconde ; depuis le décollage, de %3 en moyenne.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At %1 the most uncertain iceberg is %2 with σ %3 m²; %n in view.</source>
+        <translation>
+            <numerusform>À %1, l&apos;iceberg le plus incertain est %2, avec σ %3 m² ; %n en vue.</numerusform>
+            <numerusform>À %1, l&apos;iceberg le plus incertain est %2, avec σ %3 m² ; %n en vue.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Distance flown</source>
+        <translation>Distance parcourue</translation>
+    </message>
+    <message>
+        <source>Flown</source>
+        <translation>Parcouru</translation>
+    </message>
+    <message>
+        <source>Distance flown by %1: %2.</source>
+        <translation>Distance parcourue à %1 : %2.</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Taux de virage</translation>
+    </message>
+    <message>
+        <source>Turn rate, °/s, positive to the left</source>
+        <translation>Taux de virage, °/s, positif à gauche</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <source>Limit %1 °/s</source>
+        <translation>Limite %1 °/s</translation>
+    </message>
+    <message>
+        <source>Cross-track error</source>
+        <translation>Écart latéral</translation>
+    </message>
+    <message>
+        <source>Cross-track error, m, positive to the left</source>
+        <translation>Écart latéral, m, positif à gauche</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Zeta and sum of σ</source>
+        <translation>Zêta et somme des σ</translation>
+    </message>
+    <message>
+        <source>Rate of zeta</source>
+        <translation>Croissance de zêta</translation>
+    </message>
+    <message>
+        <source>σ of each iceberg</source>
+        <translation>σ de chaque iceberg</translation>
+    </message>
+    <message>
+        <source>Distance through the air, %1</source>
+        <translation>Distance dans l&apos;air, %1</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ</source>
+        <translation>Borne inférieure de ζ</translation>
+    </message>
+    <message>
+        <source>Weighted</source>
+        <translation>Pondéré</translation>
+    </message>
+    <message>
+        <source>Weighted by priority</source>
+        <translation>Pondéré par priorité</translation>
+    </message>
+    <message>
+        <source>Weighted by priority the sum is %1 m².</source>
+        <translation>Pondérée par priorité, la somme est de %1 m².</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Tous : %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tous</translation>
+    </message>
+    <message>
+        <source>Turn rate at %1: %2; limit: %3.</source>
+        <translation>Taux de virage à %1 : %2 ; limite : %3.</translation>
+    </message>
+    <message>
+        <source>Cross-track error at %1: %2.</source>
+        <translation>Écart latéral à %1 : %2.</translation>
+    </message>
+</context>
+<context>
+    <name>MissionPicture</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Zeta ζ</source>
+        <translation>Zêta ζ</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Visites</translation>
+    </message>
+    <message>
+        <source>No icebergs yet</source>
+        <translation>Aucun iceberg pour l&apos;instant</translation>
+    </message>
+    <message>
+        <source>Add icebergs with their positions to the scenario file, then draw the map again.</source>
+        <translation>Ajoutez des icebergs avec leurs positions au fichier de scénario, puis redessinez la carte.</translation>
+    </message>
+    <message>
+        <source>Endurance left</source>
+        <translation>Autonomie restante</translation>
+    </message>
+    <message>
+        <source>Closest so far</source>
+        <translation>Plus proche jusqu&apos;ici</translation>
+    </message>
+    <message>
+        <source>Home margin</source>
+        <translation>Marge de retour</translation>
+    </message>
+</context>
+<context>
+    <name>PageText</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+    <message>
+        <source>First leg at %1</source>
+        <translation>Premier segment à %1</translation>
+    </message>
+    <message>
+        <source>First leg</source>
+        <translation>Premier segment</translation>
+    </message>
+    <message>
+        <source>Planned order at %1</source>
+        <translation>Ordre prévu à %1</translation>
+    </message>
+    <message>
+        <source>Planned order</source>
+        <translation>Ordre prévu</translation>
+    </message>
+    <message>
+        <source>Planned path with turns at %1</source>
+        <translation>Trajectoire prévue avec virages à %1</translation>
+    </message>
+    <message>
+        <source>Planned path with turns</source>
+        <translation>Trajectoire prévue avec virages</translation>
+    </message>
+    <message>
+        <source>Flown until %1</source>
+        <translation>Vol effectué jusqu&apos;à %1</translation>
+    </message>
+    <message>
+        <source>Start %1 UTC</source>
+        <translation>Début %1 UTC</translation>
+    </message>
+</context>
+<context>
+    <name>PanelText</name>
+    <message>
+        <source>As opened</source>
+        <translation>À l&apos;ouverture</translation>
+    </message>
+    <message>
+        <source>Click a line to go back or forth to it; the disk marks what is saved.</source>
+        <translation>Cliquez sur une ligne pour y revenir ou y avancer ; la disquette marque ce qui est enregistré.</translation>
+    </message>
+</context>
+<context>
+    <name>PlaceText</name>
+    <message>
+        <source>Labrador Sea</source>
+        <translation>Mer du Labrador</translation>
+    </message>
+    <message>
+        <source>Davis Strait</source>
+        <translation>Détroit de Davis</translation>
+    </message>
+    <message>
+        <source>Baffin Bay</source>
+        <translation>Baie de Baffin</translation>
+    </message>
+    <message>
+        <source>Disko Bay</source>
+        <translation>Baie de Disko</translation>
+    </message>
+    <message>
+        <source>Melville Bay</source>
+        <translation>Baie de Melville</translation>
+    </message>
+    <message>
+        <source>Cape York</source>
+        <translation>Cap York</translation>
+    </message>
+    <message>
+        <source>Nares Strait</source>
+        <translation>Détroit de Nares</translation>
+    </message>
+    <message>
+        <source>Cape Farewell</source>
+        <translation>Cap Farvel</translation>
+    </message>
+    <message>
+        <source>Denmark Strait</source>
+        <translation>Détroit du Danemark</translation>
+    </message>
+    <message>
+        <source>Scoresby Sund</source>
+        <translation>Scoresby Sund</translation>
+    </message>
+    <message>
+        <source>Fram Strait</source>
+        <translation>Détroit de Fram</translation>
+    </message>
+    <message>
+        <source>Hinlopen Strait</source>
+        <translation>Détroit d&apos;Hinlopen</translation>
+    </message>
+    <message>
+        <source>Bear Island</source>
+        <translation>Île aux Ours</translation>
+    </message>
+    <message>
+        <source>Barents Sea</source>
+        <translation>Mer de Barents</translation>
+    </message>
+    <message>
+        <source>Franz Josef Land</source>
+        <translation>Terre François-Joseph</translation>
+    </message>
+    <message>
+        <source>Novaya Zemlya</source>
+        <translation>Nouvelle-Zemble</translation>
+    </message>
+    <message>
+        <source>Kara Sea</source>
+        <translation>Mer de Kara</translation>
+    </message>
+    <message>
+        <source>Laptev Sea</source>
+        <translation>Mer de Laptev</translation>
+    </message>
+    <message>
+        <source>Bering Strait</source>
+        <translation>Détroit de Béring</translation>
+    </message>
+    <message>
+        <source>Beaufort Sea</source>
+        <translation>Mer de Beaufort</translation>
+    </message>
+    <message>
+        <source>North Pole</source>
+        <translation>Pôle Nord</translation>
+    </message>
+    <message>
+        <source>Drake Passage</source>
+        <translation>Passage de Drake</translation>
+    </message>
+    <message>
+        <source>South Georgia</source>
+        <translation>Géorgie du Sud</translation>
+    </message>
+    <message>
+        <source>Weddell Sea</source>
+        <translation>Mer de Weddell</translation>
+    </message>
+    <message>
+        <source>Amery Ice Shelf</source>
+        <translation>Plateau de glace Amery</translation>
+    </message>
+    <message>
+        <source>Ross Sea</source>
+        <translation>Mer de Ross</translation>
+    </message>
+    <message>
+        <source>McMurdo Sound</source>
+        <translation>Détroit de McMurdo</translation>
+    </message>
+    <message>
+        <source>South Pole</source>
+        <translation>Pôle Sud</translation>
+    </message>
+    <message>
+        <source>There is no place of this name here, and it is not a coordinate.</source>
+        <translation>Aucun lieu de ce nom n&apos;existe ici, et ce n&apos;est pas une coordonnée.</translation>
+    </message>
+    <message>
+        <source>Several places are called like this.</source>
+        <translation>Plusieurs lieux portent ce nom.</translation>
+    </message>
+    <message>
+        <source>A coordinate or the name of a place is needed.</source>
+        <translation>Une coordonnée ou le nom d&apos;un lieu est nécessaire.</translation>
+    </message>
+    <message>
+        <source>This is not a coordinate. Such as 47° 03.2′ N 48° 06′ W, or 47.05 -48.1.</source>
+        <translation>Ce n&apos;est pas une coordonnée. Exemples : 47° 03,2′ N 48° 06′ W, ou 47,05 -48,1.</translation>
+    </message>
+    <message>
+        <source>This is half a coordinate: latitude and longitude are needed.</source>
+        <translation>C&apos;est la moitié d&apos;une coordonnée : la latitude et la longitude sont nécessaires.</translation>
+    </message>
+    <message>
+        <source>This can be read in more than one way. Spaces and the letters N, S, E and W make it clear.</source>
+        <translation>Cela peut se lire de plusieurs façons. Des espaces et les lettres N, S, E et W lèvent le doute.</translation>
+    </message>
+    <message>
+        <source>One half says which hemisphere it is in, the other does not.</source>
+        <translation>Une moitié indique son hémisphère, l&apos;autre non.</translation>
+    </message>
+    <message>
+        <source>Either a sign or a letter says which hemisphere, not both.</source>
+        <translation>L&apos;hémisphère est donné soit par un signe, soit par une lettre, mais pas les deux.</translation>
+    </message>
+    <message>
+        <source>One latitude and one longitude are needed, not two of a kind.</source>
+        <translation>Une latitude et une longitude sont nécessaires, pas deux de la même sorte.</translation>
+    </message>
+    <message>
+        <source>Minutes and seconds are less than 60.</source>
+        <translation>Les minutes et les secondes sont inférieures à 60.</translation>
+    </message>
+    <message>
+        <source>Latitudes go from 90° S to 90° N.</source>
+        <translation>Les latitudes vont de 90° S à 90° N.</translation>
+    </message>
+    <message>
+        <source>Longitudes go from 180° W to 180° E.</source>
+        <translation>Les longitudes vont de 180° W à 180° E.</translation>
+    </message>
+    <message>
+        <source>There is no such place on the UTM or MGRS grid.</source>
+        <translation>Ce lieu n&apos;existe pas dans la grille UTM ou MGRS.</translation>
+    </message>
+    <message>
+        <source>This is a longitude, a latitude is needed.</source>
+        <translation>C&apos;est une longitude ; une latitude est nécessaire.</translation>
+    </message>
+    <message>
+        <source>This is a latitude, a longitude is needed.</source>
+        <translation>C&apos;est une latitude ; une longitude est nécessaire.</translation>
+    </message>
+    <message>
+        <source>This is %1 from the origin of the scenario, which reaches %2.</source>
+        <translation>C&apos;est à %1 de l&apos;origine du scénario, qui s&apos;étend jusqu&apos;à %2.</translation>
+    </message>
+    <message>
+        <source>Type one angle: a whole coordinate would put all of them at one place.</source>
+        <translation>Saisissez un seul angle : une coordonnée complète les placerait tous au même endroit.</translation>
+    </message>
+</context>
+<context>
+    <name>PlacingTools</name>
+    <message>
+        <source>Add iceberg</source>
+        <translation>Ajouter un iceberg</translation>
+    </message>
+    <message>
+        <source>Change drift</source>
+        <translation>Modifier la dérive</translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n icebergs.</source>
+        <translation>
+            <numerusform>Un scénario contient au plus %n iceberg.</numerusform>
+            <numerusform>Un scénario contient au plus %n icebergs.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click adds an iceberg, drag on to set its drift. Esc leaves the tool.</source>
+        <translation>Un clic ajoute un iceberg ; faites glisser ensuite pour régler sa dérive. Esc quitte l&apos;outil.</translation>
+    </message>
+    <message>
+        <source>Place UAV</source>
+        <translation>Placer le drone</translation>
+    </message>
+    <message>
+        <source>Let go to keep this heading. Esc takes it back.</source>
+        <translation>Relâchez pour garder ce cap. Esc annule.</translation>
+    </message>
+    <message>
+        <source>Move asset</source>
+        <translation>Déplacer le bien protégé</translation>
+    </message>
+    <message>
+        <source>Place asset</source>
+        <translation>Placer le bien protégé</translation>
+    </message>
+    <message>
+        <source>Let go to place it here. Esc takes it back.</source>
+        <translation>Relâchez pour le placer ici. Esc annule.</translation>
+    </message>
+    <message>
+        <source>Click moves the asset here. Esc leaves the tool.</source>
+        <translation>Un clic déplace le bien protégé ici. Esc quitte l&apos;outil.</translation>
+    </message>
+    <message>
+        <source>Click places the protected asset. Esc leaves the tool.</source>
+        <translation>Un clic place le bien protégé. Esc quitte l&apos;outil.</translation>
+    </message>
+    <message>
+        <source>Click adds an iceberg that appears here and now, drag on to set its drift. In flight that cannot be undone.</source>
+        <translation>Un clic ajoute un iceberg qui apparaît ici et maintenant ; faites glisser ensuite pour régler sa dérive. En vol, cela ne peut pas être annulé.</translation>
+    </message>
+    <message>
+        <source>Add UAV</source>
+        <translation>Ajouter un drone</translation>
+    </message>
+    <message>
+        <source>Click places the UAV, drag on to turn it. With Ctrl it is another one. Esc leaves the tool.</source>
+        <translation>Un clic place le drone ; faites glisser ensuite pour l&apos;orienter. Avec Ctrl, c&apos;en est un autre. Esc quitte l&apos;outil.</translation>
+    </message>
+    <message>
+        <source>Click places %1, drag on to turn it. With Ctrl it is another UAV. Esc leaves the tool.</source>
+        <translation>Un clic place %1 ; faites glisser ensuite pour l&apos;orienter. Avec Ctrl, c&apos;est un autre drone. Esc quitte l&apos;outil.</translation>
+    </message>
+</context>
+<context>
+    <name>PlanText</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <comment>solver</comment>
+        <translation>exact</translation>
+    </message>
+    <message>
+        <source>search and bound</source>
+        <comment>solver</comment>
+        <translation>recherche et borne</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC</source>
+        <comment>solver</comment>
+        <translation>COIN-OR CBC</translation>
+    </message>
+    <message>
+        <source>Solver: %1</source>
+        <translation>Solveur : %1</translation>
+    </message>
+    <message>
+        <source>Status: %1</source>
+        <translation>État : %1</translation>
+    </message>
+    <message>
+        <source>Time: %1</source>
+        <translation>Temps : %1</translation>
+    </message>
+    <message>
+        <source>Objective: %1 m²</source>
+        <translation>Objectif : %1 m²</translation>
+    </message>
+    <message>
+        <source>Lower bound: %1 m²</source>
+        <translation>Borne inférieure : %1 m²</translation>
+    </message>
+    <message>
+        <source>Started from the plan before</source>
+        <translation>Calculé à partir du plan précédent</translation>
+    </message>
+    <message>
+        <source>Proven optimal, %1 (%2)</source>
+        <translation>Optimalité prouvée, %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Best order so far, within %1 % of optimal</source>
+        <translation>Meilleur ordre actuel, à moins de %1 % de l&apos;optimum</translation>
+    </message>
+    <message>
+        <source>Best order so far</source>
+        <translation>Meilleur ordre actuel</translation>
+    </message>
+    <message>
+        <source>Within %1 % of optimal, %2</source>
+        <translation>À moins de %1 % de l&apos;optimum, %2</translation>
+    </message>
+    <message>
+        <source>Best order found, %1</source>
+        <translation>Meilleur ordre trouvé, %1</translation>
+    </message>
+    <message>
+        <source>Planning…</source>
+        <translation>Planification…</translation>
+    </message>
+    <message>
+        <source>No plan yet</source>
+        <translation>Pas encore de plan</translation>
+    </message>
+    <message>
+        <source>Nothing to visit now</source>
+        <translation>Rien à visiter maintenant</translation>
+    </message>
+    <message>
+        <source>This solver cannot plan so many icebergs. Choose Automatic.</source>
+        <translation>Ce solveur ne peut pas planifier autant d&apos;icebergs. Choisissez « Automatique ».</translation>
+    </message>
+    <message>
+        <source>Solver limit reached; flying to the nearest iceberg</source>
+        <translation>Limite du solveur atteinte ; vol vers l&apos;iceberg le plus proche</translation>
+    </message>
+    <message>
+        <source>Solver limit reached; previous plan kept</source>
+        <translation>Limite du solveur atteinte ; plan précédent conservé</translation>
+    </message>
+    <message>
+        <source>Chosen one iceberg at a time</source>
+        <translation>Choisi un iceberg à la fois</translation>
+    </message>
+    <message>
+        <source>Following the route made before</source>
+        <translation>Suit la route établie auparavant</translation>
+    </message>
+    <message>
+        <source>under 1 ms</source>
+        <translation>moins de 1 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Predicted zeta: %1 m² s</source>
+        <translation>Zêta prévu : %1 m² s</translation>
+    </message>
+    <message>
+        <source>Objective: %1 m² s</source>
+        <translation>Objectif : %1 m² s</translation>
+    </message>
+    <message>
+        <source>Lower bound: %1 m² s</source>
+        <translation>Borne inférieure : %1 m² s</translation>
+    </message>
+    <message>
+        <source>by assignment</source>
+        <comment>solver</comment>
+        <translation>par affectation</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n drone</numerusform>
+            <numerusform>%n drones</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n iceberg</numerusform>
+            <numerusform>%n icebergs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Run complete</source>
+        <translation>Vol terminé</translation>
+    </message>
+    <message>
+        <source>under 0.1 s</source>
+        <translation>moins de 0,1 s</translation>
+    </message>
+</context>
+<context>
+    <name>PolicyText</name>
+    <message>
+        <source>Shortest path, repeated</source>
+        <translation>Plus court chemin, répété</translation>
+    </message>
+    <message>
+        <source>Shortest round tour, repeated</source>
+        <translation>Plus court circuit, répété</translation>
+    </message>
+    <message>
+        <source>Nearest iceberg first</source>
+        <translation>Iceberg le plus proche d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Most uncertain iceberg first</source>
+        <translation>Iceberg le plus incertain d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Best predicted coverage</source>
+        <translation>Meilleure couverture prévue</translation>
+    </message>
+    <message>
+        <source>Least waiting time, weighted by uncertainty</source>
+        <translation>Attente minimale, pondérée par l&apos;incertitude</translation>
+    </message>
+    <message>
+        <source>Weighted visiting order, trade-off τ %1</source>
+        <translation>Ordre de visite pondéré, compromis τ %1</translation>
+    </message>
+    <message>
+        <source>τ %1</source>
+        <translation>τ %1</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Plus court chemin</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Circuit</translation>
+    </message>
+    <message>
+        <source>Nearest first</source>
+        <translation>Plus proche d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Plus incertain d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Least waiting</source>
+        <translation>Attente minimale</translation>
+    </message>
+    <message>
+        <source>Best coverage</source>
+        <translation>Meilleure couverture</translation>
+    </message>
+    <message>
+        <source>Least waiting time</source>
+        <translation>Temps d&apos;attente minimal</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exact</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC</source>
+        <translation>COIN-OR CBC</translation>
+    </message>
+    <message>
+        <source>Local search</source>
+        <translation>Recherche locale</translation>
+    </message>
+    <message>
+        <source>One way</source>
+        <comment>route</comment>
+        <translation>Aller simple</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <comment>route</comment>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>Weighs uncertainty seen early against the length of the path, by τ.</source>
+        <translation>Pondère par τ l&apos;incertitude vue tôt et la longueur du trajet.</translation>
+    </message>
+    <message>
+        <source>Flies the shortest path past all icebergs, then the next one.</source>
+        <translation>Suit le plus court chemin passant par tous les icebergs, puis le suivant.</translation>
+    </message>
+    <message>
+        <source>Flies one shortest round tour again and again.</source>
+        <translation>Suit sans cesse un même circuit, le plus court.</translation>
+    </message>
+    <message>
+        <source>Flies to the nearest iceberg out of view.</source>
+        <translation>Va à l&apos;iceberg hors de vue le plus proche.</translation>
+    </message>
+    <message>
+        <source>Flies to the iceberg of the greatest uncertainty.</source>
+        <translation>Va à l&apos;iceberg dont l&apos;incertitude est la plus grande.</translation>
+    </message>
+    <message>
+        <source>Keeps the waiting time of all icebergs short, weighted by their uncertainty.</source>
+        <translation>Garde court le temps d&apos;attente de tous les icebergs, pondéré par leur incertitude.</translation>
+    </message>
+    <message>
+        <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
+        <translation>Prévoit zêta pour des trajectoires qui passent les icebergs à distance et en voient plusieurs à la fois.</translation>
+    </message>
+    <message>
+        <source>Weighted visiting order (published method)</source>
+        <translation>Ordre de visite pondéré (méthode publiée)</translation>
+    </message>
+</context>
+<context>
+    <name>QuantityText</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 S</source>
+        <comment>latitude</comment>
+        <translation>%1 S</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <comment>latitude</comment>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 W</source>
+        <comment>longitude</comment>
+        <translation>%1 W</translation>
+    </message>
+    <message>
+        <source>%1 E</source>
+        <comment>longitude</comment>
+        <translation>%1 E</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>nmi</source>
+        <translation>nmi</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>km</source>
+        <translation>km</translation>
+    </message>
+    <message>
+        <source>kn</source>
+        <translation>kn</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>nmi²</source>
+        <translation>nmi²</translation>
+    </message>
+    <message>
+        <source>km²</source>
+        <translation>km²</translation>
+    </message>
+    <message>
+        <source>%1 nmi</source>
+        <translation>%1 nmi</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>à partir de %1</translation>
+    </message>
+    <message>
+        <source>at all heights</source>
+        <translation>à toutes les hauteurs</translation>
+    </message>
+</context>
+<context>
+    <name>SelectTool</name>
+    <message>
+        <source>Let go to place it here. Esc takes the move back.</source>
+        <translation>Relâchez pour le placer ici. Esc annule le déplacement.</translation>
+    </message>
+    <message>
+        <source>Locked while a flight is under way. Stop the flight to change the scenario.</source>
+        <translation>Verrouillé pendant un vol. Arrêtez le vol pour modifier le scénario.</translation>
+    </message>
+    <message>
+        <source>Everything inside the frame is selected.</source>
+        <translation>Tout ce qui est dans le cadre est sélectionné.</translation>
+    </message>
+    <message>
+        <source>Click selects, drag moves. Ctrl adds, a drag on water selects what is inside the frame.</source>
+        <translation>Un clic sélectionne, faire glisser déplace. Ctrl ajoute ; faire glisser sur l&apos;eau sélectionne ce qui est dans le cadre.</translation>
+    </message>
+    <message>
+        <source>Click selects. In flight the tip of the wind&apos;s arrow and the asset can be dragged.</source>
+        <translation>Un clic sélectionne. En vol, la pointe de la flèche du vent et le bien protégé peuvent être déplacés.</translation>
+    </message>
+    <message>
+        <source>Click selects. Stop and edit to change the scenario.</source>
+        <translation>Un clic sélectionne. « Arrêter et modifier » permet de modifier le scénario.</translation>
+    </message>
+</context>
+<context>
+    <name>SolveTimeText</name>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>CPLEX, average (paper)</source>
+        <translation>CPLEX, moyenne (article)</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exact</translation>
+    </message>
+    <message>
+        <source>Local search</source>
+        <translation>Recherche locale</translation>
+    </message>
+    <message>
+        <source>CBC, by position</source>
+        <translation>CBC, par rang</translation>
+    </message>
+    <message>
+        <source>CBC, as printed</source>
+        <translation>CBC, tel qu&apos;imprimé</translation>
+    </message>
+    <message>
+        <source>CBC, reduced</source>
+        <translation>CBC, réduit</translation>
+    </message>
+</context>
+<context>
+    <name>TimeChartText</name>
+    <message>
+        <source>Time, h:mm:ss</source>
+        <translation>Temps, h:mm:ss</translation>
+    </message>
+    <message>
+        <source>Time, mm:ss</source>
+        <translation>Temps, mm:ss</translation>
+    </message>
+</context>
+<context>
+    <name>WindText</name>
+    <message>
+        <source>No wind</source>
+        <translation>Aucun vent</translation>
+    </message>
+    <message>
+        <source>Wind %1
+from %2, strong</source>
+        <translation>Vent %1
+du %2, fort</translation>
+    </message>
+    <message>
+        <source>Wind %1
+from %2</source>
+        <translation>Vent %1
+du %2</translation>
+    </message>
+    <message>
+        <source>Current %1
+towards %2</source>
+        <translation>Courant %1
+vers le %2</translation>
+    </message>
+    <message>
+        <source>The arrow points where the wind blows to; the ring is the airspeed of %1, beyond the dashed one the UAV makes little way against the wind.</source>
+        <translation>La flèche pointe vers où souffle le vent ; le cercle est la vitesse air de %1 ; au-delà du cercle en tirets, le drone progresse peu contre le vent.</translation>
+    </message>
+    <message>
+        <source>The thin line in the middle of a leg is the heading flown there.</source>
+        <translation>Le trait fin au milieu d&apos;un segment est le cap qui y est suivi.</translation>
+    </message>
+</context>
+<context>
+    <name>WorkFailureText</name>
+    <message>
+        <source>There is not enough memory for this. Close other programs, or ask for less.</source>
+        <translation>La mémoire est insuffisante pour cela. Fermez d&apos;autres programmes ou réduisez la demande.</translation>
+    </message>
+    <message>
+        <source>Internal error: %1</source>
+        <translation>Erreur interne : %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::AlarmStrip</name>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Acquitter</translation>
+    </message>
+    <message>
+        <source>Takes it off this list. It comes back when it was over and happens again.</source>
+        <translation>Retire l&apos;élément de cette liste. Il revient s&apos;il avait cessé et se produit de nouveau.</translation>
+    </message>
+    <message>
+        <source>Continue from here</source>
+        <translation>Continuer d&apos;ici</translation>
+    </message>
+    <message>
+        <source>Gives up what was flown after this instant. From here the trade-off and the policy can be changed and another path flown.</source>
+        <translation>Abandonne la partie du vol postérieure à cet instant. À partir d&apos;ici, le compromis et la stratégie peuvent être modifiés et une autre trajectoire suivie.</translation>
+    </message>
+    <message>
+        <source>Back to latest</source>
+        <translation>Revenir au dernier instant</translation>
+    </message>
+    <message>
+        <source>Back to the end of what is flown.</source>
+        <translation>Revient à la fin du vol effectué.</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Vérifications</translation>
+    </message>
+    <message>
+        <source>Lists everything that is found about the scenario.</source>
+        <translation>Énumère tout ce qui est constaté sur le scénario.</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>Le rétablir</translation>
+    </message>
+    <message>
+        <source>Takes up the flight where it was left.</source>
+        <translation>Reprend le vol là où il a été laissé.</translation>
+    </message>
+    <message>
+        <source>No alarms</source>
+        <translation>Aucune alarme</translation>
+    </message>
+    <message>
+        <source>Cannot be planned: %1</source>
+        <translation>Planification impossible : %1</translation>
+    </message>
+    <message>
+        <source>Looking back at %1</source>
+        <translation>Retour en arrière à %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n de plus</numerusform>
+            <numerusform>%n de plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click shows it.</source>
+        <translation>Un clic l&apos;affiche.</translation>
+    </message>
+    <message>
+        <source>Acknowledged: %1</source>
+        <translation>Acquitté : %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ChartPanel</name>
+    <message>
+        <source>Chart</source>
+        <translation>Graphique</translation>
+    </message>
+    <message>
+        <source>What is shown over time</source>
+        <translation>Ce qui est affiché au cours du temps</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Which lines are shown</source>
+        <translation>Courbes affichées</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Suivre</translation>
+    </message>
+    <message>
+        <source>Keep the newest minutes in view (End). The wheel zooms, the right button drags.</source>
+        <translation>Garder en vue les dernières minutes (Fin). La molette zoome, le bouton droit fait glisser.</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tout</translation>
+    </message>
+    <message>
+        <source>Show everything from take-off on (Home, or a double click)</source>
+        <translation>Tout afficher depuis le décollage (Début, ou double-clic)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture (PNG, SVG, PDF) or its numbers as CSV</source>
+        <translation>Enregistrer le graphique comme image (PNG, SVG, PDF) ou ses valeurs en CSV</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout afficher</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>Image PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>Dessin SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF page (*.pdf)</source>
+        <translation>Page PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Table of numbers (*.csv)</source>
+        <translation>Tableau de valeurs (*.csv)</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Copier l&apos;image</translation>
+    </message>
+    <message>
+        <source>Copy numbers</source>
+        <translation>Copier les valeurs</translation>
+    </message>
+    <message>
+        <source>Save picture or numbers...</source>
+        <translation>Enregistrer l&apos;image ou les valeurs…</translation>
+    </message>
+    <message>
+        <source>Reset zoom</source>
+        <translation>Réinitialiser le zoom</translation>
+    </message>
+</context>
+<context>
+    <name>berg::CheckPanel</name>
+    <message>
+        <source>Error: must be fixed before planning</source>
+        <translation>Erreur : à corriger avant de planifier</translation>
+    </message>
+    <message>
+        <source>Warning: probably not what you want</source>
+        <translation>Avertissement : probablement pas ce que vous voulez</translation>
+    </message>
+    <message>
+        <source>Hint: good to know</source>
+        <translation>Conseil : bon à savoir</translation>
+    </message>
+    <message>
+        <source>No problems found</source>
+        <translation>Aucun problème trouvé</translation>
+    </message>
+    <message>
+        <source>Findings about the scenario</source>
+        <translation>Constats sur le scénario</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ChecksView</name>
+    <message>
+        <source>Not changed: %1</source>
+        <translation>Non modifié : %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ComparisonChart</name>
+    <message>
+        <source>Accumulated uncertainty of two runs</source>
+        <translation>Incertitude cumulée de deux vols</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, m² s</source>
+        <translation>Zêta ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Two runs of the same scenario are compared here.</source>
+        <translation>Deux vols d&apos;un même scénario sont comparés ici.</translation>
+    </message>
+    <message>
+        <source>%1.
+Less ζ is better. Plain shade: A, %2, has less. Hatched: B, %3, has less.</source>
+        <translation>%1.
+Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, en a moins.</translation>
+    </message>
+    <message>
+        <source>Time, h:mm:ss</source>
+        <translation>Temps, h:mm:ss</translation>
+    </message>
+    <message>
+        <source>Time, mm:ss</source>
+        <translation>Temps, mm:ss</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ComparisonPanel</name>
+    <message>
+        <source>Figures of the comparison</source>
+        <translation>Valeurs de la comparaison</translation>
+    </message>
+    <message>
+        <source>Longest time unseen</source>
+        <translation>Plus longue durée hors de vue</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Unseen</source>
+        <translation>Non vu</translation>
+    </message>
+    <message>
+        <source>Longest time for which each iceberg was out of view.</source>
+        <translation>Plus longue durée pendant laquelle chaque iceberg était hors de vue.</translation>
+    </message>
+    <message>
+        <source>Compare with the shortest round tour</source>
+        <translation>Comparer avec le plus court circuit</translation>
+    </message>
+    <message>
+        <source>Progress of the flight in the background</source>
+        <translation>Progression du vol en arrière-plan</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>τ</source>
+        <translation>τ</translation>
+    </message>
+    <message>
+        <source>Trade-off τ to be flown</source>
+        <translation>Compromis τ pour le vol</translation>
+    </message>
+    <message>
+        <source>0: most uncertain first; the larger, the shorter the route.</source>
+        <translation>0 : le plus incertain d&apos;abord ; plus il est grand, plus la route est courte.</translation>
+    </message>
+    <message>
+        <source>Fly</source>
+        <translation>Lancer le vol</translation>
+    </message>
+    <message>
+        <source>Flies the same scenario with this τ in the background.</source>
+        <translation>Joue le même scénario avec ce τ en arrière-plan.</translation>
+    </message>
+    <message>
+        <source>Open run…</source>
+        <translation>Ouvrir un vol…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Takes the chosen run off the list.</source>
+        <translation>Retire le vol choisi de la liste.</translation>
+    </message>
+    <message>
+        <source>Flying %1: %2 of %3</source>
+        <translation>Vol %1 : %2 sur %3</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message>
+        <source>The reference A is the tour itself: choose another one as A.</source>
+        <translation>La référence A est le circuit lui-même : choisissez-en une autre pour A.</translation>
+    </message>
+    <message>
+        <source>Flies the same scenario along the shortest closed tour through all icebergs, as in Figure 5 of the paper, in the background.</source>
+        <translation>Joue le même scénario le long du plus court circuit fermé passant par tous les icebergs, comme à la figure 5 de l&apos;article, en arrière-plan.</translation>
+    </message>
+    <message>
+        <source>Compare with the tour</source>
+        <translation>Comparer avec le circuit</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ComparisonTable</name>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ComparisonView</name>
+    <message>
+        <source>Runs (*.bergrun);;All files (*)</source>
+        <translation>Vols (*.bergrun);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ContextMenus</name>
+    <message>
+        <source>Assign to %1</source>
+        <translation>Attribuer à %1</translation>
+    </message>
+    <message>
+        <source>Any UAV may visit it</source>
+        <translation>N&apos;importe quel drone peut le visiter</translation>
+    </message>
+    <message>
+        <source>Show in the inspector</source>
+        <translation>Afficher dans les propriétés</translation>
+    </message>
+    <message>
+        <source>Edit in the inspector</source>
+        <translation>Modifier dans les propriétés</translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Retirer le bien protégé</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Retirer la zone</translation>
+    </message>
+    <message>
+        <source>New iceberg here</source>
+        <translation>Nouvel iceberg ici</translation>
+    </message>
+    <message>
+        <source>New UAV here</source>
+        <translation>Nouveau drone ici</translation>
+    </message>
+    <message>
+        <source>Paste here</source>
+        <translation>Coller ici</translation>
+    </message>
+    <message>
+        <source>Ground station here</source>
+        <translation>Station sol ici</translation>
+    </message>
+    <message>
+        <source>Place ground station</source>
+        <translation>Placer la station sol</translation>
+    </message>
+    <message>
+        <source>Remove no-fly area</source>
+        <translation>Retirer la zone interdite</translation>
+    </message>
+    <message>
+        <source>Copy coordinates: %1</source>
+        <translation>Copier les coordonnées : %1</translation>
+    </message>
+    <message>
+        <source>Copied %1</source>
+        <translation>Copié : %1</translation>
+    </message>
+    <message>
+        <source>Centre the map here</source>
+        <translation>Centrer la carte ici</translation>
+    </message>
+    <message>
+        <source>Measure from here</source>
+        <translation>Mesurer à partir d&apos;ici</translation>
+    </message>
+    <message>
+        <source>Place asset</source>
+        <translation>Placer le bien protégé</translation>
+    </message>
+    <message>
+        <source>Unfold</source>
+        <translation>Déplier</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Replier</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Masquer</translation>
+    </message>
+    <message>
+        <source>Asset here</source>
+        <translation>Bien protégé ici</translation>
+    </message>
+</context>
+<context>
+    <name>berg::DifferenceChart</name>
+    <message>
+        <source>Differences to the reference</source>
+        <translation>Différences par rapport à la référence</translation>
+    </message>
+    <message>
+        <source>Here each setting is compared with a reference, case by case.</source>
+        <translation>Chaque réglage est comparé ici à une référence, cas par cas.</translation>
+    </message>
+    <message>
+        <source>Less ζ is better: to the left</source>
+        <translation>Moins de ζ est meilleur : vers la gauche</translation>
+    </message>
+    <message>
+        <source>Mean of the cases with its 95 % confidence interval</source>
+        <translation>Moyenne des cas avec son intervalle de confiance à 95 %</translation>
+    </message>
+    <message>
+        <source>Difference of ζ to %1, %</source>
+        <translation>Différence de ζ par rapport à %1, %</translation>
+    </message>
+    <message>
+        <source>the reference</source>
+        <translation>la référence</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>95 %: %1 to %2</source>
+        <translation>95 % : %1 à %2</translation>
+    </message>
+    <message>
+        <source>less in %1 of %2 cases</source>
+        <translation>inférieur dans %1 cas sur %2</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <translation>pire %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Docks</name>
+    <message>
+        <source>Trade-off</source>
+        <translation>Compromis</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Propriétés</translation>
+    </message>
+    <message>
+        <source>Trade-offs</source>
+        <translation>Courbe des compromis</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Graphique</translation>
+    </message>
+    <message>
+        <source>Chart 2</source>
+        <translation>Graphique 2</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Événements</translation>
+    </message>
+    <message>
+        <source>Comparison chart</source>
+        <translation>Graphique de comparaison</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Vérifications</translation>
+    </message>
+    <message>
+        <source>Solve time</source>
+        <translation>Temps de résolution</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparaison</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Icebergs</translation>
+    </message>
+    <message>
+        <source>Map layers</source>
+        <translation>Couches de la carte</translation>
+    </message>
+</context>
+<context>
+    <name>berg::EventModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Événement</translation>
+    </message>
+    <message>
+        <source>How it was planned</source>
+        <translation>Mode de planification</translation>
+    </message>
+    <message>
+        <source>warm start</source>
+        <translation>démarrage à chaud</translation>
+    </message>
+    <message>
+        <source>last plan kept</source>
+        <translation>dernier plan conservé</translation>
+    </message>
+</context>
+<context>
+    <name>berg::EventPanel</name>
+    <message>
+        <source>Events of the mission</source>
+        <translation>Événements de la mission</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ExampleCard</name>
+    <message>
+        <source>1 iceberg</source>
+        <translation>1 iceberg</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n iceberg</numerusform>
+            <numerusform>%n icebergs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>berg::ExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Browse...</source>
+        <translation>&amp;Parcourir…</translation>
+    </message>
+    <message>
+        <source>Name the file.</source>
+        <translation>Nommez le fichier.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>Le dossier %1 n&apos;existe pas.</translation>
+    </message>
+    <message>
+        <source>Export to</source>
+        <translation>Exporter vers</translation>
+    </message>
+    <message>
+        <source>Format of the file</source>
+        <translation>Format du fichier</translation>
+    </message>
+    <message>
+        <source>Not possible</source>
+        <translation>Impossible</translation>
+    </message>
+    <message>
+        <source>Everything that was asked for is in the file.</source>
+        <translation>Tout ce qui était demandé est dans le fichier.</translation>
+    </message>
+    <message>
+        <source>%1, %2, to %3</source>
+        <translation>%1, %2, jusqu&apos;à %3</translation>
+    </message>
+    <message>
+        <source>There already: you will be asked before anything is lost.</source>
+        <translation>Existe déjà : une confirmation sera demandée avant toute perte.</translation>
+    </message>
+    <message>
+        <source>Working ...</source>
+        <translation>Traitement en cours…</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ExportOptionsView</name>
+    <message>
+        <source>What was flown</source>
+        <translation>Le vol effectué</translation>
+    </message>
+    <message>
+        <source>The whole order</source>
+        <translation>L&apos;ordre complet</translation>
+    </message>
+    <message>
+        <source>The first leg</source>
+        <translation>Le premier segment</translation>
+    </message>
+    <message>
+        <source>The path with turns</source>
+        <translation>La trajectoire avec virages</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>&amp;Contenu</translation>
+    </message>
+    <message>
+        <source>All UAVs</source>
+        <translation>Tous les drones</translation>
+    </message>
+    <message>
+        <source>&amp;UAV</source>
+        <translation>&amp;Drone</translation>
+    </message>
+    <message>
+        <source>As in the scenario</source>
+        <translation>Comme dans le scénario</translation>
+    </message>
+    <message>
+        <source>&amp;Altitude</source>
+        <translation>&amp;Altitude</translation>
+    </message>
+    <message>
+        <source>Air&amp;speed</source>
+        <translation>&amp;Vitesse air</translation>
+    </message>
+    <message>
+        <source>A&amp;cceptance radius</source>
+        <translation>&amp;Rayon d&apos;acceptation</translation>
+    </message>
+    <message>
+        <source>None: fly over</source>
+        <translation>Aucun : survoler</translation>
+    </message>
+    <message>
+        <source>&amp;Loiter turns</source>
+        <translation>&amp;Tours d&apos;attente</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Oui</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Non</translation>
+    </message>
+    <message>
+        <source>&amp;Return home</source>
+        <translation>Retour à la &amp;base</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ExportPreviewView</name>
+    <message>
+        <source>Home</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Iceberg</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Waypoints of the file</source>
+        <translation>Points de cheminement du fichier</translation>
+    </message>
+    <message>
+        <source>Map of what is exported</source>
+        <translation>Carte de ce qui est exporté</translation>
+    </message>
+    <message>
+        <source>How the file begins</source>
+        <translation>Comment le fichier commence</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>Points de cheminement</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>The page as it is written</source>
+        <translation>La page telle qu&apos;elle est écrite</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Page</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FindBox</name>
+    <message>
+        <source>Favourite: listed when the box is opened</source>
+        <translation>Favori : affiché à l&apos;ouverture du champ</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favori</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Trouvé</translation>
+    </message>
+    <message>
+        <source>Move the scenario here…</source>
+        <translation>Déplacer le scénario ici…</translation>
+    </message>
+    <message>
+        <source>New scenario here</source>
+        <translation>Nouveau scénario ici</translation>
+    </message>
+    <message>
+        <source>Where is the new scenario? A place or coordinate</source>
+        <translation>Où est le nouveau scénario ? Un lieu ou une coordonnée</translation>
+    </message>
+    <message>
+        <source>Iceberg, UAV, place, coordinate or command</source>
+        <translation>Iceberg, drone, lieu, coordonnée ou commande</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FlightCard</name>
+    <message>
+        <source>Run complete</source>
+        <translation>Vol terminé</translation>
+    </message>
+    <message>
+        <source>Result of the run</source>
+        <translation>Résultat du vol</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Closes this card until the next run ends.</source>
+        <translation>Ferme cette fiche jusqu&apos;à la fin du prochain vol.</translation>
+    </message>
+    <message>
+        <source>Zeta ζ</source>
+        <translation>Zêta ζ</translation>
+    </message>
+    <message>
+        <source>Against prediction</source>
+        <translation>Par rapport à la prévision</translation>
+    </message>
+    <message>
+        <source>ζ against what was predicted before take-off for the policy.</source>
+        <translation>ζ par rapport à ce qui était prévu avant le décollage pour la stratégie.</translation>
+    </message>
+    <message>
+        <source>Lower bound</source>
+        <translation>Borne inférieure</translation>
+    </message>
+    <message>
+        <source>No flight can have a lower ζ in this world, whatever the policy.</source>
+        <translation>Aucun vol ne peut avoir un ζ inférieur dans ces conditions, quelle que soit la stratégie.</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Visites</translation>
+    </message>
+    <message>
+        <source>Targets reached.</source>
+        <translation>Cibles atteintes.</translation>
+    </message>
+    <message>
+        <source>Longest unseen</source>
+        <translation>Plus longtemps non vu</translation>
+    </message>
+    <message>
+        <source>The iceberg that was out of view longest.</source>
+        <translation>Iceberg resté le plus longtemps hors de vue.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Sets the run beside others.</source>
+        <translation>Place le vol à côté d&apos;autres vols.</translation>
+    </message>
+    <message>
+        <source>Save run</source>
+        <translation>Enregistrer le vol</translation>
+    </message>
+    <message>
+        <source>Keeps the run in a file.</source>
+        <translation>Conserve le vol dans un fichier.</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Exports the charts of the run as a page.</source>
+        <translation>Exporte les graphiques du vol sous forme de page.</translation>
+    </message>
+    <message>
+        <source>%1 m² s</source>
+        <translation>%1 m² s</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FlightControls</name>
+    <message>
+        <source>The plan is still being made.</source>
+        <translation>Le plan est encore en cours d&apos;élaboration.</translation>
+    </message>
+    <message>
+        <source>Flight to %1 given up</source>
+        <translation>Vol vers %1 abandonné</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FlightView</name>
+    <message>
+        <source>Planning</source>
+        <translation>Planification</translation>
+    </message>
+    <message>
+        <source>Ready: Space flies it</source>
+        <translation>Prêt : Espace l&apos;exécute</translation>
+    </message>
+    <message>
+        <source>Flying</source>
+        <translation>En vol</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>Run complete</source>
+        <translation>Vol terminé</translation>
+    </message>
+    <message>
+        <source>Cannot be planned: %1</source>
+        <translation>Planification impossible : %1</translation>
+    </message>
+    <message>
+        <source>Press I and click on the map to place one, drag on to let it drift, or import sightings.</source>
+        <translation>Appuyez sur I et cliquez sur la carte pour en placer un, faites glisser ensuite pour le faire dériver, ou importez des observations.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::GenerateDialog</name>
+    <message>
+        <source>There is no room for so many so far from each other. Take fewer, a smaller distance or a larger area.</source>
+        <translation>Il n&apos;y a pas de place pour autant d&apos;icebergs aussi éloignés. Choisissez-en moins, une distance plus petite ou une zone plus grande.</translation>
+    </message>
+    <message>
+        <source>The area is too thin to place icebergs in.</source>
+        <translation>La zone est trop étroite pour y placer des icebergs.</translation>
+    </message>
+    <message>
+        <source>A scenario holds at most %1 icebergs.</source>
+        <translation>Un scénario contient au plus %1 icebergs.</translation>
+    </message>
+    <message>
+        <source>The highest speed is below the lowest.</source>
+        <translation>La vitesse la plus élevée est inférieure à la plus faible.</translation>
+    </message>
+    <message>
+        <source>The largest uncertainty is below the smallest.</source>
+        <translation>L&apos;incertitude la plus grande est inférieure à la plus petite.</translation>
+    </message>
+    <message>
+        <source>Generate icebergs</source>
+        <translation>Générer des icebergs</translation>
+    </message>
+    <message>
+        <source>&amp;Number</source>
+        <translation>&amp;Nombre</translation>
+    </message>
+    <message>
+        <source>The scenario&apos;s area</source>
+        <translation>La zone du scénario</translation>
+    </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>Ce que montre la carte</translation>
+    </message>
+    <message>
+        <source>Rectangle in the middle of the map</source>
+        <translation>Rectangle au milieu de la carte</translation>
+    </message>
+    <message>
+        <source>&amp;Where</source>
+        <translation>&amp;Emplacement</translation>
+    </message>
+    <message>
+        <source>Width of the rectangle</source>
+        <translation>Largeur du rectangle</translation>
+    </message>
+    <message>
+        <source>Height of the rectangle</source>
+        <translation>Hauteur du rectangle</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>Ta&amp;ille</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>Vitesse la plus faible</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Vitesse la plus élevée</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>&amp;Vitesse</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>In any direction</source>
+        <translation>Dans toutes les directions</translation>
+    </message>
+    <message>
+        <source>About one direction</source>
+        <translation>Autour d&apos;une direction</translation>
+    </message>
+    <message>
+        <source>D&amp;rift</source>
+        <translation>Dé&amp;rive</translation>
+    </message>
+    <message>
+        <source>Direction they drift to, from north</source>
+        <translation>Direction vers laquelle ils dérivent, à partir du nord</translation>
+    </message>
+    <message>
+        <source>To either side of it</source>
+        <translation>De part et d&apos;autre de celle-ci</translation>
+    </message>
+    <message>
+        <source>D&amp;irection</source>
+        <translation>&amp;Direction</translation>
+    </message>
+    <message>
+        <source>Smallest σ at the start</source>
+        <translation>Plus petit σ au début</translation>
+    </message>
+    <message>
+        <source>Largest σ at the start</source>
+        <translation>Plus grand σ au début</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty σ</source>
+        <translation>Incertit&amp;ude σ</translation>
+    </message>
+    <message>
+        <source>Growth of σ</source>
+        <translation>Croissance de σ</translation>
+    </message>
+    <message>
+        <source>&amp;Growth q</source>
+        <translation>&amp;Croissance q</translation>
+    </message>
+    <message>
+        <source>Least distance between two icebergs</source>
+        <translation>Distance minimale entre deux icebergs</translation>
+    </message>
+    <message>
+        <source>Least &amp;distance</source>
+        <translation>Distance &amp;minimale</translation>
+    </message>
+    <message>
+        <source>The same number draws the same field again.</source>
+        <translation>Le même nombre reproduit le même champ.</translation>
+    </message>
+    <message>
+        <source>&amp;Another</source>
+        <translation>&amp;Autre</translation>
+    </message>
+    <message>
+        <source>Generates another random field.</source>
+        <translation>Génère un autre champ aléatoire.</translation>
+    </message>
+    <message>
+        <source>&amp;Seed</source>
+        <translation>&amp;Graine</translation>
+    </message>
+    <message>
+        <source>R&amp;eplace the present icebergs</source>
+        <translation>Rem&amp;placer les icebergs présents</translation>
+    </message>
+    <message>
+        <source>Generate</source>
+        <translation>Générer</translation>
+    </message>
+    <message numerus="yes">
+        <source>The scenario then holds %n icebergs.</source>
+        <translation>
+            <numerusform>Le scénario contient alors %n iceberg.</numerusform>
+            <numerusform>Le scénario contient alors %n icebergs.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scenario then holds one iceberg.</source>
+        <translation>Le scénario contient alors un iceberg.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Not known, changing within 10 h</source>
+        <translation>Inconnue, changeant en 10 h</translation>
+    </message>
+    <message>
+        <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. The icebergs are then measured in flight.</source>
+        <translation>Ajustée sur une balise : 0,15 m/s selon chaque axe, dans toutes les directions. Les icebergs sont alors mesurés en vol.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::IcebergTable</name>
+    <message>
+        <source>Find by name or id</source>
+        <translation>Rechercher par nom ou identifiant</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Icebergs</translation>
+    </message>
+    <message>
+        <source>A row for each iceberg. Before take-off Return edits a cell, Ctrl+Return sets it in all rows selected, Ctrl+C and Ctrl+V exchange rows with a spreadsheet. In flight Return shows the iceberg on the map.</source>
+        <translation>Une ligne par iceberg. Avant le décollage, Entrée modifie une cellule, Ctrl+Entrée la règle dans toutes les lignes sélectionnées, Ctrl+C et Ctrl+V échangent des lignes avec un tableur. En vol, Entrée montre l&apos;iceberg sur la carte.</translation>
+    </message>
+    <message>
+        <source>No iceberg has this in its name or id.</source>
+        <translation>Aucun iceberg n&apos;a ce texte dans son nom ou son identifiant.</translation>
+    </message>
+    <message>
+        <source>There are no icebergs in this flight.</source>
+        <translation>Il n&apos;y a aucun iceberg dans ce vol.</translation>
+    </message>
+    <message>
+        <source>No icebergs yet: press I and click on the map, or copy rows of a spreadsheet (name, east, north, speed, direction, σ₀ ...) and paste them here with Ctrl+V.</source>
+        <translation>Aucun iceberg pour l&apos;instant : appuyez sur I et cliquez sur la carte, ou copiez les lignes d&apos;un tableur (nom, est, nord, vitesse, direction, σ₀…) et collez-les ici avec Ctrl+V.</translation>
+    </message>
+    <message>
+        <source>In flight the icebergs cannot be edited. Stop the flight to paste.</source>
+        <translation>En vol, les icebergs ne peuvent pas être modifiés. Arrêtez le vol pour coller.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copier</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Co&amp;ller</translation>
+    </message>
+    <message>
+        <source>Copy &quot;%1&quot;</source>
+        <translation>Copier « %1 »</translation>
+    </message>
+    <message>
+        <source>Show on the map</source>
+        <translation>Afficher sur la carte</translation>
+    </message>
+</context>
+<context>
+    <name>berg::IcebergTableModel</name>
+    <message>
+        <source>Paste icebergs</source>
+        <translation>Coller des icebergs</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; follows from the others. Nothing was pasted.</source>
+        <translation>La colonne « %1 » découle des autres. Rien n&apos;a été collé.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportColumnsView</name>
+    <message>
+        <source>This format has no columns to choose.</source>
+        <translation>Ce format n&apos;a pas de colonnes à choisir.</translation>
+    </message>
+    <message>
+        <source>First rows of the file</source>
+        <translation>Premières lignes du fichier</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatique : %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportDialog</name>
+    <message>
+        <source>No icebergs</source>
+        <translation>Aucun iceberg</translation>
+    </message>
+    <message>
+        <source>None of the sightings is taken.</source>
+        <translation>Aucune des observations n&apos;est retenue.</translation>
+    </message>
+    <message>
+        <source>Import sightings from %1</source>
+        <translation>Importer des observations de %1</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>Map of what comes out</source>
+        <translation>Carte du résultat</translation>
+    </message>
+    <message>
+        <source>+ new   * updated</source>
+        <translation>+ nouveau   * mis à jour</translation>
+    </message>
+    <message>
+        <source>Icebergs of the file</source>
+        <translation>Icebergs du fichier</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Icebergs</translation>
+    </message>
+    <message>
+        <source>Rejected rows</source>
+        <translation>Lignes rejetées</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatique : %1</translation>
+    </message>
+    <message>
+        <source>Icebergs (%1)</source>
+        <translation>Icebergs (%1)</translation>
+    </message>
+    <message>
+        <source>Rejected rows (%1)</source>
+        <translation>Lignes rejetées (%1)</translation>
+    </message>
+    <message>
+        <source>Reading %1, %2 ...</source>
+        <translation>Lecture de %1, %2…</translation>
+    </message>
+    <message>
+        <source>Working ...</source>
+        <translation>Traitement en cours…</translation>
+    </message>
+    <message>
+        <source>Im&amp;port</source>
+        <translation>Imp&amp;orter</translation>
+    </message>
+    <message>
+        <source>Icebergs (first %1 of %2)</source>
+        <translation>Icebergs (les %1 premiers sur %2)</translation>
+    </message>
+    <message>
+        <source>Rejected rows (first %1 of %2)</source>
+        <translation>Lignes rejetées (les %1 premières sur %2)</translation>
+    </message>
+    <message>
+        <source>Velocities are not known exactly, so the observer becomes the Kalman filter.</source>
+        <translation>Les vitesses ne sont pas connues exactement ; l&apos;observateur devient donc le filtre de Kalman.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportOptionsView</name>
+    <message>
+        <source>S&amp;tart at</source>
+        <translation>Dé&amp;but à</translation>
+    </message>
+    <message>
+        <source>UTC time that becomes the start of the scenario. Otherwise the last sighting is.</source>
+        <translation>Heure UTC qui devient le début du scénario. Sinon, c&apos;est celle de la dernière observation.</translation>
+    </message>
+    <message>
+        <source>Not &amp;before</source>
+        <translation>Pas a&amp;vant</translation>
+    </message>
+    <message>
+        <source>Earlier sightings are left out.</source>
+        <translation>Les observations antérieures sont omises.</translation>
+    </message>
+    <message>
+        <source>Not &amp;after</source>
+        <translation>Pas a&amp;près</translation>
+    </message>
+    <message>
+        <source>Later sightings are left out.</source>
+        <translation>Les observations postérieures sont omises.</translation>
+    </message>
+    <message>
+        <source>&amp;Growth q</source>
+        <translation>&amp;Croissance q</translation>
+    </message>
+    <message>
+        <source>Growth of the uncertainty where the sightings are too few to estimate it.</source>
+        <translation>Croissance de l&apos;incertitude là où les observations sont trop peu nombreuses pour l&apos;estimer.</translation>
+    </message>
+    <message>
+        <source>This scenario</source>
+        <translation>Ce scénario</translation>
+    </message>
+    <message>
+        <source>A new scenario</source>
+        <translation>Un nouveau scénario</translation>
+    </message>
+    <message>
+        <source>Icebergs that this scenario has already are updated by their ids.</source>
+        <translation>Les icebergs que ce scénario contient déjà sont mis à jour d&apos;après leurs identifiants.</translation>
+    </message>
+    <message>
+        <source>&amp;Into</source>
+        <translation>&amp;Dans</translation>
+    </message>
+    <message>
+        <source>Insi&amp;de</source>
+        <translation>À l&apos;intér&amp;ieur</translation>
+    </message>
+    <message>
+        <source>Sightings outside these latitudes and longitudes are left out.</source>
+        <translation>Les observations hors de ces latitudes et longitudes sont omises.</translation>
+    </message>
+    <message>
+        <source>What the &amp;map shows</source>
+        <translation>Ce que montre la ca&amp;rte</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>Sud</translation>
+    </message>
+    <message>
+        <source>West</source>
+        <translation>Ouest</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Est</translation>
+    </message>
+    <message>
+        <source>With &amp;recorded tracks</source>
+        <translation>Avec les &amp;traces enregistrées</translation>
+    </message>
+    <message>
+        <source>Sightings after the start become the true motion of an iceberg. Name the start for that.</source>
+        <translation>Les observations postérieures au début deviennent le mouvement réel d&apos;un iceberg. Indiquez le début pour cela.</translation>
+    </message>
+    <message>
+        <source>All rows are &amp;one iceberg</source>
+        <translation>Toutes les &amp;lignes sont un seul iceberg</translation>
+    </message>
+    <message>
+        <source>The file names no icebergs: its rows are the track of one beacon, or an iceberg each.</source>
+        <translation>Le fichier ne nomme aucun iceberg : ses lignes sont la trace d&apos;une seule balise, ou chacune un iceberg.</translation>
+    </message>
+    <message>
+        <source>Position &amp;error</source>
+        <translation>&amp;Erreur de position</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a position where the file tells none: 20 m by satellite navigation, 300 m by Argos, 1,852 m from an aircraft.</source>
+        <translation>Écart-type d&apos;une position là où le fichier n&apos;en donne pas : 20 m par navigation par satellite, 300 m par Argos, 1852 m depuis un avion.</translation>
+    </message>
+    <message>
+        <source>Drift &amp;variation</source>
+        <translation>V&amp;ariabilité de la dérive</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the drift where it is not known, along each axis. With 0 the drift is taken as known and constant.</source>
+        <translation>Écart-type de la dérive là où elle n&apos;est pas connue, selon chaque axe. Avec 0, la dérive est considérée comme connue et constante.</translation>
+    </message>
+    <message>
+        <source>Drift &amp;changes in</source>
+        <translation>La dérive cha&amp;nge en</translation>
+    </message>
+    <message>
+        <source>Time in which a drift that was known is known no more. 0: never.</source>
+        <translation>Temps au bout duquel une dérive qui était connue ne l&apos;est plus. 0 : jamais.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Month first: 12/31/2021</source>
+        <translation>Mois en premier : 12/31/2021</translation>
+    </message>
+    <message>
+        <source>Day first: 31/12/2021</source>
+        <translation>Jour en premier : 31/12/2021</translation>
+    </message>
+    <message>
+        <source>How dates such as 05/02/2021 are meant.</source>
+        <translation>Sens des dates comme 05/02/2021.</translation>
+    </message>
+    <message>
+        <source>Dat&amp;es</source>
+        <translation>Date&amp;s</translation>
+    </message>
+</context>
+<context>
+    <name>berg::InspectorForm</name>
+    <message>
+        <source>mixed</source>
+        <translation>divers</translation>
+    </message>
+</context>
+<context>
+    <name>berg::InspectorPanel</name>
+    <message>
+        <source>Locked in flight. Stop the flight to edit.</source>
+        <translation>Verrouillé en vol. Arrêtez le vol pour modifier.</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Identifiant</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Scénario</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Iceberg</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n iceberg</numerusform>
+            <numerusform>%n icebergs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Only the icebergs selected are edited here.</source>
+        <translation>Seuls les icebergs sélectionnés sont modifiés ici.</translation>
+    </message>
+    <message>
+        <source>What is entered here goes to all of them.</source>
+        <translation>Ce qui est saisi ici s&apos;applique à tous.</translation>
+    </message>
+    <message>
+        <source>UAV %1</source>
+        <translation>Drone %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n drone</numerusform>
+            <numerusform>%n drones</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>An iceberg needs an id.</source>
+        <translation>Un iceberg a besoin d&apos;un identifiant.</translation>
+    </message>
+    <message>
+        <source>The id &quot;%1&quot; is taken. Every iceberg and UAV needs one of its own.</source>
+        <translation>L&apos;identifiant « %1 » est pris. Chaque iceberg et chaque drone doit avoir le sien.</translation>
+    </message>
+    <message>
+        <source>Change id</source>
+        <translation>Modifier l&apos;identifiant</translation>
+    </message>
+    <message>
+        <source>Select something on the map to edit it.</source>
+        <translation>Sélectionnez un élément sur la carte pour le modifier.</translation>
+    </message>
+    <message>
+        <source>Asset</source>
+        <translation>Bien protégé</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>Drag its corners on the map to change it.</source>
+        <translation>Faites glisser ses sommets sur la carte pour la modifier.</translation>
+    </message>
+    <message>
+        <source>Names the iceberg in files and lists; each id is there once.</source>
+        <translation>Nomme l&apos;iceberg dans les fichiers et les listes ; chaque identifiant est unique.</translation>
+    </message>
+    <message>
+        <source>Names the UAV in files and lists; each id is there once.</source>
+        <translation>Nomme le drone dans les fichiers et les listes ; chaque identifiant est unique.</translation>
+    </message>
+    <message>
+        <source>A UAV needs an id.</source>
+        <translation>Un drone a besoin d&apos;un identifiant.</translation>
+    </message>
+    <message>
+        <source>No-fly area</source>
+        <translation>Zone interdite</translation>
+    </message>
+</context>
+<context>
+    <name>berg::LayersPanel</name>
+    <message>
+        <source>Names</source>
+        <translation>Noms</translation>
+    </message>
+    <message>
+        <source>Drift arrows</source>
+        <translation>Flèches de dérive</translation>
+    </message>
+    <message>
+        <source>Rings of uncertainty</source>
+        <translation>Cercles d&apos;incertitude</translation>
+    </message>
+    <message>
+        <source>Graticule</source>
+        <translation>Méridiens et parallèles</translation>
+    </message>
+    <message>
+        <source>Former plan</source>
+        <translation>Ancien plan</translation>
+    </message>
+    <message>
+        <source>Swept area</source>
+        <translation>Zone balayée</translation>
+    </message>
+    <message>
+        <source>%1: opacity in per cent</source>
+        <translation>%1 : opacité en pour cent</translation>
+    </message>
+    <message>
+        <source>Opacity; at the left end it is hidden</source>
+        <translation>Opacité ; masqué à l&apos;extrémité gauche</translation>
+    </message>
+    <message>
+        <source>How far ahead drift arrows look; those too long for the map are cut short and dashed</source>
+        <translation>Durée couverte par les flèches de dérive ; celles qui sont trop longues pour la carte sont raccourcies et en tirets</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Drift horizon</source>
+        <translation>Horizon de dérive</translation>
+    </message>
+</context>
+<context>
+    <name>berg::MainWindow</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ManualWindow</name>
+    <message>
+        <source>Bergwatch manual</source>
+        <translation>Manuel de Bergwatch</translation>
+    </message>
+    <message>
+        <source>Contents of the manual</source>
+        <translation>Sommaire du manuel</translation>
+    </message>
+    <message>
+        <source>Text of the manual</source>
+        <translation>Texte du manuel</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Larger text</source>
+        <translation>Texte plus grand</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>Texte plus petit</translation>
+    </message>
+    <message>
+        <source>Search the manual (Ctrl+F)</source>
+        <translation>Rechercher dans le manuel (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Rechercher dans le manuel</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Introuvable</translation>
+    </message>
+    <message>
+        <source>Lines found: %1</source>
+        <translation>Lignes trouvées : %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::MapView</name>
+    <message>
+        <source>Delete iceberg</source>
+        <translation>Supprimer l&apos;iceberg</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n icebergs</source>
+        <translation>
+            <numerusform>Supprimer %n iceberg</numerusform>
+            <numerusform>Supprimer %n icebergs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits.</source>
+        <translation>
+            <numerusform>%n iceberg et le drone en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout.</numerusform>
+            <numerusform>%n icebergs et le drone en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not drifting</source>
+        <translation>sans dérive</translation>
+    </message>
+    <message>
+        <source>%1: σ %2 m² (√σ %3 m), %4</source>
+        <translation>%1 : σ %2 m² (√σ %3 m), %4</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n objects</source>
+        <translation>
+            <numerusform>Supprimer %n objet</numerusform>
+            <numerusform>Supprimer %n objets</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Retirer le bien protégé</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Retirer la zone</translation>
+    </message>
+    <message>
+        <source>Cut iceberg</source>
+        <translation>Couper l&apos;iceberg</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n icebergs</source>
+        <translation>
+            <numerusform>Couper %n iceberg</numerusform>
+            <numerusform>Couper %n icebergs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no icebergs on the clipboard.</source>
+        <translation>Il n&apos;y a pas d&apos;icebergs dans le presse-papiers.</translation>
+    </message>
+    <message>
+        <source>What is on the clipboard cannot be pasted. %1</source>
+        <translation>Le contenu du presse-papiers ne peut pas être collé. %1</translation>
+    </message>
+    <message>
+        <source>Paste iceberg</source>
+        <translation>Coller un iceberg</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n icebergs</source>
+        <translation>
+            <numerusform>Coller %n iceberg</numerusform>
+            <numerusform>Coller %n icebergs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Duplicate iceberg</source>
+        <translation>Dupliquer l&apos;iceberg</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n icebergs</source>
+        <translation>
+            <numerusform>Dupliquer %n iceberg</numerusform>
+            <numerusform>Dupliquer %n icebergs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n icebergs.</source>
+        <translation>
+            <numerusform>Un scénario contient au plus %n iceberg.</numerusform>
+            <numerusform>Un scénario contient au plus %n icebergs.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add iceberg</source>
+        <translation>Ajouter un iceberg</translation>
+    </message>
+    <message>
+        <source>drifting %1 towards %2</source>
+        <translation>dérive de %1 vers %2</translation>
+    </message>
+    <message>
+        <source>Delete UAV</source>
+        <translation>Supprimer le drone</translation>
+    </message>
+    <message>
+        <source>The last UAV stays: a scenario has at least one.</source>
+        <translation>Le dernier drone reste : un scénario en a au moins un.</translation>
+    </message>
+    <message>
+        <source>Duplicate UAV</source>
+        <translation>Dupliquer le drone</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n UAVs</source>
+        <translation>
+            <numerusform>Dupliquer %n drone</numerusform>
+            <numerusform>Dupliquer %n drones</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n UAVs.</source>
+        <translation>
+            <numerusform>Un scénario contient au plus %n drone.</numerusform>
+            <numerusform>Un scénario contient au plus %n drones.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add UAV</source>
+        <translation>Ajouter un drone</translation>
+    </message>
+    <message>
+        <source>Remove no-fly area</source>
+        <translation>Retirer la zone interdite</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;New scenario</source>
+        <translation>&amp;Nouveau scénario</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Ouvrir…</translation>
+    </message>
+    <message>
+        <source>S&amp;tart page</source>
+        <translation>Page d&apos;acc&amp;ueil</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Fichiers &amp;récents</translation>
+    </message>
+    <message>
+        <source>&amp;Import sightings...</source>
+        <translation>&amp;Importer des observations…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <source>Keep a &amp;backup copy</source>
+        <translation>Garder une &amp;copie de sauvegarde</translation>
+    </message>
+    <message>
+        <source>Before a file is first overwritten, a copy is kept as NAME.berg~</source>
+        <translation>Avant qu&apos;un fichier soit remplacé pour la première fois, une copie est gardée sous NOM.berg~</translation>
+    </message>
+    <message>
+        <source>Reco&amp;ver unsaved work...</source>
+        <translation>Récu&amp;pérer le travail non enregistré…</translation>
+    </message>
+    <message>
+        <source>No unsaved work is left to recover</source>
+        <translation>Il ne reste aucun travail non enregistré à récupérer</translation>
+    </message>
+    <message>
+        <source>Save r&amp;un...</source>
+        <translation>Enregistrer le &amp;vol…</translation>
+    </message>
+    <message>
+        <source>&amp;Export plan...</source>
+        <translation>E&amp;xporter le plan…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Co&amp;uper</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copier</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Co&amp;ller</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>&amp;Dupliquer</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Add UA&amp;V</source>
+        <translation>A&amp;jouter un drone</translation>
+    </message>
+    <message>
+        <source>&amp;Generate icebergs...</source>
+        <translation>&amp;Générer des icebergs…</translation>
+    </message>
+    <message>
+        <source>Select &amp;all icebergs</source>
+        <translation>Sélectionner &amp;tous les icebergs</translation>
+    </message>
+    <message>
+        <source>&amp;Move the scenario…</source>
+        <translation>Déplacer le scé&amp;nario…</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>Chec&amp;ks</source>
+        <translation>Véri&amp;fications</translation>
+    </message>
+    <message>
+        <source>S&amp;tudy of τ and policies</source>
+        <translation>É&amp;tude de τ et des stratégies</translation>
+    </message>
+    <message>
+        <source>&amp;Solve time study</source>
+        <translation>Étude des temps de &amp;résolution</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Panneaux</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Réta&amp;blir la disposition</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>Plein é&amp;cran</translation>
+    </message>
+    <message>
+        <source>&amp;Fit everything</source>
+        <translation>T&amp;out afficher</translation>
+    </message>
+    <message>
+        <source>Follo&amp;w the UAV</source>
+        <translation>&amp;Suivre le drone</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Zoom a&amp;vant</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Zoom arr&amp;ière</translation>
+    </message>
+    <message>
+        <source>O&amp;verview</source>
+        <translation>Vue d&apos;ense&amp;mble</translation>
+    </message>
+    <message>
+        <source>Swept ar&amp;ea</source>
+        <translation>Zone bala&amp;yée</translation>
+    </message>
+    <message>
+        <source>S&amp;how true positions</source>
+        <translation>Afficher les positions réell&amp;es</translation>
+    </message>
+    <message>
+        <source>Where the icebergs are in truth, beside where the observer believes them to be; off: only what an operator would see</source>
+        <translation>Position réelle des icebergs, à côté de celle que leur attribue l&apos;observateur ; désactivé : seulement ce que verrait un opérateur</translation>
+    </message>
+    <message>
+        <source>F&amp;light</source>
+        <translation>&amp;Vol</translation>
+    </message>
+    <message>
+        <source>Fly</source>
+        <translation>Lancer le vol</translation>
+    </message>
+    <message>
+        <source>&amp;Step one second</source>
+        <translation>Avancer d&apos;une &amp;seconde</translation>
+    </message>
+    <message>
+        <source>Stop and &amp;edit</source>
+        <translation>Arrêter et modi&amp;fier</translation>
+    </message>
+    <message>
+        <source>Bring the flight b&amp;ack</source>
+        <translation>Rétablir le v&amp;ol</translation>
+    </message>
+    <message>
+        <source>Prefer s&amp;horter route</source>
+        <translation>Préférer une route plus cour&amp;te</translation>
+    </message>
+    <message>
+        <source>Prefer more un&amp;certain first</source>
+        <translation>Préférer les plus in&amp;certains d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Report as seen no&amp;w</source>
+        <translation>Si&amp;gnaler comme vu maintenant</translation>
+    </message>
+    <message>
+        <source>Win&amp;d...</source>
+        <translation>&amp;Vent…</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>Plus &amp;rapide</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>Plus &amp;lent</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Step &amp;back one second</source>
+        <translation>Rec&amp;uler d&apos;une seconde</translation>
+    </message>
+    <message>
+        <source>Step one &amp;tick</source>
+        <translation>Avancer d&apos;un p&amp;as</translation>
+    </message>
+    <message>
+        <source>Step back one t&amp;ick</source>
+        <translation>Reculer d&apos;un &amp;pas</translation>
+    </message>
+    <message>
+        <source>&amp;Next event</source>
+        <translation>Événement su&amp;ivant</translation>
+    </message>
+    <message>
+        <source>&amp;Previous event</source>
+        <translation>Événe&amp;ment précédent</translation>
+    </message>
+    <message>
+        <source>&amp;Go to time</source>
+        <translation>Aller à l&apos;i&amp;nstant</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k to latest</source>
+        <translation>Revenir au &amp;dernier instant</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;ide</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>&amp;Raccourcis</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Visite guidée</translation>
+    </message>
+    <message>
+        <source>&amp;About Bergwatch</source>
+        <translation>À &amp;propos de Bergwatch</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Sélectionner</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Iceberg</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Asset</source>
+        <translation>Bien protégé</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mesurer</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Panoramique</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Outils</translation>
+    </message>
+    <message>
+        <source>Zoom at the cursor</source>
+        <translation>Zoomer au pointeur</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>molette</translation>
+    </message>
+    <message>
+        <source>middle button, or arrow keys</source>
+        <translation>bouton du milieu, ou touches fléchées</translation>
+    </message>
+    <message>
+        <source>Nudge what is selected</source>
+        <translation>Décaler légèrement la sélection</translation>
+    </message>
+    <message>
+        <source>arrow keys</source>
+        <translation>touches fléchées</translation>
+    </message>
+    <message>
+        <source>Close what is drawn, take its last point back</source>
+        <translation>Fermer le tracé ou en retirer le dernier point</translation>
+    </message>
+    <message>
+        <source>Enter, Backspace</source>
+        <translation>Entrée, Retour arrière</translation>
+    </message>
+    <message>
+        <source>Steps of 15° while an arrow is drawn</source>
+        <translation>Pas de 15° pendant le tracé d&apos;une flèche</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+    <message>
+        <source>Leave what is drawn, the tool, the selection</source>
+        <translation>Quitter le tracé, l&apos;outil, la sélection</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Raccourcis</translation>
+    </message>
+    <message>
+        <source>About Bergwatch</source>
+        <translation>À propos de Bergwatch</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans, flies and measures UAV missions that keep watch over drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planifie, simule et mesure des missions de drones qui surveillent des icebergs à la dérive.&lt;/p&gt;&lt;p&gt;Code propre : licence MIT. Qt Charts : GPL 3. COIN-OR CBC : EPL. Terres réalisées avec Natural Earth.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>No-fly area</source>
+        <translation>Zone interdite</translation>
+    </message>
+    <message>
+        <source>&amp;Return home now</source>
+        <translation>Rentrer à la &amp;base maintenant</translation>
+    </message>
+    <message>
+        <source>Hold here</source>
+        <translation>Attendre ici</translation>
+    </message>
+    <message>
+        <source>Res&amp;ume</source>
+        <translation>R&amp;eprendre</translation>
+    </message>
+    <message>
+        <source>Panels on the map</source>
+        <translation>Panneaux sur la carte</translation>
+    </message>
+    <message>
+        <source>&amp;Title and figures</source>
+        <translation>&amp;Titre et valeurs</translation>
+    </message>
+    <message>
+        <source>&amp;Legend</source>
+        <translation>&amp;Légende</translation>
+    </message>
+    <message>
+        <source>&amp;Scale bar</source>
+        <translation>É&amp;chelle</translation>
+    </message>
+    <message>
+        <source>&amp;North arrow</source>
+        <translation>Flèche du &amp;nord</translation>
+    </message>
+    <message>
+        <source>&amp;Wind</source>
+        <translation>&amp;Vent</translation>
+    </message>
+    <message>
+        <source>Flight brie&amp;f...</source>
+        <translation>&amp;Fiche de vol…</translation>
+    </message>
+    <message>
+        <source>Copy p&amp;icture of the map</source>
+        <translation>Copier l&apos;i&amp;mage de la carte</translation>
+    </message>
+    <message>
+        <source>La&amp;youts</source>
+        <translation>&amp;Dispositions</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Planification</translation>
+    </message>
+    <message>
+        <source>&amp;Fly</source>
+        <translation>&amp;Vol</translation>
+    </message>
+    <message>
+        <source>&amp;Analyse</source>
+        <translation>&amp;Analyse</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <source>Find or &amp;go to…</source>
+        <translation>Rec&amp;hercher ou aller à…</translation>
+    </message>
+</context>
+<context>
+    <name>berg::MissionRunner</name>
+    <message>
+        <source>The scenario has changed meanwhile. Nothing was exported.</source>
+        <translation>Le scénario a été modifié entre-temps. Rien n&apos;a été exporté.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::MissionWorker</name>
+    <message>
+        <source>The run has ended. Reset it to fly it in another way.</source>
+        <translation>Le vol est terminé. Réinitialisez-le pour le jouer autrement.</translation>
+    </message>
+    <message>
+        <source>There is no run to save: the scenario cannot be planned.</source>
+        <translation>Il n&apos;y a aucun vol à enregistrer : le scénario ne peut pas être planifié.</translation>
+    </message>
+    <message>
+        <source>Flown again, this run comes out differently: %1</source>
+        <translation>Rejoué, ce vol donne un autre résultat : %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::NumberField</name>
+    <message>
+        <source>mixed</source>
+        <translation>divers</translation>
+    </message>
+</context>
+<context>
+    <name>berg::OriginDialog</name>
+    <message>
+        <source>Move the scenario</source>
+        <translation>Déplacer le scénario</translation>
+    </message>
+    <message>
+        <source>&amp;Origin at</source>
+        <translation>&amp;Origine à</translation>
+    </message>
+    <message>
+        <source>Move &amp;everything along with the origin</source>
+        <translation>&amp;Tout déplacer avec l&apos;origine</translation>
+    </message>
+    <message>
+        <source>&amp;Leave everything where it is on the Earth</source>
+        <translation>&amp;Laisser tout à sa place sur la Terre</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Déplacer</translation>
+    </message>
+    <message>
+        <source>Not everything could stay where it is: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
+        <translation>Tout n&apos;a pas pu rester à sa place : un scénario s&apos;étend jusqu&apos;à %1 de son origine. Déplacez tout avec l&apos;origine ou choisissez un lieu plus proche.</translation>
+    </message>
+    <message>
+        <source>The origin comes to %1, %2 away. Places, courses and drift on the Earth stay the same.</source>
+        <translation>L&apos;origine vient à %1, à %2 d&apos;ici. Les positions, les routes et la dérive sur la Terre restent les mêmes.</translation>
+    </message>
+    <message>
+        <source>Everything comes to %1, %2 away, and keeps its place about the origin.</source>
+        <translation>Tout vient à %1, à %2 d&apos;ici, et garde sa place par rapport à l&apos;origine.</translation>
+    </message>
+    <message>
+        <source>The origin is here now.</source>
+        <translation>L&apos;origine est ici actuellement.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::OverviewInset</name>
+    <message>
+        <source>Overview</source>
+        <translation>Vue d&apos;ensemble</translation>
+    </message>
+    <message>
+        <source>Polar chart of where the map is. A click picks a place for the map.</source>
+        <translation>Carte polaire situant la carte affichée. Un clic choisit un lieu pour la carte.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ParetoChart</name>
+    <message>
+        <source>Distance against uncertainty reward</source>
+        <translation>Distance et gain sur l&apos;incertitude</translation>
+    </message>
+    <message>
+        <source>No icebergs to plan for</source>
+        <translation>Aucun iceberg à planifier</translation>
+    </message>
+    <message>
+        <source>Computing the plans for every τ</source>
+        <translation>Calcul des plans pour tous les τ</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1 ; %2</translation>
+    </message>
+    <message>
+        <source>Uncertainty reward, m²</source>
+        <translation>Gain sur l&apos;incertitude, m²</translation>
+    </message>
+    <message>
+        <source>Reward, m²</source>
+        <translation>Gain, m²</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Plus incertain d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Plus court chemin</translation>
+    </message>
+    <message>
+        <source>Distance, %1</source>
+        <translation>Distance, %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlaceField</name>
+    <message>
+        <source>Coordinate or name of a place</source>
+        <translation>Coordonnée ou nom d&apos;un lieu</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlanModel</name>
+    <message>
+        <source>in %1</source>
+        <translation>dans %1</translation>
+    </message>
+    <message>
+        <source>%1 (id %2)</source>
+        <translation>%1 (identifiant %2)</translation>
+    </message>
+    <message>
+        <source>Place in the visiting order</source>
+        <translation>Rang dans l&apos;ordre de visite</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Iceberg</translation>
+    </message>
+    <message>
+        <source>Name of the iceberg</source>
+        <translation>Nom de l&apos;iceberg</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>Distance from the one before, the first from the UAV</source>
+        <translation>Distance depuis le précédent, pour le premier depuis le drone</translation>
+    </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Arrivée</translation>
+    </message>
+    <message>
+        <source>Time from now until the UAV is there</source>
+        <translation>Temps d&apos;ici à l&apos;arrivée du drone</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position now</source>
+        <translation>Incertitude actuelle de la position</translation>
+    </message>
+    <message>
+        <source>σ is %1 m² now, a standard deviation of %2 m; at arrival it is %3 m², if the iceberg is not seen before</source>
+        <translation>σ vaut actuellement %1 m², soit un écart-type de %2 m ; à l&apos;arrivée, %3 m² si l&apos;iceberg n&apos;est pas vu avant</translation>
+    </message>
+    <message>
+        <source>σ at arrival</source>
+        <translation>σ à l&apos;arrivée</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position when the UAV is there, m²</source>
+        <translation>Incertitude de la position à l&apos;arrivée du drone, m²</translation>
+    </message>
+    <message>
+        <source>later</source>
+        <translation>plus tard</translation>
+    </message>
+    <message>
+        <source>The plan ends before this iceberg is seen.</source>
+        <translation>Le plan se termine avant que cet iceberg soit vu.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n visits</source>
+        <translation>
+            <numerusform>%n visite</numerusform>
+            <numerusform>%n visites</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is nothing for it to visit.</source>
+        <translation>Il n&apos;a rien à visiter.</translation>
+    </message>
+    <message>
+        <source>%1, flown %2</source>
+        <comment>length and end of a way</comment>
+        <translation>%1, fin %2</translation>
+    </message>
+    <message>
+        <source>Assigned to %1</source>
+        <translation>Attribué à %1</translation>
+    </message>
+    <message>
+        <source>It is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
+        <translation>Il rentre à la base, est au sol ou en attente : un nouveau plan est établi au décollage ou à la reprise.</translation>
+    </message>
+    <message>
+        <source>1 visit</source>
+        <translation>1 visite</translation>
+    </message>
+    <message>
+        <source>In view</source>
+        <translation>En vue</translation>
+    </message>
+    <message>
+        <source>Chance that the iceberg is in view when the UAV is over its estimate</source>
+        <translation>Probabilité que l&apos;iceberg soit en vue lorsque le drone est au-dessus de sa position estimée</translation>
+    </message>
+    <message>
+        <source>%1 (search)</source>
+        <translation>%1 (recherche)</translation>
+    </message>
+    <message>
+        <source>Lost: searched for %1</source>
+        <comment>times and chances of finding it</comment>
+        <translation>Perdu : recherché %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlanPanel</name>
+    <message>
+        <source>Nothing to visit: there are no icebergs yet, or all of them are in view.</source>
+        <translation>Rien à visiter : il n&apos;y a pas encore d&apos;icebergs, ou tous sont en vue.</translation>
+    </message>
+    <message>
+        <source>There is no plan: see Checks.</source>
+        <translation>Il n&apos;y a pas de plan : voir « Vérifications ».</translation>
+    </message>
+    <message>
+        <source>Plan: icebergs in visiting order</source>
+        <translation>Plan : icebergs dans l&apos;ordre de visite</translation>
+    </message>
+    <message>
+        <source>%1 including the return, flown %2</source>
+        <translation>%1 retour compris, fin %2</translation>
+    </message>
+    <message>
+        <source>%1, flown %2</source>
+        <translation>%1, fin %2</translation>
+    </message>
+    <message>
+        <source>Against the plan before: %1, ζ %2 m² s</source>
+        <translation>Par rapport au plan précédent : %1, ζ %2 m² s</translation>
+    </message>
+    <message>
+        <source>Order before the change at %1: %2</source>
+        <translation>Ordre avant la modification à %1 : %2</translation>
+    </message>
+    <message>
+        <source>Predicted for straight legs to the icebergs as they drift,
+with nothing seen on the way and no new plans.</source>
+        <translation>Prévu pour des segments droits vers les icebergs à la dérive,
+sans rien voir en chemin et sans nouveaux plans.</translation>
+    </message>
+    <message>
+        <source>Predicted for the path on the map, with every iceberg that comes into view
+on it, and no new plans.</source>
+        <translation>Prévu pour la trajectoire sur la carte, avec chaque iceberg qui entre en vue
+en chemin, et sans nouveaux plans.</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ: %1 m² s</source>
+        <translation>Borne inférieure de ζ : %1 m² s</translation>
+    </message>
+    <message>
+        <source>That limit is proven for this scenario and the noise that it draws,
+whatever the policy and however tightly the UAV turns.</source>
+        <translation>Cette limite est prouvée pour ce scénario et son tirage du bruit,
+quelle que soit la stratégie et aussi serrés que soient les virages du drone.</translation>
+    </message>
+    <message>
+        <source>Out of radio range for %1</source>
+        <translation>Hors de portée radio pendant %1</translation>
+    </message>
+    <message>
+        <source>Home %1 before the reserve (5 %: %2)</source>
+        <translation>À la base %1 avant la réserve (5 % : %2)</translation>
+    </message>
+    <message>
+        <source>The UAV is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
+        <translation>Le drone rentre à la base, est au sol ou en attente : un nouveau plan est établi au décollage ou à la reprise.</translation>
+    </message>
+    <message>
+        <source>ζ at %1 without another plan: %2 m² s</source>
+        <translation>ζ à %1 sans autre plan : %2 m² s</translation>
+    </message>
+    <message>
+        <source>ζ at the end without another plan: %1 m² s</source>
+        <translation>ζ à la fin sans autre plan : %1 m² s</translation>
+    </message>
+    <message>
+        <source>Against the plan before: %1</source>
+        <translation>Par rapport au plan précédent : %1</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ: %1 m² s, %2 % computed</source>
+        <translation>Borne inférieure de ζ : %1 m² s, calculée à %2 %</translation>
+    </message>
+    <message>
+        <source>ζ at the end: %1 m² s</source>
+        <translation>ζ à la fin : %1 m² s</translation>
+    </message>
+    <message>
+        <source>The run is complete.</source>
+        <translation>Le vol est terminé.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlanReadoutView</name>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Length of the whole plan.</source>
+        <translation>Longueur du plan entier.</translation>
+    </message>
+    <message>
+        <source>Uncertainty reward</source>
+        <translation>Gain sur l&apos;incertitude</translation>
+    </message>
+    <message>
+        <source>Each iceberg&apos;s σ times the number of places after its own in the order: the sooner the uncertain ones come, the more.</source>
+        <translation>Le σ de chaque iceberg multiplié par le nombre de rangs qui suivent le sien dans l&apos;ordre : plus les icebergs incertains viennent tôt, plus il est grand.</translation>
+    </message>
+    <message>
+        <source>Objective</source>
+        <translation>Objectif</translation>
+    </message>
+    <message>
+        <source>Distance cost minus uncertainty reward: the objective that the solver minimises.</source>
+        <translation>Coût de la distance moins gain sur l&apos;incertitude : l&apos;objectif que le solveur minimise.</translation>
+    </message>
+    <message>
+        <source>Distance weight μ</source>
+        <translation>Poids de la distance μ</translation>
+    </message>
+    <message>
+        <source>Uncertainty that one metre of path must be worth; follows from τ.</source>
+        <translation>Incertitude que doit valoir un mètre de trajet ; découle de τ.</translation>
+    </message>
+    <message>
+        <source>State of the plan</source>
+        <translation>État du plan</translation>
+    </message>
+    <message>
+        <source>%1 m²/m</source>
+        <translation>%1 m²/m</translation>
+    </message>
+    <message>
+        <source>Show the checks</source>
+        <translation>Afficher les vérifications</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Détails</translation>
+    </message>
+    <message>
+        <source>Objective and distance weight of the plan</source>
+        <translation>Objectif et poids de la distance du plan</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlaybackBar</name>
+    <message>
+        <source>Fly</source>
+        <translation>Lancer</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Rate of the flight</source>
+        <translation>Vitesse de déroulement du vol</translation>
+    </message>
+    <message>
+        <source>Simulated seconds flown in one second</source>
+        <translation>Secondes simulées par seconde</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>The plan is still being made.</source>
+        <translation>Le plan est encore en cours d&apos;élaboration.</translation>
+    </message>
+    <message>
+        <source>This scenario cannot be flown. Correct what is reported first.</source>
+        <translation>Ce scénario ne peut pas être exécuté. Corrigez d&apos;abord ce qui est signalé.</translation>
+    </message>
+    <message>
+        <source>The run has ended.</source>
+        <translation>Le vol est terminé.</translation>
+    </message>
+    <message>
+        <source>Fly again from the start (Space)</source>
+        <translation>Rejouer le vol depuis le début (Espace)</translation>
+    </message>
+    <message>
+        <source>Pause the flight (Space)</source>
+        <translation>Suspendre le vol (Espace)</translation>
+    </message>
+    <message>
+        <source>Fly the plan (Space)</source>
+        <translation>Exécuter le plan (Espace)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Fly one second and pause</source>
+        <translation>Avancer le vol d&apos;une seconde, puis faire une pause</translation>
+    </message>
+    <message>
+        <source>Time line of the run</source>
+        <translation>Ligne de temps du vol</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>Instant affiché</translation>
+    </message>
+    <message>
+        <source>Time shown. Type one to look back at it, e.g. 3:20.</source>
+        <translation>Instant affiché. Saisissez-en un pour y revenir, p. ex. 3:20.</translation>
+    </message>
+    <message>
+        <source>Length of the run</source>
+        <translation>Durée du vol</translation>
+    </message>
+    <message>
+        <source>Fastest</source>
+        <translation>Le plus rapide</translation>
+    </message>
+    <message>
+        <source>Stop and edit</source>
+        <translation>Arrêter et modifier</translation>
+    </message>
+    <message>
+        <source>Ends the flight and goes back to the start, where everything can be edited.</source>
+        <translation>Met fin au vol et revient au début, où tout peut être modifié.</translation>
+    </message>
+    <message>
+        <source>The run is complete. The scenario stays locked until you stop and edit.</source>
+        <translation>Le vol est terminé. Le scénario reste verrouillé jusqu&apos;à « Arrêter et modifier ».</translation>
+    </message>
+    <message>
+        <source>Scenario locked in flight. τ and policy can be changed while flying; the plan follows at once.</source>
+        <translation>Scénario verrouillé en vol. τ et la stratégie peuvent être modifiés en vol ; le plan suit aussitôt.</translation>
+    </message>
+    <message>
+        <source>Scenario locked</source>
+        <translation>Scénario verrouillé</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PolicyCombo</name>
+    <message>
+        <source>%1 m² s</source>
+        <translation>%1 m² s</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>Le plus bas</translation>
+    </message>
+    <message>
+        <source>%1 %…</source>
+        <translation>%1 %…</translation>
+    </message>
+    <message>
+        <source>takes too long</source>
+        <translation>prend trop de temps</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>choisie</translation>
+    </message>
+    <message>
+        <source>Not predicted: flying it in advance takes more than %1.</source>
+        <translation>Non prévu : le jouer à l&apos;avance prend plus de %1.</translation>
+    </message>
+    <message>
+        <source>ζ is predicted before take-off by flying the mission in advance with the policy, planned
+again at each sighting as in flight, with icebergs that drift exactly as entered. The real
+flight differs by the noise of the drift.</source>
+        <translation>ζ est prévu avant le décollage en jouant la mission à l&apos;avance avec la stratégie, avec un nouveau plan
+à chaque observation comme en vol, et des icebergs qui dérivent exactement comme indiqué. Le vol
+réel en diffère par le bruit de la dérive.</translation>
+    </message>
+    <message>
+        <source>ζ not predicted: takes too long</source>
+        <translation>ζ non prévu : prend trop de temps</translation>
+    </message>
+    <message>
+        <source>Predicting ζ…</source>
+        <translation>Prévision de ζ…</translation>
+    </message>
+    <message>
+        <source>Predicted before take-off: ζ %1</source>
+        <translation>Prévu avant le décollage : ζ %1</translation>
+    </message>
+    <message>
+        <source>Predicted ζ %1</source>
+        <translation>ζ prévu %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Then each policy is flown %1 times with drift and sightings drawn as the scenario describes
+them, in the same %1 worlds: ζ is the mean of these flights, the range that of 90 % of them,
+and the policy with the lowest mean is recommended.</source>
+        <translation>Ensuite, chaque stratégie est jouée %1 fois avec une dérive et des observations tirées selon la description
+du scénario, dans les mêmes %1 mondes : ζ est la moyenne de ces vols, l&apos;intervalle celui de 90 % d&apos;entre eux,
+et la stratégie de plus faible moyenne est recommandée.</translation>
+    </message>
+    <message>
+        <source>Recommended</source>
+        <translation>Recommandée</translation>
+    </message>
+    <message>
+        <source>Mean before take-off: ζ %1</source>
+        <translation>Moyenne avant le décollage : ζ %1</translation>
+    </message>
+    <message>
+        <source>Mean ζ %1</source>
+        <translation>ζ moyen %1</translation>
+    </message>
+    <message>
+        <source>%1, the lowest</source>
+        <translation>%1, le plus bas</translation>
+    </message>
+    <message>
+        <source>%1, lowest %2</source>
+        <translation>%1, le plus bas %2</translation>
+    </message>
+    <message>
+        <source>too slow for %1 flights</source>
+        <translation>trop lente pour %1 vols</translation>
+    </message>
+    <message>
+        <source>%1; too slow to compare: %2</source>
+        <translation>%1 ; trop lentes pour être comparées : %2</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PreferenceMenus</name>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Apparence</translation>
+    </message>
+    <message>
+        <source>U&amp;nits</source>
+        <translation>&amp;Unités</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>Follow system</source>
+        <translation>Suivre le système</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>&amp;Distances</source>
+        <translation>&amp;Distances</translation>
+    </message>
+    <message>
+        <source>Metres and kilometres</source>
+        <translation>Mètres et kilomètres</translation>
+    </message>
+    <message>
+        <source>Nautical miles</source>
+        <translation>Milles marins</translation>
+    </message>
+    <message>
+        <source>&amp;Speeds</source>
+        <translation>&amp;Vitesses</translation>
+    </message>
+    <message>
+        <source>Metres per second</source>
+        <translation>Mètres par seconde</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Nœuds</translation>
+    </message>
+    <message>
+        <source>&amp;Coordinates</source>
+        <translation>&amp;Coordonnées</translation>
+    </message>
+    <message>
+        <source>Degrees and minutes, %1</source>
+        <translation>Degrés et minutes, %1</translation>
+    </message>
+    <message>
+        <source>Decimal degrees, %1</source>
+        <translation>Degrés décimaux, %1</translation>
+    </message>
+    <message>
+        <source>Degrees, minutes, seconds, %1</source>
+        <translation>Degrés, minutes, secondes, %1</translation>
+    </message>
+    <message>
+        <source>Speed and direction: wind from, drift towards</source>
+        <translation>Vitesse et direction : d&apos;où vient le vent, vers où va la dérive</translation>
+    </message>
+    <message>
+        <source>Components east and north</source>
+        <translation>Composantes est et nord</translation>
+    </message>
+    <message>
+        <source>Drift and &amp;wind</source>
+        <translation>Dérive et v&amp;ent</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RecentRow</name>
+    <message>
+        <source>The file is gone</source>
+        <translation>Le fichier a disparu</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Take it out of this list.</source>
+        <translation>Retirer de cette liste.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RecoveryDialog</name>
+    <message>
+        <source>Recovered work</source>
+        <translation>Travail récupéré</translation>
+    </message>
+    <message>
+        <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, then save.</source>
+        <translation>Bergwatch s&apos;est terminé de façon inattendue. Les modifications non enregistrées ont été conservées. Restaurez-les, puis enregistrez.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Restaurer</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Abandonner</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Plus tard</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Modification</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>pas encore enregistré</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ResultFiles</name>
+    <message>
+        <source>Runs (*.bergrun);;All files (*)</source>
+        <translation>Vols (*.bergrun);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files of these names are there. What is in them would be lost.</source>
+        <translation>
+            <numerusform>%n fichier de ce nom existe. Son contenu serait perdu.</numerusform>
+            <numerusform>%n fichiers de ces noms existent. Leur contenu serait perdu.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>%1 exporté</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %n files</source>
+        <translation>
+            <numerusform>%n fichier exporté</numerusform>
+            <numerusform>%n fichiers exportés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Picture of the map copied</source>
+        <translation>Image de la carte copiée</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RunMarkDelegate</name>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RunTable</name>
+    <message>
+        <source>Runs</source>
+        <translation>Vols</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Vol</translation>
+    </message>
+    <message>
+        <source>ζ, m² s</source>
+        <translation>ζ, m² s</translation>
+    </message>
+    <message>
+        <source>vs A</source>
+        <translation>Écart à A</translation>
+    </message>
+    <message>
+        <source>The reference: click a circle, or press A.</source>
+        <translation>La référence : cliquez sur un cercle ou appuyez sur A.</translation>
+    </message>
+    <message>
+        <source>Compared with it: click a circle, or press B.</source>
+        <translation>Comparé à elle : cliquez sur un cercle ou appuyez sur B.</translation>
+    </message>
+    <message>
+        <source>Zeta compared with that of A at the time both have flown.</source>
+        <translation>Zêta comparé à celui de A au dernier instant que les deux vols ont atteint.</translation>
+    </message>
+    <message>
+        <source>Runs you have flown come here. The button below flies this scenario along the shortest round tour beside your own settings.</source>
+        <translation>Les vols que vous avez effectués apparaissent ici. Le bouton ci-dessous joue ce scénario le long du plus court circuit, à côté de vos propres réglages.</translation>
+    </message>
+    <message>
+        <source>Another scenario than that of A: they cannot be compared.</source>
+        <translation>Un autre scénario que celui de A : ils ne peuvent pas être comparés.</translation>
+    </message>
+    <message>
+        <source>Make this run the reference A</source>
+        <translation>Faire de ce vol la référence A</translation>
+    </message>
+    <message>
+        <source>Compare this run with A</source>
+        <translation>Comparer ce vol avec A</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n drone</numerusform>
+            <numerusform>%n drones</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>one UAV</source>
+        <translation>un drone</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RunTimeLine</name>
+    <message>
+        <source>%1: point of no return of the plan; later the reserve is needed to come home</source>
+        <translation>%1 : point de non-retour du plan ; au-delà, la réserve est nécessaire pour rentrer à la base</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ScenarioDialogs</name>
+    <message>
+        <source>Generate iceberg</source>
+        <translation>Générer un iceberg</translation>
+    </message>
+    <message numerus="yes">
+        <source>Generate %n icebergs</source>
+        <translation>
+            <numerusform>Générer %n iceberg</numerusform>
+            <numerusform>Générer %n icebergs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move scenario</source>
+        <translation>Déplacer le scénario</translation>
+    </message>
+    <message>
+        <source>Place the new scenario</source>
+        <translation>Placer le nouveau scénario</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ScenarioFiles</name>
+    <message>
+        <source>Scenarios (*.berg);;All files (*)</source>
+        <translation>Scénarios (*.berg);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Another Bergwatch</source>
+        <translation>Un autre Bergwatch</translation>
+    </message>
+    <message>
+        <source>Bergwatch, process %1 on %2</source>
+        <translation>Bergwatch, processus %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+    <message>
+        <source>New scenario</source>
+        <translation>Nouveau scénario</translation>
+    </message>
+    <message>
+        <source>Scenarios, runs and studies (*.berg *.bergrun *.bergstudy);;All files (*)</source>
+        <translation>Scénarios, vols et études (*.berg *.bergrun *.bergstudy);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Opened a copy of %1</source>
+        <translation>Copie de %1 ouverte</translation>
+    </message>
+    <message>
+        <source>Another program has changed it since you opened it. Those changes would be lost.</source>
+        <translation>Un autre programme l&apos;a modifié depuis que vous l&apos;avez ouvert. Ces modifications seraient perdues.</translation>
+    </message>
+    <message>
+        <source>%1 has it open. What is saved there would be lost.</source>
+        <translation>%1 l&apos;a ouvert. Ce qui y est enregistré serait perdu.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
+    </message>
+    <message>
+        <source>Saved %1; its folder takes no backup copy</source>
+        <translation>%1 enregistré ; son dossier n&apos;accepte pas de copie de sauvegarde</translation>
+    </message>
+    <message>
+        <source>No files yet</source>
+        <translation>Aucun fichier pour l&apos;instant</translation>
+    </message>
+</context>
+<context>
+    <name>berg::SightingsImport</name>
+    <message>
+        <source>In flight no sightings can be imported. Stop the flight to import them.</source>
+        <translation>En vol, aucune observation ne peut être importée. Arrêtez le vol pour les importer.</translation>
+    </message>
+    <message>
+        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;All files (*)</source>
+        <translation>Observations (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Import 1 iceberg from %1</source>
+        <translation>Importer 1 iceberg de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n icebergs from %1</source>
+        <translation>
+            <numerusform>Importer %n iceberg de %1</numerusform>
+            <numerusform>Importer %n icebergs de %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Imported 1 iceberg from %1</source>
+        <translation>1 iceberg importé de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Imported %n icebergs from %1</source>
+        <translation>
+            <numerusform>%n iceberg importé de %1</numerusform>
+            <numerusform>%n icebergs importés de %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>berg::SolveTimeChart</name>
+    <message>
+        <source>Solution time against the number of icebergs</source>
+        <translation>Temps de résolution selon le nombre d&apos;icebergs</translation>
+    </message>
+    <message>
+        <source>Solution time</source>
+        <translation>Temps de résolution</translation>
+    </message>
+    <message>
+        <source>Time for one plan, logarithmic</source>
+        <translation>Temps pour un plan, échelle logarithmique</translation>
+    </message>
+    <message>
+        <source>Line: median. Dashed: worst. Hollow: some were cut short.</source>
+        <translation>Trait plein : médiane. Tirets : pire. Symbole creux : certains calculs interrompus.</translation>
+    </message>
+    <message>
+        <source>Number of icebergs</source>
+        <translation>Nombre d&apos;icebergs</translation>
+    </message>
+    <message>
+        <source>CPLEX, worst (paper)</source>
+        <translation>CPLEX, pire (article)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n icebergs</source>
+        <translation>
+            <numerusform>%1, %n iceberg</numerusform>
+            <numerusform>%1, %n icebergs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>median %1, worst %2</source>
+        <translation>médiane %1, pire %2</translation>
+    </message>
+    <message>
+        <source>average %1, worst %2</source>
+        <translation>moyenne %1, pire %2</translation>
+    </message>
+    <message>
+        <source>proven: %1 of %2</source>
+        <translation>prouvés : %1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>berg::SolveTimeDesk</name>
+    <message>
+        <source>Solve time</source>
+        <translation>Temps de résolution</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tableaux (*.csv);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
+    </message>
+</context>
+<context>
+    <name>berg::SolveTimePanel</name>
+    <message>
+        <source>Proves the optimum, by dynamic programming or by the bound of our own engine.</source>
+        <translation>Prouve l&apos;optimum, par programmation dynamique ou par la borne de notre propre solveur.</translation>
+    </message>
+    <message>
+        <source>Searches, and proves as far as about a second&apos;s work goes.</source>
+        <translation>Cherche, et prouve dans la limite d&apos;environ une seconde de calcul.</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC on a MILP with a variable for each leg and position. Uses nothing of our own engine.</source>
+        <translation>COIN-OR CBC sur un MILP avec une variable pour chaque segment et chaque rang. N&apos;utilise rien de notre propre solveur.</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC on the MILP as the paper prints it. Slow beyond 8 icebergs.</source>
+        <translation>COIN-OR CBC sur le MILP tel que l&apos;article l&apos;imprime. Lent au-delà de 8 icebergs.</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC on the few legs that the bound of our engine leaves.</source>
+        <translation>COIN-OR CBC sur les quelques segments que laisse la borne de notre solveur.</translation>
+    </message>
+    <message>
+        <source>Icebergs, up to</source>
+        <translation>Icebergs, jusqu&apos;à</translation>
+    </message>
+    <message>
+        <source>Largest number of icebergs. The paper went to 20.</source>
+        <translation>Plus grand nombre d&apos;icebergs. L&apos;article allait jusqu&apos;à 20.</translation>
+    </message>
+    <message>
+        <source>Problems of each size</source>
+        <translation>Problèmes de chaque taille</translation>
+    </message>
+    <message>
+        <source>Random problems as in Table 1 of the paper, the same at every run.</source>
+        <translation>Problèmes aléatoires comme au tableau 1 de l&apos;article, les mêmes à chaque fois.</translation>
+    </message>
+    <message>
+        <source>Time for everything</source>
+        <translation>Temps pour l&apos;ensemble</translation>
+    </message>
+    <message>
+        <source>A solver that does not finish a size is not given a larger one.</source>
+        <translation>Un solveur qui ne termine pas une taille n&apos;en reçoit pas de plus grande.</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Progression de la mesure</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>Enregistrer en CSV…</translation>
+    </message>
+    <message>
+        <source>Saves the measured times as a table.</source>
+        <translation>Enregistre les temps mesurés sous forme de tableau.</translation>
+    </message>
+    <message>
+        <source>Measuring, about %1 left</source>
+        <translation>Mesure en cours, environ %1 restant</translation>
+    </message>
+    <message>
+        <source>Start measures this machine beside the paper&apos;s, with the paper&apos;s problems.</source>
+        <translation>« Démarrer » mesure cette machine à côté de celle de l&apos;article, avec les problèmes de l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Cancelled. What had been measured is kept.</source>
+        <translation>Annulé. Ce qui avait été mesuré est conservé.</translation>
+    </message>
+    <message>
+        <source>Measured in %1.</source>
+        <translation>Mesuré en %1.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Choose a solver first.</source>
+        <translation>Choisissez d&apos;abord un solveur.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StartGuide</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+    <message>
+        <source>1. Place icebergs</source>
+        <translation>1. Placez des icebergs</translation>
+    </message>
+    <message>
+        <source>2. Drag τ</source>
+        <translation>2. Faites glisser τ</translation>
+    </message>
+    <message>
+        <source>To the left the most uncertain icebergs come first, to the right the route gets shorter. Ticks mark where another order becomes the best one.</source>
+        <translation>Vers la gauche, les icebergs les plus incertains viennent d&apos;abord ; vers la droite, la route devient plus courte. Les repères indiquent où un autre ordre devient le meilleur.</translation>
+    </message>
+    <message>
+        <source>3. Press Space</source>
+        <translation>3. Appuyez sur Espace</translation>
+    </message>
+    <message>
+        <source>Space flies the plan and pauses it; drag along the time line to look back. Stop and edit goes back to the start.</source>
+        <translation>Espace exécute le plan et le met en pause ; faites glisser le long de la ligne de temps pour revenir en arrière. « Arrêter et modifier » revient au début.</translation>
+    </message>
+    <message>
+        <source>After this tour, press I and click on the map: an iceberg. Drag it to move it, double-click it to set its drift and how uncertain its place is. The plan follows at once.</source>
+        <translation>Après cette visite, appuyez sur I et cliquez sur la carte : un iceberg. Faites-le glisser pour le déplacer, double-cliquez dessus pour régler sa dérive et l&apos;incertitude de sa position. Le plan suit aussitôt.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StartPage</name>
+    <message>
+        <source>Keep watch over drifting icebergs.</source>
+        <translation>Surveillez les icebergs à la dérive.</translation>
+    </message>
+    <message>
+        <source>Continue with %1</source>
+        <translation>Continuer avec %1</translation>
+    </message>
+    <message>
+        <source>New scenario</source>
+        <translation>Nouveau scénario</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>New here? Take the tour, three steps</source>
+        <translation>Première utilisation ? Suivez la visite, en trois étapes</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Visite guidée</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Fichiers récents</translation>
+    </message>
+    <message>
+        <source>Show this page at the start</source>
+        <translation>Afficher cette page au démarrage</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Exemples</translation>
+    </message>
+    <message>
+        <source>No files yet</source>
+        <translation>Aucun fichier pour l&apos;instant</translation>
+    </message>
+    <message>
+        <source>Import sightings...</source>
+        <translation>Importer des observations…</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StatusLine</name>
+    <message>
+        <source>Shows what is found about the scenario.</source>
+        <translation>Affiche ce qui est constaté sur le scénario.</translation>
+    </message>
+    <message>
+        <source>%1   %2 E  %3 N</source>
+        <comment>place, east and north of the origin</comment>
+        <translation>%1   %2 E  %3 N</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyCasesModel</name>
+    <message>
+        <source>reference</source>
+        <translation>référence</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>bloqué</translation>
+    </message>
+    <message>
+        <source>%1 visits, %2 plans, %3 flown. Return or a double click opens this run.</source>
+        <translation>%1 visites, %2 plans, %3 parcourus. Entrée ou un double-clic ouvre ce vol.</translation>
+    </message>
+    <message>
+        <source>Name of the scenario, or the seed it was drawn from.</source>
+        <translation>Nom du scénario, ou graine dont il a été tiré.</translation>
+    </message>
+    <message>
+        <source>Noise seed</source>
+        <translation>Graine du bruit</translation>
+    </message>
+    <message>
+        <source>What the true drift was drawn from: the same for every setting.</source>
+        <translation>Ce dont la dérive réelle a été tirée : la même pour chaque réglage.</translation>
+    </message>
+    <message>
+        <source>ζ, m² s</source>
+        <translation>ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty of this flight: less is better.</source>
+        <translation>Incertitude cumulée de ce vol : une valeur plus faible est meilleure.</translation>
+    </message>
+    <message>
+        <source>vs reference</source>
+        <translation>Écart à la réf.</translation>
+    </message>
+    <message>
+        <source>Compared with the flight of this case with the reference.</source>
+        <translation>Comparé au vol de ce cas avec la référence.</translation>
+    </message>
+    <message>
+        <source>Best τ</source>
+        <translation>Meilleur τ</translation>
+    </message>
+    <message>
+        <source>The τ with the lowest ζ in this case, in hindsight.</source>
+        <translation>Le τ de plus faible ζ dans ce cas, a posteriori.</translation>
+    </message>
+    <message>
+        <source>Best of all</source>
+        <translation>Meilleur de tous</translation>
+    </message>
+    <message>
+        <source>The setting with the lowest ζ in this case.</source>
+        <translation>Le réglage de plus faible ζ dans ce cas.</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Bloqué</translation>
+    </message>
+    <message>
+        <source>Flies to two icebergs at most in the second half.</source>
+        <translation>Va vers deux icebergs au plus dans la seconde moitié.</translation>
+    </message>
+    <message>
+        <source>Random %1</source>
+        <comment>scenario drawn from a seed</comment>
+        <translation>Aléatoire %1</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Cas</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyChart</name>
+    <message>
+        <source>Accumulated uncertainty ζ against the trade-off τ</source>
+        <translation>Incertitude cumulée ζ en fonction du compromis τ</translation>
+    </message>
+    <message>
+        <source>Choose what to fly and press Start, or take a figure of the paper.</source>
+        <translation>Choisissez ce qui doit être joué et appuyez sur « Démarrer l&apos;étude », ou prenez une figure de l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Mean ζ, m² s</source>
+        <translation>ζ moyen, m² s</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, m² s</source>
+        <translation>Zêta ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Compromis τ</translation>
+    </message>
+    <message>
+        <source>Lowest: %1.</source>
+        <translation>Le plus bas : %1.</translation>
+    </message>
+    <message>
+        <source>Lowest: %1; of the values of τ: %2.</source>
+        <translation>Le plus bas : %1 ; parmi les valeurs de τ : %2.</translation>
+    </message>
+    <message>
+        <source>Band: quartiles. Dashed: median. Ring: reference.</source>
+        <translation>Bande : quartiles. Tirets : médiane. Cercle : référence.</translation>
+    </message>
+    <message>
+        <source>Ring: reference.</source>
+        <translation>Cercle : référence.</translation>
+    </message>
+    <message>
+        <source>Best τ of each case</source>
+        <translation>Meilleur τ de chaque cas</translation>
+    </message>
+    <message>
+        <source>ζ %1 m² s</source>
+        <translation>ζ %1 m² s</translation>
+    </message>
+    <message>
+        <source>mean %1, median %2</source>
+        <translation>moyenne %1, médiane %2</translation>
+    </message>
+    <message>
+        <source>quartiles %1 to %2</source>
+        <translation>quartiles %1 à %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>stuck in %1 of %2 cases</source>
+        <translation>bloqué dans %1 cas sur %2</translation>
+    </message>
+    <message>
+        <source>stuck: flies to two icebergs at most in the second half</source>
+        <translation>bloqué : va vers deux icebergs au plus dans la seconde moitié</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyDesk</name>
+    <message>
+        <source>Studies (*.bergstudy);;All files (*)</source>
+        <translation>Études (*.bergstudy);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Studies and their reports (*.bergstudy *.json *.html);;All files (*)</source>
+        <translation>Études et leurs rapports (*.bergstudy *.json *.html);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Reports (*.html);;All files (*)</source>
+        <translation>Rapports (*.html);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tableaux (*.csv);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
+    </message>
+    <message>
+        <source>Bergwatch ended unexpectedly. This unsaved study was kept. Save it, or fly the rest.</source>
+        <translation>Bergwatch s&apos;est terminé de façon inattendue. Cette étude non enregistrée a été conservée. Enregistrez-la ou jouez le reste.</translation>
+    </message>
+    <message>
+        <source>Autosaving failed: %1</source>
+        <translation>Échec de l&apos;enregistrement automatique : %1</translation>
+    </message>
+    <message>
+        <source>Study: %1</source>
+        <translation>Étude : %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyFlights</name>
+    <message>
+        <source>Fly as in the study</source>
+        <translation>Jouer comme dans l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Flown as in the study, which is under View, Study.</source>
+        <translation>Joué comme dans l&apos;étude, qui se trouve sous « Affichage », « Étude de τ et des stratégies ».</translation>
+    </message>
+    <message>
+        <source>Fly Figure 5 of the paper</source>
+        <translation>Jouer la figure 5 de l&apos;article</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Utiliser %1</translation>
+    </message>
+    <message>
+        <source>Planned with %1</source>
+        <translation>Planifié avec %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyPanel</name>
+    <message>
+        <source>As in the paper</source>
+        <translation>Comme dans l&apos;article</translation>
+    </message>
+    <message>
+        <source>Figure 3</source>
+        <translation>Figure 3</translation>
+    </message>
+    <message>
+        <source>Solution times by number of icebergs: opens the solve time study with the sizes of the paper.</source>
+        <translation>Temps de résolution selon le nombre d&apos;icebergs : ouvre l&apos;étude des temps de résolution avec les tailles de l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Figure 4</source>
+        <translation>Figure 4</translation>
+    </message>
+    <message>
+        <source>Figure 5</source>
+        <translation>Figure 5</translation>
+    </message>
+    <message>
+        <source>ζ of this scenario for τ = 0, 0.1 … 4, and of the shortest path.</source>
+        <translation>ζ de ce scénario pour τ = 0, 0,1 … 4, et du plus court chemin.</translation>
+    </message>
+    <message>
+        <source>Two flights of this scenario over the map: with the τ of lowest ζ, and along the shortest path.</source>
+        <translation>Deux vols de ce scénario sur la carte : avec le τ de plus faible ζ, et le long du plus court chemin.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyPicture</name>
+    <message>
+        <source>1 case</source>
+        <translation>1 cas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cases</source>
+        <translation>
+            <numerusform>%n cas</numerusform>
+            <numerusform>%n cas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>name of a study, how many cases</comment>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyResults</name>
+    <message>
+        <source>Compared with</source>
+        <translation>Comparé à</translation>
+    </message>
+    <message>
+        <source>Reference that the other settings are compared with</source>
+        <translation>Référence à laquelle les autres réglages sont comparés</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Opens a study to view or continue it.</source>
+        <translation>Ouvre une étude pour la consulter ou la continuer.</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Saves the study with all that was flown, also while it is being flown.</source>
+        <translation>Enregistre l&apos;étude avec tout ce qui a été joué, même en cours de calcul.</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
+    </message>
+    <message>
+        <source>Writes a page with pictures, scenarios, seeds, version and machine.</source>
+        <translation>Écrit une page avec images, scénarios, graines, version et machine.</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tableau…</translation>
+    </message>
+    <message>
+        <source>Saves the numbers of all settings as CSV.</source>
+        <translation>Enregistre les valeurs de tous les réglages en CSV.</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Image…</translation>
+    </message>
+    <message>
+        <source>Saves the picture in front (PNG, SVG, PDF).</source>
+        <translation>Enregistre l&apos;image au premier plan (PNG, SVG, PDF).</translation>
+    </message>
+    <message>
+        <source>ζ against τ</source>
+        <translation>ζ selon τ</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Différences</translation>
+    </message>
+    <message>
+        <source>Settings of the study</source>
+        <translation>Réglages de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Cases of the setting chosen</source>
+        <translation>Cas du réglage choisi</translation>
+    </message>
+    <message>
+        <source>Open this run</source>
+        <translation>Ouvrir ce vol</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation>Cas</translation>
+    </message>
+    <message>
+        <source>Cases of %1</source>
+        <translation>Cas de %1</translation>
+    </message>
+    <message>
+        <source>Flies this case again, the same in every number, and shows it on the map and the time line.</source>
+        <translation>Joue ce cas de nouveau, identique au chiffre près, et le montre sur la carte et la ligne de temps.</translation>
+    </message>
+    <message>
+        <source>Choose a point of the picture or a setting, then a case.</source>
+        <translation>Choisissez un point de l&apos;image ou un réglage, puis un cas.</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Utiliser %1</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Utiliser</translation>
+    </message>
+    <message>
+        <source>Plans the scenario on the map with this setting.</source>
+        <translation>Planifie le scénario sur la carte avec ce réglage.</translation>
+    </message>
+    <message>
+        <source>Choose a point of the picture or a setting.</source>
+        <translation>Choisissez un point de l&apos;image ou un réglage.</translation>
+    </message>
+    <message>
+        <source>Lowest ζ: %1. One case recommends no policy: fly more of them.</source>
+        <translation>ζ le plus bas : %1. Un seul cas ne recommande aucune stratégie : jouez-en davantage.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the best of another policy, in %n cases.</source>
+        <translation>
+            <numerusform>Recommandé : %1. Son ζ est %2 (95 % : %3 à %4) par rapport à %5, meilleur réglage d&apos;une autre stratégie, sur %n cas.</numerusform>
+            <numerusform>Recommandé : %1. Son ζ est %2 (95 % : %3 à %4) par rapport à %5, meilleur réglage d&apos;une autre stratégie, sur %n cas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No policy is surely the best: the ζ of %1 is %2 (95 %: %3 to %4) against %5, in %n cases.</source>
+        <translation>
+            <numerusform>Aucune stratégie n&apos;est la meilleure à coup sûr : le ζ de %1 est %2 (95 % : %3 à %4) par rapport à %5, sur %n cas.</numerusform>
+            <numerusform>Aucune stratégie n&apos;est la meilleure à coup sûr : le ζ de %1 est %2 (95 % : %3 à %4) par rapport à %5, sur %n cas.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyRunBar</name>
+    <message>
+        <source>under a second</source>
+        <translation>moins d&apos;une seconde</translation>
+    </message>
+    <message>
+        <source>about %1 s</source>
+        <translation>environ %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min</source>
+        <translation>environ %1 min</translation>
+    </message>
+    <message>
+        <source>about %1 h</source>
+        <translation>environ %1 h</translation>
+    </message>
+    <message>
+        <source>Carry on</source>
+        <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>Flies what is missing of the study shown.</source>
+        <translation>Joue ce qui manque à l&apos;étude affichée.</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>Progression de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>%1 missions, %2</source>
+        <translation>%1 missions, %2</translation>
+    </message>
+    <message>
+        <source>%1 missions flown.</source>
+        <translation>%1 missions jouées.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 missions flown.</source>
+        <translation>%1 missions jouées sur %2.</translation>
+    </message>
+    <message>
+        <source>About %1 left.</source>
+        <translation>Environ %1 restant.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>What has been flown is kept.</source>
+        <translation>Ce qui a été joué est conservé.</translation>
+    </message>
+    <message>
+        <source>Start study</source>
+        <translation>Démarrer l&apos;étude</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudySettingsModel</name>
+    <message>
+        <source>Best τ of each case</source>
+        <translation>Meilleur τ de chaque cas</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <comment>from, to</comment>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>référence</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>The τ of lowest ζ of each case, chosen in hindsight: median %1, quartiles %2 and %3.</source>
+        <translation>Le τ de plus faible ζ de chaque cas, choisi a posteriori : médiane %1, quartiles %2 et %3.</translation>
+    </message>
+    <message>
+        <source>Less than the reference in %1 of %2 cases, worst %3. On average %4 visits.</source>
+        <translation>Inférieur à la référence dans %1 cas sur %2, pire %3. En moyenne %4 visites.</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>How the next iceberg is chosen.</source>
+        <translation>Comment l&apos;iceberg suivant est choisi.</translation>
+    </message>
+    <message>
+        <source>Mean ζ</source>
+        <translation>ζ moyen</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty in m² s, mean of all cases: less is better.</source>
+        <translation>Incertitude cumulée en m² s, moyenne de tous les cas : une valeur plus faible est meilleure.</translation>
+    </message>
+    <message>
+        <source>Median ζ</source>
+        <translation>ζ médian</translation>
+    </message>
+    <message>
+        <source>Half of the cases have less.</source>
+        <translation>La moitié des cas en a moins.</translation>
+    </message>
+    <message>
+        <source>Quartiles</source>
+        <translation>Quartiles</translation>
+    </message>
+    <message>
+        <source>A quarter of the cases has less than the first, a quarter more than the second.</source>
+        <translation>Un quart des cas en a moins que le premier, un quart plus que le second.</translation>
+    </message>
+    <message>
+        <source>vs reference</source>
+        <translation>Écart à la réf.</translation>
+    </message>
+    <message>
+        <source>Mean of the differences, case by case, in per cent of the reference.</source>
+        <translation>Moyenne des différences, cas par cas, en pour cent de la référence.</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>Intervalle à 95 %</translation>
+    </message>
+    <message>
+        <source>Of the mean difference: confidence interval by Student&apos;s t.</source>
+        <translation>De la différence moyenne : intervalle de confiance selon la loi de Student.</translation>
+    </message>
+    <message>
+        <source>Best in</source>
+        <translation>Meilleur dans</translation>
+    </message>
+    <message>
+        <source>Cases in which no other setting has less ζ.</source>
+        <translation>Cas où aucun autre réglage n&apos;a un ζ plus faible.</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Bloqué</translation>
+    </message>
+    <message>
+        <source>Cases that fly to two icebergs at most in the second half.</source>
+        <translation>Cas qui vont vers deux icebergs au plus dans la seconde moitié.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudySetup</name>
+    <message>
+        <source>This scenario</source>
+        <translation>Ce scénario</translation>
+    </message>
+    <message>
+        <source>Random scenarios</source>
+        <translation>Scénarios aléatoires</translation>
+    </message>
+    <message>
+        <source>Fields of icebergs as in Table 3 of the paper, one for each seed.</source>
+        <translation>Champs d&apos;icebergs comme au tableau 3 de l&apos;article, un par graine.</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Combien</translation>
+    </message>
+    <message>
+        <source>Number of random scenarios.</source>
+        <translation>Nombre de scénarios aléatoires.</translation>
+    </message>
+    <message>
+        <source>First seed</source>
+        <translation>Première graine</translation>
+    </message>
+    <message>
+        <source>The others have the seeds that follow.</source>
+        <translation>Les autres ont les graines qui suivent.</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Icebergs</translation>
+    </message>
+    <message>
+        <source>Number of icebergs in each random scenario.</source>
+        <translation>Nombre d&apos;icebergs dans chaque scénario aléatoire.</translation>
+    </message>
+    <message>
+        <source>Runs each</source>
+        <translation>Vols par scénario</translation>
+    </message>
+    <message>
+        <source>Flights of each scenario with other noise: the true drift is drawn again, the same for every setting.</source>
+        <translation>Vols de chaque scénario avec un autre bruit : la dérive réelle est tirée de nouveau, la même pour chaque réglage.</translation>
+    </message>
+    <message>
+        <source>τ from</source>
+        <translation>τ de</translation>
+    </message>
+    <message>
+        <source>Smallest trade-off τ.</source>
+        <translation>Plus petit compromis τ.</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <comment>largest tau</comment>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>Largest trade-off τ.</source>
+        <translation>Plus grand compromis τ.</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <comment>of tau</comment>
+        <translation>pas</translation>
+    </message>
+    <message>
+        <source>Between two values of τ.</source>
+        <translation>Entre deux valeurs de τ.</translation>
+    </message>
+    <message>
+        <source>1 random scenario</source>
+        <translation>1 scénario aléatoire</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n random scenarios</source>
+        <translation>
+            <numerusform>%n scénario aléatoire</numerusform>
+            <numerusform>%n scénarios aléatoires</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This scenario has no icebergs.</source>
+        <translation>Ce scénario n&apos;a aucun iceberg.</translation>
+    </message>
+    <message>
+        <source>The largest τ is below the smallest.</source>
+        <translation>Le plus grand τ est inférieur au plus petit.</translation>
+    </message>
+    <message>
+        <source>These are too many values of τ. Take a larger step.</source>
+        <translation>Il y a trop de valeurs de τ. Prenez un pas plus grand.</translation>
+    </message>
+    <message>
+        <source>Choose at least one policy.</source>
+        <translation>Choisissez au moins une stratégie.</translation>
+    </message>
+    <message>
+        <source>A study has at most %1 missions.</source>
+        <translation>Une étude a au plus %1 missions.</translation>
+    </message>
+    <message>
+        <source>What is known of the drift in random scenarios, and how icebergs are seen.</source>
+        <translation>Ce qui est connu de la dérive dans les scénarios aléatoires, et comment les icebergs sont vus.</translation>
+    </message>
+    <message>
+        <source>As published</source>
+        <translation>Comme publié</translation>
+    </message>
+    <message>
+        <source>Velocities are known, and an iceberg in view has no uncertainty.</source>
+        <translation>Les vitesses sont connues, et un iceberg en vue n&apos;a aucune incertitude.</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Mesuré</translation>
+    </message>
+    <message>
+        <source>Measurements with noise, filtered for position and velocity.</source>
+        <translation>Mesures bruitées, filtrées pour la position et la vitesse.</translation>
+    </message>
+    <message>
+        <source>Unknown velocity</source>
+        <translation>Vitesse inconnue</translation>
+    </message>
+    <message>
+        <source>Measured; velocities are not known by 0.1 m/s along each axis.</source>
+        <translation>Mesuré ; les vitesses sont incertaines de 0,1 m/s selon chaque axe.</translation>
+    </message>
+    <message>
+        <source>Real drift</source>
+        <translation>Dérive réelle</translation>
+    </message>
+    <message>
+        <source>Measured; velocities are not known and change, as those of icebergs with beacons.</source>
+        <translation>Mesuré ; les vitesses sont inconnues et changent, comme celles d&apos;icebergs équipés de balises.</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Dérive</translation>
+    </message>
+</context>
+<context>
+    <name>berg::TauStrip</name>
+    <message>
+        <source>Plans along the trade-off τ</source>
+        <translation>Plans selon le compromis τ</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n plan(s)</source>
+        <translation>
+            <numerusform>%n plan</numerusform>
+            <numerusform>%n plans</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. Present plan: %2</source>
+        <translation>%1. Plan actuel : %2</translation>
+    </message>
+    <message>
+        <source>The plans for every τ are being computed.</source>
+        <translation>Les plans pour tous les τ sont en cours de calcul.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Tour</name>
+    <message>
+        <source>Skip</source>
+        <translation>Passer</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+</context>
+<context>
+    <name>berg::TradeoffPanel</name>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Compromis τ</translation>
+    </message>
+    <message>
+        <source>Trade-off τ from most uncertain first to shortest path</source>
+        <translation>Compromis τ, du plus incertain d&apos;abord au plus court chemin</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Plus incertain d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Plus court chemin</translation>
+    </message>
+    <message>
+        <source>Policy</source>
+        <translation>Stratégie</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Solveur</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>Route</translation>
+    </message>
+    <message>
+        <source>This build of Bergwatch was made without this solver.</source>
+        <translation>Cette version de Bergwatch a été compilée sans ce solveur.</translation>
+    </message>
+    <message>
+        <source>The policy chosen does not use this.</source>
+        <translation>La stratégie choisie ne l&apos;utilise pas.</translation>
+    </message>
+    <message>
+        <source>Locked in flight. Stop the flight to change this.</source>
+        <translation>Verrouillé en vol. Arrêtez le vol pour le modifier.</translation>
+    </message>
+    <message>
+        <source>Small: icebergs of great uncertainty come first. Large: the route gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
+        <translation>Petit : les icebergs de grande incertitude viennent d&apos;abord. Grand : la route devient courte. Les flèches changent τ de 0,01, les touches Page de 0,25.</translation>
+    </message>
+    <message>
+        <source>Trade-off τ from 0 to 100.</source>
+        <translation>Compromis τ de 0 à 100.</translation>
+    </message>
+    <message>
+        <source>What makes the plan. Automatic proves small problems and searches in large ones.</source>
+        <translation>Ce qui établit le plan. « Automatique » prouve l&apos;optimum des petits problèmes et fait une recherche dans les grands.</translation>
+    </message>
+    <message>
+        <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
+        <translation>Un plan en aller simple se termine au dernier iceberg ; une boucle comprend le retour.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::WindDialog</name>
+    <message>
+        <source>Wind</source>
+        <translation>Vent</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>&amp;Appliquer</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>&amp;Vitesse</translation>
+    </message>
+    <message>
+        <source>Blows &amp;from</source>
+        <translation>&amp;Souffle du</translation>
+    </message>
+    <message>
+        <source>The UAV will make little way against this wind.</source>
+        <translation>Le drone progressera peu contre ce vent.</translation>
+    </message>
+    <message>
+        <source>Always slower than the UAV flies: %1.</source>
+        <translation>Toujours plus lent que le vol du drone : %1.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::WorkSafety</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+    <message>
+        <source>Autosaved %1</source>
+        <translation>%1 enregistré automatiquement</translation>
+    </message>
+    <message>
+        <source>Autosaving failed: %1</source>
+        <translation>Échec de l&apos;enregistrement automatique : %1</translation>
+    </message>
+    <message>
+        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
+%1</source>
+        <translation>Le travail non enregistré d&apos;un programme terminé de façon inattendue ne peut pas être lu. Il est conservé dans ce fichier :
+%1</translation>
+    </message>
+    <message>
+        <source>Restored, not saved yet</source>
+        <translation>Restauré, pas encore enregistré</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Workspace</name>
+    <message>
+        <source>Change trade-off</source>
+        <translation>Modifier le compromis</translation>
+    </message>
+    <message>
+        <source>Change policy</source>
+        <translation>Modifier la stratégie</translation>
+    </message>
+    <message>
+        <source>Change solver</source>
+        <translation>Modifier le solveur</translation>
+    </message>
+    <message>
+        <source>Change route</source>
+        <translation>Modifier la route</translation>
+    </message>
+    <message>
+        <source>You are looking back. Continue from here, or go back to the latest, to change this.</source>
+        <translation>Vous regardez en arrière. Continuez d&apos;ici, ou revenez au dernier instant, pour modifier cela.</translation>
+    </message>
+    <message>
+        <source>Change wind</source>
+        <translation>Modifier le vent</translation>
+    </message>
+    <message>
+        <source>Assign iceberg</source>
+        <translation>Attribuer l&apos;iceberg</translation>
+    </message>
+    <message>
+        <source>The scenario is locked in flight. Stop the flight to change it.</source>
+        <translation>Le scénario est verrouillé en vol. Arrêtez le vol pour le modifier.</translation>
+    </message>
+    <message>
+        <source>The scenario was changed before take-off: nothing was flown.</source>
+        <translation>Le scénario a été modifié avant le décollage : aucun vol n&apos;a été effectué.</translation>
+    </message>
+    <message>
+        <source>Bring the flight back</source>
+        <translation>Rétablir le vol</translation>
+    </message>
+</context>
+</TS>
