@@ -1301,14 +1301,10 @@
 </context>
 <context>
     <name>HandleDrag</name>
-    <message>
-        <source>Change drift</source>
-        <translation>Ændr drift</translation>
-    </message>
     <message numerus="yes">
         <source>Change drift of %n icebergs</source>
         <translation>
-            <numerusform>Ændr drift for %n isbjerg</numerusform>
+            <numerusform>Ændr drift</numerusform>
             <numerusform>Ændr drift for %n isbjerge</numerusform>
         </translation>
     </message>
@@ -1881,61 +1877,54 @@
         <source>Any table (CSV)</source>
         <translation>Vilkårlig tabel (CSV)</translation>
     </message>
-    <message>
-        <source>1 new</source>
-        <translation>1 nyt</translation>
+    <message numerus="yes">
+        <source>%n new</source>
+        <translation>
+            <numerusform>%n nyt</numerusform>
+            <numerusform>%n nye</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 new</source>
-        <translation>%1 nye</translation>
+    <message numerus="yes">
+        <source>%n updated</source>
+        <translation>
+            <numerusform>%n opdateret</numerusform>
+            <numerusform>%n opdateret</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>1 updated</source>
-        <translation>1 opdateret</translation>
+    <message numerus="yes">
+        <source>%n unchanged</source>
+        <translation>
+            <numerusform>%n uændret</numerusform>
+            <numerusform>%n uændret</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 updated</source>
-        <translation>%1 opdateret</translation>
+    <message numerus="yes">
+        <source>%n left out</source>
+        <translation>
+            <numerusform>%n udeladt</numerusform>
+            <numerusform>%n udeladt</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>1 unchanged</source>
-        <translation>1 uændret</translation>
+    <message numerus="yes">
+        <source>%n sightings outside the area</source>
+        <translation>
+            <numerusform>%n observation uden for området</numerusform>
+            <numerusform>%n observationer uden for området</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 unchanged</source>
-        <translation>%1 uændret</translation>
+    <message numerus="yes">
+        <source>%n sightings outside the time</source>
+        <translation>
+            <numerusform>%n observation uden for tidsrummet</numerusform>
+            <numerusform>%n observationer uden for tidsrummet</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>1 left out</source>
-        <translation>1 udeladt</translation>
-    </message>
-    <message>
-        <source>%1 left out</source>
-        <translation>%1 udeladt</translation>
-    </message>
-    <message>
-        <source>1 sighting outside the area</source>
-        <translation>1 observation uden for området</translation>
-    </message>
-    <message>
-        <source>%1 sightings outside the area</source>
-        <translation>%1 observationer uden for området</translation>
-    </message>
-    <message>
-        <source>1 sighting outside the time</source>
-        <translation>1 observation uden for tidsrummet</translation>
-    </message>
-    <message>
-        <source>%1 sightings outside the time</source>
-        <translation>%1 observationer uden for tidsrummet</translation>
-    </message>
-    <message>
-        <source>1 row rejected</source>
-        <translation>1 række afvist</translation>
-    </message>
-    <message>
-        <source>%1 rows rejected</source>
-        <translation>%1 rækker afvist</translation>
+    <message numerus="yes">
+        <source>%n rows rejected</source>
+        <translation>
+            <numerusform>%n række afvist</numerusform>
+            <numerusform>%n rækker afvist</numerusform>
+        </translation>
     </message>
     <message>
         <source>Nothing to import</source>
@@ -1981,13 +1970,12 @@
         <source>ArduPilot mission (QGC WPL)</source>
         <translation>ArduPilot-mission (QGC WPL)</translation>
     </message>
-    <message>
-        <source>1 UAV</source>
-        <translation>1 drone</translation>
-    </message>
-    <message>
-        <source>%1 UAVs</source>
-        <translation>%1 droner</translation>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n drone</numerusform>
+            <numerusform>%n droner</numerusform>
+        </translation>
     </message>
     <message>
         <source>the area</source>
@@ -2005,21 +1993,19 @@
         <source>UAVs, area and asset (the scenario has its own)</source>
         <translation>droner, område og objekt (scenariet har sine egne)</translation>
     </message>
-    <message>
-        <source>1 UAV (too many)</source>
-        <translation>1 drone (for mange)</translation>
+    <message numerus="yes">
+        <source>%n UAVs (too many)</source>
+        <translation>
+            <numerusform>%n drone (for mange)</numerusform>
+            <numerusform>%n droner (for mange)</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 UAVs (too many)</source>
-        <translation>%1 droner (for mange)</translation>
-    </message>
-    <message>
-        <source>1 UAV (more than 1000 km from the origin)</source>
-        <translation>1 drone (mere end 1000 km fra origo)</translation>
-    </message>
-    <message>
-        <source>%1 UAVs (more than 1000 km from the origin)</source>
-        <translation>%1 droner (mere end 1000 km fra origo)</translation>
+    <message numerus="yes">
+        <source>%n UAVs (more than 1000 km from the origin)</source>
+        <translation>
+            <numerusform>%n drone (mere end 1000 km fra origo)</numerusform>
+            <numerusform>%n droner (mere end 1000 km fra origo)</numerusform>
+        </translation>
     </message>
     <message>
         <source>an area (unreadable)</source>
@@ -2041,29 +2027,26 @@
         <source>the area (in several parts)</source>
         <translation>området (i flere dele)</translation>
     </message>
-    <message>
-        <source>1 further area</source>
-        <translation>1 yderligere område</translation>
+    <message numerus="yes">
+        <source>%n further areas</source>
+        <translation>
+            <numerusform>%n yderligere område</numerusform>
+            <numerusform>%n yderligere områder</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 further areas</source>
-        <translation>%1 yderligere områder</translation>
+    <message numerus="yes">
+        <source>%n holes of the area</source>
+        <translation>
+            <numerusform>%n hul i området</numerusform>
+            <numerusform>%n huller i området</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>1 hole of the area</source>
-        <translation>1 hul i området</translation>
-    </message>
-    <message>
-        <source>%1 holes of the area</source>
-        <translation>%1 huller i området</translation>
-    </message>
-    <message>
-        <source>1 circle of the geofence</source>
-        <translation>1 cirkel i geohegnet</translation>
-    </message>
-    <message>
-        <source>%1 circles of the geofence</source>
-        <translation>%1 cirkler i geohegnet</translation>
+    <message numerus="yes">
+        <source>%n circles of the geofence</source>
+        <translation>
+            <numerusform>%n cirkel i geohegnet</numerusform>
+            <numerusform>%n cirkler i geohegnet</numerusform>
+        </translation>
     </message>
     <message>
         <source>the geofence (too many corners)</source>
@@ -2073,33 +2056,30 @@
         <source>the geofence (a UAV starts or lands outside)</source>
         <translation>geohegnet (en drone starter eller lander udenfor)</translation>
     </message>
-    <message>
-        <source>1 rally point</source>
-        <translation>1 samlingspunkt</translation>
+    <message numerus="yes">
+        <source>%n rally points</source>
+        <translation>
+            <numerusform>%n samlingspunkt</numerusform>
+            <numerusform>%n samlingspunkter</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 rally points</source>
-        <translation>%1 samlingspunkter</translation>
-    </message>
-    <message>
-        <source>1 further asset</source>
-        <translation>1 yderligere objekt</translation>
-    </message>
-    <message>
-        <source>%1 further assets</source>
-        <translation>%1 yderligere objekter</translation>
+    <message numerus="yes">
+        <source>%n further assets</source>
+        <translation>
+            <numerusform>%n yderligere objekt</numerusform>
+            <numerusform>%n yderligere objekter</numerusform>
+        </translation>
     </message>
     <message>
         <source>the asset (more than 1000 km from the origin)</source>
         <translation>objektet (mere end 1000 km fra origo)</translation>
     </message>
-    <message>
-        <source>1 number out of range</source>
-        <translation>1 tal uden for det tilladte område</translation>
-    </message>
-    <message>
-        <source>%1 numbers out of range</source>
-        <translation>%1 tal uden for det tilladte område</translation>
+    <message numerus="yes">
+        <source>%n numbers out of range</source>
+        <translation>
+            <numerusform>%n tal uden for det tilladte område</numerusform>
+            <numerusform>%n tal uden for det tilladte område</numerusform>
+        </translation>
     </message>
     <message>
         <source>Also from the file: %1</source>
@@ -2109,21 +2089,19 @@
         <source>Left out: %1</source>
         <translation>Udeladt: %1</translation>
     </message>
-    <message>
-        <source>1 no-fly area</source>
-        <translation>1 flyveforbudsområde</translation>
+    <message numerus="yes">
+        <source>%n no-fly areas</source>
+        <translation>
+            <numerusform>%n flyveforbudsområde</numerusform>
+            <numerusform>%n flyveforbudsområder</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 no-fly areas</source>
-        <translation>%1 flyveforbudsområder</translation>
-    </message>
-    <message>
-        <source>1 no-fly area (a UAV starts or lands in it, or its heights are wrong)</source>
-        <translation>1 flyveforbudsområde (en drone starter eller lander i det, eller dets højder er forkerte)</translation>
-    </message>
-    <message>
-        <source>%1 no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
-        <translation>%1 flyveforbudsområder (en drone starter eller lander i dem, eller deres højder er forkerte)</translation>
+    <message numerus="yes">
+        <source>%n no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
+        <translation>
+            <numerusform>%n flyveforbudsområde (en drone starter eller lander i det, eller dets højder er forkerte)</numerusform>
+            <numerusform>%n flyveforbudsområder (en drone starter eller lander i dem, eller deres højder er forkerte)</numerusform>
+        </translation>
     </message>
     <message>
         <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
@@ -3451,18 +3429,6 @@
         </translation>
     </message>
     <message>
-        <source>1 error</source>
-        <translation>1 fejl</translation>
-    </message>
-    <message>
-        <source>1 warning</source>
-        <translation>1 advarsel</translation>
-    </message>
-    <message>
-        <source>1 hint</source>
-        <translation>1 tip</translation>
-    </message>
-    <message>
         <source>Icebergs outside the area are not monitored; the UAV may fly beyond it.</source>
         <translation>Isbjerge uden for området overvåges ikke; dronen kan flyve uden for det.</translation>
     </message>
@@ -4512,14 +4478,10 @@
             <numerusform>Flyt %n objekter</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Move iceberg</source>
-        <translation>Flyt isbjerg</translation>
-    </message>
     <message numerus="yes">
         <source>Move %n icebergs</source>
         <translation>
-            <numerusform>Flyt %n isbjerg</numerusform>
+            <numerusform>Flyt isbjerg</numerusform>
             <numerusform>Flyt %n isbjerge</numerusform>
         </translation>
     </message>
@@ -6114,10 +6076,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
 </context>
 <context>
     <name>berg::ExampleCard</name>
-    <message>
-        <source>1 iceberg</source>
-        <translation>1 isbjerg</translation>
-    </message>
     <message numerus="yes">
         <source>%n icebergs</source>
         <translation>
@@ -6612,13 +6570,9 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message numerus="yes">
         <source>The scenario then holds %n icebergs.</source>
         <translation>
-            <numerusform>Scenariet rummer derefter %n isbjerg.</numerusform>
+            <numerusform>Scenariet rummer derefter ét isbjerg.</numerusform>
             <numerusform>Scenariet rummer derefter %n isbjerge.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>The scenario then holds one iceberg.</source>
-        <translation>Scenariet rummer derefter ét isbjerg.</translation>
     </message>
     <message>
         <source>none</source>
@@ -7139,14 +7093,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
 </context>
 <context>
     <name>berg::MapView</name>
-    <message>
-        <source>Delete iceberg</source>
-        <translation>Slet isbjerg</translation>
-    </message>
     <message numerus="yes">
         <source>Delete %n icebergs</source>
         <translation>
-            <numerusform>Slet %n isbjerg</numerusform>
+            <numerusform>Slet isbjerg</numerusform>
             <numerusform>Slet %n isbjerge</numerusform>
         </translation>
     </message>
@@ -7184,14 +7134,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Remove area</source>
         <translation>Fjern område</translation>
     </message>
-    <message>
-        <source>Cut iceberg</source>
-        <translation>Klip isbjerg</translation>
-    </message>
     <message numerus="yes">
         <source>Cut %n icebergs</source>
         <translation>
-            <numerusform>Klip %n isbjerg</numerusform>
+            <numerusform>Klip isbjerg</numerusform>
             <numerusform>Klip %n isbjerge</numerusform>
         </translation>
     </message>
@@ -7203,25 +7149,17 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>What is on the clipboard cannot be pasted. %1</source>
         <translation>Indholdet af udklipsholderen kan ikke sættes ind. %1</translation>
     </message>
-    <message>
-        <source>Paste iceberg</source>
-        <translation>Sæt isbjerg ind</translation>
-    </message>
     <message numerus="yes">
         <source>Paste %n icebergs</source>
         <translation>
-            <numerusform>Sæt %n isbjerg ind</numerusform>
+            <numerusform>Sæt isbjerg ind</numerusform>
             <numerusform>Sæt %n isbjerge ind</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Duplicate iceberg</source>
-        <translation>Duplikér isbjerg</translation>
     </message>
     <message numerus="yes">
         <source>Duplicate %n icebergs</source>
         <translation>
-            <numerusform>Duplikér %n isbjerg</numerusform>
+            <numerusform>Duplikér isbjerg</numerusform>
             <numerusform>Duplikér %n isbjerge</numerusform>
         </translation>
     </message>
@@ -7248,14 +7186,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>The last UAV stays: a scenario has at least one.</source>
         <translation>Den sidste drone bliver: et scenarie har mindst én.</translation>
     </message>
-    <message>
-        <source>Duplicate UAV</source>
-        <translation>Duplikér drone</translation>
-    </message>
     <message numerus="yes">
         <source>Duplicate %n UAVs</source>
         <translation>
-            <numerusform>Duplikér %n drone</numerusform>
+            <numerusform>Duplikér drone</numerusform>
             <numerusform>Duplikér %n droner</numerusform>
         </translation>
     </message>
@@ -7922,10 +7856,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Den er på vej hjem, på jorden eller venter: den planlægges igen ved start, eller når den fortsætter.</translation>
     </message>
     <message>
-        <source>1 visit</source>
-        <translation>1 besøg</translation>
-    </message>
-    <message>
         <source>In view</source>
         <translation>I synsfeltet</translation>
     </message>
@@ -8511,13 +8441,9 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
     <message numerus="yes">
         <source>%n UAVs</source>
         <translation>
-            <numerusform>%n drone</numerusform>
+            <numerusform>én drone</numerusform>
             <numerusform>%n droner</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>one UAV</source>
-        <translation>én drone</translation>
     </message>
 </context>
 <context>
@@ -8529,14 +8455,10 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
 </context>
 <context>
     <name>berg::ScenarioDialogs</name>
-    <message>
-        <source>Generate iceberg</source>
-        <translation>Generér isbjerg</translation>
-    </message>
     <message numerus="yes">
         <source>Generate %n icebergs</source>
         <translation>
-            <numerusform>Generér %n isbjerg</numerusform>
+            <numerusform>Generér isbjerg</numerusform>
             <numerusform>Generér %n isbjerge</numerusform>
         </translation>
     </message>
@@ -8610,20 +8532,12 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;All files (*)</source>
         <translation>Observationer (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
     </message>
-    <message>
-        <source>Import 1 iceberg from %1</source>
-        <translation>Importér 1 isbjerg fra %1</translation>
-    </message>
     <message numerus="yes">
         <source>Import %n icebergs from %1</source>
         <translation>
             <numerusform>Importér %n isbjerg fra %1</numerusform>
             <numerusform>Importér %n isbjerge fra %1</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Imported 1 iceberg from %1</source>
-        <translation>Importerede 1 isbjerg fra %1</translation>
     </message>
     <message numerus="yes">
         <source>Imported %n icebergs from %1</source>
@@ -9105,10 +9019,6 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
 </context>
 <context>
     <name>berg::StudyPicture</name>
-    <message>
-        <source>1 case</source>
-        <translation>1 tilfælde</translation>
-    </message>
     <message numerus="yes">
         <source>%n cases</source>
         <translation>
@@ -9470,10 +9380,6 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <source>Between two values of τ.</source>
         <translation>Mellem to værdier af τ.</translation>
     </message>
-    <message>
-        <source>1 random scenario</source>
-        <translation>1 tilfældigt scenarie</translation>
-    </message>
     <message numerus="yes">
         <source>%n random scenarios</source>
         <translation>
@@ -9549,7 +9455,7 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <translation>Planer langs afvejningen τ</translation>
     </message>
     <message numerus="yes">
-        <source>%n plan(s)</source>
+        <source>%n plans</source>
         <translation>
             <numerusform>%n plan</numerusform>
             <numerusform>%n planer</numerusform>

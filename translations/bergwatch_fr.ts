@@ -1301,14 +1301,10 @@
 </context>
 <context>
     <name>HandleDrag</name>
-    <message>
-        <source>Change drift</source>
-        <translation>Modifier la dérive</translation>
-    </message>
     <message numerus="yes">
         <source>Change drift of %n icebergs</source>
         <translation>
-            <numerusform>Modifier la dérive de %n iceberg</numerusform>
+            <numerusform>Modifier la dérive</numerusform>
             <numerusform>Modifier la dérive de %n icebergs</numerusform>
         </translation>
     </message>
@@ -1881,61 +1877,54 @@
         <source>Any table (CSV)</source>
         <translation>Tableau quelconque (CSV)</translation>
     </message>
-    <message>
-        <source>1 new</source>
-        <translation>1 nouveau</translation>
+    <message numerus="yes">
+        <source>%n new</source>
+        <translation>
+            <numerusform>%n nouveau</numerusform>
+            <numerusform>%n nouveaux</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 new</source>
-        <translation>%1 nouveaux</translation>
+    <message numerus="yes">
+        <source>%n updated</source>
+        <translation>
+            <numerusform>%n mis à jour</numerusform>
+            <numerusform>%n mis à jour</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>1 updated</source>
-        <translation>1 mis à jour</translation>
+    <message numerus="yes">
+        <source>%n unchanged</source>
+        <translation>
+            <numerusform>%n inchangé</numerusform>
+            <numerusform>%n inchangés</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 updated</source>
-        <translation>%1 mis à jour</translation>
+    <message numerus="yes">
+        <source>%n left out</source>
+        <translation>
+            <numerusform>%n omis</numerusform>
+            <numerusform>%n omis</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>1 unchanged</source>
-        <translation>1 inchangé</translation>
+    <message numerus="yes">
+        <source>%n sightings outside the area</source>
+        <translation>
+            <numerusform>%n observation hors de la zone</numerusform>
+            <numerusform>%n observations hors de la zone</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 unchanged</source>
-        <translation>%1 inchangés</translation>
+    <message numerus="yes">
+        <source>%n sightings outside the time</source>
+        <translation>
+            <numerusform>%n observation hors de la période</numerusform>
+            <numerusform>%n observations hors de la période</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>1 left out</source>
-        <translation>1 omis</translation>
-    </message>
-    <message>
-        <source>%1 left out</source>
-        <translation>%1 omis</translation>
-    </message>
-    <message>
-        <source>1 sighting outside the area</source>
-        <translation>1 observation hors de la zone</translation>
-    </message>
-    <message>
-        <source>%1 sightings outside the area</source>
-        <translation>%1 observations hors de la zone</translation>
-    </message>
-    <message>
-        <source>1 sighting outside the time</source>
-        <translation>1 observation hors de la période</translation>
-    </message>
-    <message>
-        <source>%1 sightings outside the time</source>
-        <translation>%1 observations hors de la période</translation>
-    </message>
-    <message>
-        <source>1 row rejected</source>
-        <translation>1 ligne rejetée</translation>
-    </message>
-    <message>
-        <source>%1 rows rejected</source>
-        <translation>%1 lignes rejetées</translation>
+    <message numerus="yes">
+        <source>%n rows rejected</source>
+        <translation>
+            <numerusform>%n ligne rejetée</numerusform>
+            <numerusform>%n lignes rejetées</numerusform>
+        </translation>
     </message>
     <message>
         <source>Nothing to import</source>
@@ -1981,13 +1970,12 @@
         <source>ArduPilot mission (QGC WPL)</source>
         <translation>Mission ArduPilot (QGC WPL)</translation>
     </message>
-    <message>
-        <source>1 UAV</source>
-        <translation>1 drone</translation>
-    </message>
-    <message>
-        <source>%1 UAVs</source>
-        <translation>%1 drones</translation>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n drone</numerusform>
+            <numerusform>%n drones</numerusform>
+        </translation>
     </message>
     <message>
         <source>the area</source>
@@ -2005,21 +1993,19 @@
         <source>UAVs, area and asset (the scenario has its own)</source>
         <translation>drones, zone et bien protégé (le scénario a les siens)</translation>
     </message>
-    <message>
-        <source>1 UAV (too many)</source>
-        <translation>1 drone (de trop)</translation>
+    <message numerus="yes">
+        <source>%n UAVs (too many)</source>
+        <translation>
+            <numerusform>%n drone (de trop)</numerusform>
+            <numerusform>%n drones (de trop)</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 UAVs (too many)</source>
-        <translation>%1 drones (de trop)</translation>
-    </message>
-    <message>
-        <source>1 UAV (more than 1000 km from the origin)</source>
-        <translation>1 drone (à plus de 1000 km de l&apos;origine)</translation>
-    </message>
-    <message>
-        <source>%1 UAVs (more than 1000 km from the origin)</source>
-        <translation>%1 drones (à plus de 1000 km de l&apos;origine)</translation>
+    <message numerus="yes">
+        <source>%n UAVs (more than 1000 km from the origin)</source>
+        <translation>
+            <numerusform>%n drone (à plus de 1000 km de l&apos;origine)</numerusform>
+            <numerusform>%n drones (à plus de 1000 km de l&apos;origine)</numerusform>
+        </translation>
     </message>
     <message>
         <source>an area (unreadable)</source>
@@ -2041,29 +2027,26 @@
         <source>the area (in several parts)</source>
         <translation>la zone (en plusieurs parties)</translation>
     </message>
-    <message>
-        <source>1 further area</source>
-        <translation>1 autre zone</translation>
+    <message numerus="yes">
+        <source>%n further areas</source>
+        <translation>
+            <numerusform>%n autre zone</numerusform>
+            <numerusform>%n autres zones</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 further areas</source>
-        <translation>%1 autres zones</translation>
+    <message numerus="yes">
+        <source>%n holes of the area</source>
+        <translation>
+            <numerusform>%n trou dans la zone</numerusform>
+            <numerusform>%n trous dans la zone</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>1 hole of the area</source>
-        <translation>1 trou dans la zone</translation>
-    </message>
-    <message>
-        <source>%1 holes of the area</source>
-        <translation>%1 trous dans la zone</translation>
-    </message>
-    <message>
-        <source>1 circle of the geofence</source>
-        <translation>1 cercle de la barrière virtuelle</translation>
-    </message>
-    <message>
-        <source>%1 circles of the geofence</source>
-        <translation>%1 cercles de la barrière virtuelle</translation>
+    <message numerus="yes">
+        <source>%n circles of the geofence</source>
+        <translation>
+            <numerusform>%n cercle de la barrière virtuelle</numerusform>
+            <numerusform>%n cercles de la barrière virtuelle</numerusform>
+        </translation>
     </message>
     <message>
         <source>the geofence (too many corners)</source>
@@ -2073,33 +2056,30 @@
         <source>the geofence (a UAV starts or lands outside)</source>
         <translation>la barrière virtuelle (un drone part ou se pose à l&apos;extérieur)</translation>
     </message>
-    <message>
-        <source>1 rally point</source>
-        <translation>1 point de ralliement</translation>
+    <message numerus="yes">
+        <source>%n rally points</source>
+        <translation>
+            <numerusform>%n point de ralliement</numerusform>
+            <numerusform>%n points de ralliement</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 rally points</source>
-        <translation>%1 points de ralliement</translation>
-    </message>
-    <message>
-        <source>1 further asset</source>
-        <translation>1 autre bien protégé</translation>
-    </message>
-    <message>
-        <source>%1 further assets</source>
-        <translation>%1 autres biens protégés</translation>
+    <message numerus="yes">
+        <source>%n further assets</source>
+        <translation>
+            <numerusform>%n autre bien protégé</numerusform>
+            <numerusform>%n autres biens protégés</numerusform>
+        </translation>
     </message>
     <message>
         <source>the asset (more than 1000 km from the origin)</source>
         <translation>le bien protégé (à plus de 1000 km de l&apos;origine)</translation>
     </message>
-    <message>
-        <source>1 number out of range</source>
-        <translation>1 nombre hors limites</translation>
-    </message>
-    <message>
-        <source>%1 numbers out of range</source>
-        <translation>%1 nombres hors limites</translation>
+    <message numerus="yes">
+        <source>%n numbers out of range</source>
+        <translation>
+            <numerusform>%n nombre hors limites</numerusform>
+            <numerusform>%n nombres hors limites</numerusform>
+        </translation>
     </message>
     <message>
         <source>Also from the file: %1</source>
@@ -2109,21 +2089,19 @@
         <source>Left out: %1</source>
         <translation>Omis : %1</translation>
     </message>
-    <message>
-        <source>1 no-fly area</source>
-        <translation>1 zone interdite</translation>
+    <message numerus="yes">
+        <source>%n no-fly areas</source>
+        <translation>
+            <numerusform>%n zone interdite</numerusform>
+            <numerusform>%n zones interdites</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 no-fly areas</source>
-        <translation>%1 zones interdites</translation>
-    </message>
-    <message>
-        <source>1 no-fly area (a UAV starts or lands in it, or its heights are wrong)</source>
-        <translation>1 zone interdite (un drone y part ou s&apos;y pose, ou ses hauteurs sont erronées)</translation>
-    </message>
-    <message>
-        <source>%1 no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
-        <translation>%1 zones interdites (un drone y part ou s&apos;y pose, ou leurs hauteurs sont erronées)</translation>
+    <message numerus="yes">
+        <source>%n no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
+        <translation>
+            <numerusform>%n zone interdite (un drone y part ou s&apos;y pose, ou ses hauteurs sont erronées)</numerusform>
+            <numerusform>%n zones interdites (un drone y part ou s&apos;y pose, ou leurs hauteurs sont erronées)</numerusform>
+        </translation>
     </message>
     <message>
         <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
@@ -3451,18 +3429,6 @@
         </translation>
     </message>
     <message>
-        <source>1 error</source>
-        <translation>1 erreur</translation>
-    </message>
-    <message>
-        <source>1 warning</source>
-        <translation>1 avertissement</translation>
-    </message>
-    <message>
-        <source>1 hint</source>
-        <translation>1 conseil</translation>
-    </message>
-    <message>
         <source>Icebergs outside the area are not monitored; the UAV may fly beyond it.</source>
         <translation>Les icebergs hors de la zone ne sont pas surveillés ; le drone peut voler au-delà.</translation>
     </message>
@@ -4512,14 +4478,10 @@
             <numerusform>Déplacer %n objets</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Move iceberg</source>
-        <translation>Déplacer l&apos;iceberg</translation>
-    </message>
     <message numerus="yes">
         <source>Move %n icebergs</source>
         <translation>
-            <numerusform>Déplacer %n iceberg</numerusform>
+            <numerusform>Déplacer l&apos;iceberg</numerusform>
             <numerusform>Déplacer %n icebergs</numerusform>
         </translation>
     </message>
@@ -6114,10 +6076,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
 </context>
 <context>
     <name>berg::ExampleCard</name>
-    <message>
-        <source>1 iceberg</source>
-        <translation>1 iceberg</translation>
-    </message>
     <message numerus="yes">
         <source>%n icebergs</source>
         <translation>
@@ -6612,13 +6570,9 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message numerus="yes">
         <source>The scenario then holds %n icebergs.</source>
         <translation>
-            <numerusform>Le scénario contient alors %n iceberg.</numerusform>
+            <numerusform>Le scénario contient alors un iceberg.</numerusform>
             <numerusform>Le scénario contient alors %n icebergs.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>The scenario then holds one iceberg.</source>
-        <translation>Le scénario contient alors un iceberg.</translation>
     </message>
     <message>
         <source>none</source>
@@ -7139,14 +7093,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
 </context>
 <context>
     <name>berg::MapView</name>
-    <message>
-        <source>Delete iceberg</source>
-        <translation>Supprimer l&apos;iceberg</translation>
-    </message>
     <message numerus="yes">
         <source>Delete %n icebergs</source>
         <translation>
-            <numerusform>Supprimer %n iceberg</numerusform>
+            <numerusform>Supprimer l&apos;iceberg</numerusform>
             <numerusform>Supprimer %n icebergs</numerusform>
         </translation>
     </message>
@@ -7184,14 +7134,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Remove area</source>
         <translation>Retirer la zone</translation>
     </message>
-    <message>
-        <source>Cut iceberg</source>
-        <translation>Couper l&apos;iceberg</translation>
-    </message>
     <message numerus="yes">
         <source>Cut %n icebergs</source>
         <translation>
-            <numerusform>Couper %n iceberg</numerusform>
+            <numerusform>Couper l&apos;iceberg</numerusform>
             <numerusform>Couper %n icebergs</numerusform>
         </translation>
     </message>
@@ -7203,25 +7149,17 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>What is on the clipboard cannot be pasted. %1</source>
         <translation>Le contenu du presse-papiers ne peut pas être collé. %1</translation>
     </message>
-    <message>
-        <source>Paste iceberg</source>
-        <translation>Coller un iceberg</translation>
-    </message>
     <message numerus="yes">
         <source>Paste %n icebergs</source>
         <translation>
-            <numerusform>Coller %n iceberg</numerusform>
+            <numerusform>Coller un iceberg</numerusform>
             <numerusform>Coller %n icebergs</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Duplicate iceberg</source>
-        <translation>Dupliquer l&apos;iceberg</translation>
     </message>
     <message numerus="yes">
         <source>Duplicate %n icebergs</source>
         <translation>
-            <numerusform>Dupliquer %n iceberg</numerusform>
+            <numerusform>Dupliquer l&apos;iceberg</numerusform>
             <numerusform>Dupliquer %n icebergs</numerusform>
         </translation>
     </message>
@@ -7248,14 +7186,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>The last UAV stays: a scenario has at least one.</source>
         <translation>Le dernier drone reste : un scénario en a au moins un.</translation>
     </message>
-    <message>
-        <source>Duplicate UAV</source>
-        <translation>Dupliquer le drone</translation>
-    </message>
     <message numerus="yes">
         <source>Duplicate %n UAVs</source>
         <translation>
-            <numerusform>Dupliquer %n drone</numerusform>
+            <numerusform>Dupliquer le drone</numerusform>
             <numerusform>Dupliquer %n drones</numerusform>
         </translation>
     </message>
@@ -7922,10 +7856,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Il rentre à la base, est au sol ou en attente : un nouveau plan est établi au décollage ou à la reprise.</translation>
     </message>
     <message>
-        <source>1 visit</source>
-        <translation>1 visite</translation>
-    </message>
-    <message>
         <source>In view</source>
         <translation>En vue</translation>
     </message>
@@ -8511,13 +8441,9 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
     <message numerus="yes">
         <source>%n UAVs</source>
         <translation>
-            <numerusform>%n drone</numerusform>
+            <numerusform>un drone</numerusform>
             <numerusform>%n drones</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>one UAV</source>
-        <translation>un drone</translation>
     </message>
 </context>
 <context>
@@ -8529,14 +8455,10 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
 </context>
 <context>
     <name>berg::ScenarioDialogs</name>
-    <message>
-        <source>Generate iceberg</source>
-        <translation>Générer un iceberg</translation>
-    </message>
     <message numerus="yes">
         <source>Generate %n icebergs</source>
         <translation>
-            <numerusform>Générer %n iceberg</numerusform>
+            <numerusform>Générer un iceberg</numerusform>
             <numerusform>Générer %n icebergs</numerusform>
         </translation>
     </message>
@@ -8610,20 +8532,12 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;All files (*)</source>
         <translation>Observations (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;Tous les fichiers (*)</translation>
     </message>
-    <message>
-        <source>Import 1 iceberg from %1</source>
-        <translation>Importer 1 iceberg de %1</translation>
-    </message>
     <message numerus="yes">
         <source>Import %n icebergs from %1</source>
         <translation>
             <numerusform>Importer %n iceberg de %1</numerusform>
             <numerusform>Importer %n icebergs de %1</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Imported 1 iceberg from %1</source>
-        <translation>1 iceberg importé de %1</translation>
     </message>
     <message numerus="yes">
         <source>Imported %n icebergs from %1</source>
@@ -9105,10 +9019,6 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
 </context>
 <context>
     <name>berg::StudyPicture</name>
-    <message>
-        <source>1 case</source>
-        <translation>1 cas</translation>
-    </message>
     <message numerus="yes">
         <source>%n cases</source>
         <translation>
@@ -9470,10 +9380,6 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <source>Between two values of τ.</source>
         <translation>Entre deux valeurs de τ.</translation>
     </message>
-    <message>
-        <source>1 random scenario</source>
-        <translation>1 scénario aléatoire</translation>
-    </message>
     <message numerus="yes">
         <source>%n random scenarios</source>
         <translation>
@@ -9549,7 +9455,7 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <translation>Plans selon le compromis τ</translation>
     </message>
     <message numerus="yes">
-        <source>%n plan(s)</source>
+        <source>%n plans</source>
         <translation>
             <numerusform>%n plan</numerusform>
             <numerusform>%n plans</numerusform>

@@ -86,6 +86,8 @@ void PreferenceMenus::buildLanguage(QMenu& menu)
 {
     addChoice(menu, tr("Follow system"), u"view/language"_s, u""_s);
     addChoice(menu, u"English"_s, u"view/language"_s, u"en"_s);
+    addChoice(menu, u"Dansk"_s, u"view/language"_s, u"da"_s);
+    addChoice(menu, u"Français"_s, u"view/language"_s, u"fr"_s);
     addChoice(menu, u"Norsk bokmål"_s, u"view/language"_s, u"nb"_s);
     connect(&menu, &QMenu::triggered, this, [this](const QAction* action) {
         settings().setValue("view/language", action->data());

@@ -118,7 +118,7 @@ QString firstDifference(const std::set<QString>& a, const std::set<QString>& b)
 } // namespace
 
 /** Of the languages the program speaks; English is that of the sources. */
-const QStringList kLanguages{u"nb"_s};
+const QStringList kLanguages{u"da"_s, u"fr"_s, u"nb"_s};
 
 QString pathOf(const QString& language)
 {
