@@ -103,7 +103,9 @@ private slots:
     void mnemonicsAreUnique_data()
     {
         QTest::addColumn<QString>("language");
+        QTest::newRow("Danish") << u"da"_s;
         QTest::newRow("English") << u"en"_s;
+        QTest::newRow("French") << u"fr"_s;
         QTest::newRow("Norwegian") << u"nb"_s;
     }
 

@@ -378,7 +378,9 @@ private slots:
     {
         QTest::addColumn<QString>("language");
         QTest::addColumn<int>("longer"); // percent
+        QTest::newRow("Danish") << u"da"_s << 0;
         QTest::newRow("English") << u"en"_s << 0;
+        QTest::newRow("French") << u"fr"_s << 0;
         QTest::newRow("Norwegian") << u"nb"_s << 0;
         QTest::newRow("40 % longer") << u"en"_s << 40;
     }
