@@ -4193,6 +4193,101 @@
     </message>
 </context>
 <context>
+    <name>MapEdits</name>
+    <message numerus="yes">
+        <source>Delete %n objects</source>
+        <translation>
+            <numerusform>Slet %n objekt</numerusform>
+            <numerusform>Slet %n objekter</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete UAV</source>
+        <translation>Slet drone</translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Fjern objekt</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Fjern område</translation>
+    </message>
+    <message>
+        <source>Remove no-fly area</source>
+        <translation>Fjern flyveforbudsområde</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n icebergs</source>
+        <translation>
+            <numerusform>Slet isbjerg</numerusform>
+            <numerusform>Slet %n isbjerge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The last UAV stays: a scenario has at least one.</source>
+        <translation>Den sidste drone bliver: et scenarie har mindst én.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n icebergs</source>
+        <translation>
+            <numerusform>Klip isbjerg</numerusform>
+            <numerusform>Klip %n isbjerge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no icebergs on the clipboard.</source>
+        <translation>Der er ingen isbjerge i udklipsholderen.</translation>
+    </message>
+    <message>
+        <source>What is on the clipboard cannot be pasted. %1</source>
+        <translation>Indholdet af udklipsholderen kan ikke sættes ind. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n icebergs</source>
+        <translation>
+            <numerusform>Sæt isbjerg ind</numerusform>
+            <numerusform>Sæt %n isbjerge ind</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n icebergs</source>
+        <translation>
+            <numerusform>Duplikér isbjerg</numerusform>
+            <numerusform>Duplikér %n isbjerge</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n UAVs</source>
+        <translation>
+            <numerusform>Duplikér drone</numerusform>
+            <numerusform>Duplikér %n droner</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n UAVs.</source>
+        <translation>
+            <numerusform>Et scenarie rummer højst %n drone.</numerusform>
+            <numerusform>Et scenarie rummer højst %n droner.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add UAV</source>
+        <translation>Tilføj drone</translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n icebergs.</source>
+        <translation>
+            <numerusform>Et scenarie rummer højst %n isbjerg.</numerusform>
+            <numerusform>Et scenarie rummer højst %n isbjerge.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add iceberg</source>
+        <translation>Tilføj isbjerg</translation>
+    </message>
+</context>
+<context>
     <name>MapLayoutText</name>
     <message>
         <source>lost</source>
@@ -7093,13 +7188,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
 </context>
 <context>
     <name>berg::MapView</name>
-    <message numerus="yes">
-        <source>Delete %n icebergs</source>
-        <translation>
-            <numerusform>Slet isbjerg</numerusform>
-            <numerusform>Slet %n isbjerge</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Map</source>
         <translation>Kort</translation>
@@ -7119,94 +7207,9 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>%1: σ %2 m² (√σ %3 m), %4</source>
         <translation>%1: σ er %2 m² (√σ %3 m), %4</translation>
     </message>
-    <message numerus="yes">
-        <source>Delete %n objects</source>
-        <translation>
-            <numerusform>Slet %n objekt</numerusform>
-            <numerusform>Slet %n objekter</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Remove asset</source>
-        <translation>Fjern objekt</translation>
-    </message>
-    <message>
-        <source>Remove area</source>
-        <translation>Fjern område</translation>
-    </message>
-    <message numerus="yes">
-        <source>Cut %n icebergs</source>
-        <translation>
-            <numerusform>Klip isbjerg</numerusform>
-            <numerusform>Klip %n isbjerge</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>There are no icebergs on the clipboard.</source>
-        <translation>Der er ingen isbjerge i udklipsholderen.</translation>
-    </message>
-    <message>
-        <source>What is on the clipboard cannot be pasted. %1</source>
-        <translation>Indholdet af udklipsholderen kan ikke sættes ind. %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Paste %n icebergs</source>
-        <translation>
-            <numerusform>Sæt isbjerg ind</numerusform>
-            <numerusform>Sæt %n isbjerge ind</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Duplicate %n icebergs</source>
-        <translation>
-            <numerusform>Duplikér isbjerg</numerusform>
-            <numerusform>Duplikér %n isbjerge</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n icebergs.</source>
-        <translation>
-            <numerusform>Et scenarie rummer højst %n isbjerg.</numerusform>
-            <numerusform>Et scenarie rummer højst %n isbjerge.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add iceberg</source>
-        <translation>Tilføj isbjerg</translation>
-    </message>
     <message>
         <source>drifting %1 towards %2</source>
         <translation>driver %1 mod %2</translation>
-    </message>
-    <message>
-        <source>Delete UAV</source>
-        <translation>Slet drone</translation>
-    </message>
-    <message>
-        <source>The last UAV stays: a scenario has at least one.</source>
-        <translation>Den sidste drone bliver: et scenarie har mindst én.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Duplicate %n UAVs</source>
-        <translation>
-            <numerusform>Duplikér drone</numerusform>
-            <numerusform>Duplikér %n droner</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n UAVs.</source>
-        <translation>
-            <numerusform>Et scenarie rummer højst %n drone.</numerusform>
-            <numerusform>Et scenarie rummer højst %n droner.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add UAV</source>
-        <translation>Tilføj drone</translation>
-    </message>
-    <message>
-        <source>Remove no-fly area</source>
-        <translation>Fjern flyveforbudsområde</translation>
     </message>
 </context>
 <context>

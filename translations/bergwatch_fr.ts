@@ -4193,6 +4193,101 @@
     </message>
 </context>
 <context>
+    <name>MapEdits</name>
+    <message numerus="yes">
+        <source>Delete %n objects</source>
+        <translation>
+            <numerusform>Supprimer %n objet</numerusform>
+            <numerusform>Supprimer %n objets</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete UAV</source>
+        <translation>Supprimer le drone</translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Retirer le bien protégé</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Retirer la zone</translation>
+    </message>
+    <message>
+        <source>Remove no-fly area</source>
+        <translation>Retirer la zone interdite</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n icebergs</source>
+        <translation>
+            <numerusform>Supprimer l&apos;iceberg</numerusform>
+            <numerusform>Supprimer %n icebergs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The last UAV stays: a scenario has at least one.</source>
+        <translation>Le dernier drone reste : un scénario en a au moins un.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n icebergs</source>
+        <translation>
+            <numerusform>Couper l&apos;iceberg</numerusform>
+            <numerusform>Couper %n icebergs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no icebergs on the clipboard.</source>
+        <translation>Il n&apos;y a pas d&apos;icebergs dans le presse-papiers.</translation>
+    </message>
+    <message>
+        <source>What is on the clipboard cannot be pasted. %1</source>
+        <translation>Le contenu du presse-papiers ne peut pas être collé. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n icebergs</source>
+        <translation>
+            <numerusform>Coller un iceberg</numerusform>
+            <numerusform>Coller %n icebergs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n icebergs</source>
+        <translation>
+            <numerusform>Dupliquer l&apos;iceberg</numerusform>
+            <numerusform>Dupliquer %n icebergs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n UAVs</source>
+        <translation>
+            <numerusform>Dupliquer le drone</numerusform>
+            <numerusform>Dupliquer %n drones</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n UAVs.</source>
+        <translation>
+            <numerusform>Un scénario contient au plus %n drone.</numerusform>
+            <numerusform>Un scénario contient au plus %n drones.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add UAV</source>
+        <translation>Ajouter un drone</translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n icebergs.</source>
+        <translation>
+            <numerusform>Un scénario contient au plus %n iceberg.</numerusform>
+            <numerusform>Un scénario contient au plus %n icebergs.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add iceberg</source>
+        <translation>Ajouter un iceberg</translation>
+    </message>
+</context>
+<context>
     <name>MapLayoutText</name>
     <message>
         <source>lost</source>
@@ -7093,13 +7188,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
 </context>
 <context>
     <name>berg::MapView</name>
-    <message numerus="yes">
-        <source>Delete %n icebergs</source>
-        <translation>
-            <numerusform>Supprimer l&apos;iceberg</numerusform>
-            <numerusform>Supprimer %n icebergs</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Map</source>
         <translation>Carte</translation>
@@ -7119,94 +7207,9 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>%1: σ %2 m² (√σ %3 m), %4</source>
         <translation>%1 : σ %2 m² (√σ %3 m), %4</translation>
     </message>
-    <message numerus="yes">
-        <source>Delete %n objects</source>
-        <translation>
-            <numerusform>Supprimer %n objet</numerusform>
-            <numerusform>Supprimer %n objets</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Remove asset</source>
-        <translation>Retirer le bien protégé</translation>
-    </message>
-    <message>
-        <source>Remove area</source>
-        <translation>Retirer la zone</translation>
-    </message>
-    <message numerus="yes">
-        <source>Cut %n icebergs</source>
-        <translation>
-            <numerusform>Couper l&apos;iceberg</numerusform>
-            <numerusform>Couper %n icebergs</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>There are no icebergs on the clipboard.</source>
-        <translation>Il n&apos;y a pas d&apos;icebergs dans le presse-papiers.</translation>
-    </message>
-    <message>
-        <source>What is on the clipboard cannot be pasted. %1</source>
-        <translation>Le contenu du presse-papiers ne peut pas être collé. %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Paste %n icebergs</source>
-        <translation>
-            <numerusform>Coller un iceberg</numerusform>
-            <numerusform>Coller %n icebergs</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Duplicate %n icebergs</source>
-        <translation>
-            <numerusform>Dupliquer l&apos;iceberg</numerusform>
-            <numerusform>Dupliquer %n icebergs</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n icebergs.</source>
-        <translation>
-            <numerusform>Un scénario contient au plus %n iceberg.</numerusform>
-            <numerusform>Un scénario contient au plus %n icebergs.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add iceberg</source>
-        <translation>Ajouter un iceberg</translation>
-    </message>
     <message>
         <source>drifting %1 towards %2</source>
         <translation>dérive de %1 vers %2</translation>
-    </message>
-    <message>
-        <source>Delete UAV</source>
-        <translation>Supprimer le drone</translation>
-    </message>
-    <message>
-        <source>The last UAV stays: a scenario has at least one.</source>
-        <translation>Le dernier drone reste : un scénario en a au moins un.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Duplicate %n UAVs</source>
-        <translation>
-            <numerusform>Dupliquer le drone</numerusform>
-            <numerusform>Dupliquer %n drones</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n UAVs.</source>
-        <translation>
-            <numerusform>Un scénario contient au plus %n drone.</numerusform>
-            <numerusform>Un scénario contient au plus %n drones.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add UAV</source>
-        <translation>Ajouter un drone</translation>
-    </message>
-    <message>
-        <source>Remove no-fly area</source>
-        <translation>Retirer la zone interdite</translation>
     </message>
 </context>
 <context>
