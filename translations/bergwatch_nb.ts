@@ -813,6 +813,22 @@
         <source>What</source>
         <translation>Hva</translation>
     </message>
+    <message>
+        <source>Flight log</source>
+        <translation>Flygelogg</translation>
+    </message>
+    <message>
+        <source>Two or three pages: planned and flown, map, zeta against prediction, sightings, deviations.</source>
+        <translation>To eller tre sider: planlagt og fløyet, kart, zeta mot prognosen, observasjoner, avvik.</translation>
+    </message>
+    <message>
+        <source>Browsers</source>
+        <translation>Nettlesere</translation>
+    </message>
+    <message>
+        <source>Page with planned and flown, zeta against prediction, all sightings and deviations, in English.</source>
+        <translation>Side med planlagt og fløyet, zeta mot prognosen, alle observasjoner og avvik, på engelsk.</translation>
+    </message>
 </context>
 <context>
     <name>FieldNames</name>
@@ -867,6 +883,22 @@
     <message>
         <source>Origin</source>
         <translation>Origo</translation>
+    </message>
+    <message>
+        <source>Airspace</source>
+        <translation>Luftrom</translation>
+    </message>
+    <message>
+        <source>Corner of the airspace</source>
+        <translation>Hjørne av luftrommet</translation>
+    </message>
+    <message>
+        <source>Start of the airspace</source>
+        <translation>Luftrommets start</translation>
+    </message>
+    <message>
+        <source>End of the airspace</source>
+        <translation>Luftrommets slutt</translation>
     </message>
 </context>
 <context>
@@ -3228,6 +3260,202 @@
         <source>Pattern that finds an iceberg which was not where it was believed to be.</source>
         <translation>Mønster som finner et isfjell som ikke var der en trodde.</translation>
     </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margin</translation>
+    </message>
+    <message>
+        <source>Round all places that a plan may lead to, for turns and changes of the plan. With a geofence it is not used.</source>
+        <translation>Rundt alle steder en plan kan føre til, for svinger og endringer av planen. Med geogjerde brukes den ikke.</translation>
+    </message>
+    <message>
+        <source>UAV size</source>
+        <translation>UAV-ens størrelse</translation>
+    </message>
+    <message>
+        <source>Largest dimension of a UAV, half of it widens the ground-risk buffer.</source>
+        <translation>Største mål på en UAV; halvparten gjør bakkerisikobufferen bredere.</translation>
+    </message>
+    <message>
+        <source>Satellite position error</source>
+        <translation>Feil i satellittposisjon</translation>
+    </message>
+    <message>
+        <source>Part of the width of the contingency volume. Source: Digisky 3.3.0, after the guide of the Swiss FOCA: 3 m.</source>
+        <translation>Del av beredskapsvolumets bredde. Kilde: Digisky 3.3.0, etter veiledningen fra sveitsiske FOCA: 3 m.</translation>
+    </message>
+    <message>
+        <source>Path-keeping error</source>
+        <translation>Feil i banefølging</translation>
+    </message>
+    <message>
+        <source>Of the autopilot, likewise. Same source: 3 m.</source>
+        <translation>Autopilotens, likeså. Samme kilde: 3 m.</translation>
+    </message>
+    <message>
+        <source>Map error</source>
+        <translation>Kartfeil</translation>
+    </message>
+    <message>
+        <source>Likewise. Same source: 1 m.</source>
+        <translation>Likeså. Samme kilde: 1 m.</translation>
+    </message>
+    <message>
+        <source>Reaction time</source>
+        <translation>Reaksjonstid</translation>
+    </message>
+    <message>
+        <source>At full speed until something is done. Same source: 1 s.</source>
+        <translation>I full fart til noe blir gjort. Samme kilde: 1 s.</translation>
+    </message>
+    <message>
+        <source>Bank of the turn back</source>
+        <translation>Krengning i vendingen tilbake</translation>
+    </message>
+    <message>
+        <source>Radius v²/(g tan bank). Same source: 30°.</source>
+        <translation>Radius v²/(g tan krengning). Samme kilde: 30°.</translation>
+    </message>
+    <message>
+        <source>Height error</source>
+        <translation>Høydefeil</translation>
+    </message>
+    <message>
+        <source>Part of the height of the contingency volume. Same source: 4 m.</source>
+        <translation>Del av beredskapsvolumets høyde. Samme kilde: 4 m.</translation>
+    </message>
+    <message>
+        <source>Climb part</source>
+        <translation>Stigeandel</translation>
+    </message>
+    <message>
+        <source>Part of the speed that leads upwards during the reaction time. Same source: 0.707, a climb of 45°.</source>
+        <translation>Andel av farten som fører oppover i reaksjonstiden. Samme kilde: 0,707, en stigning på 45°.</translation>
+    </message>
+    <message>
+        <source>Pull-up part</source>
+        <translation>Utflatingsandel</translation>
+    </message>
+    <message>
+        <source>Part of v²/g that levelling out takes. Same source: 0.3.</source>
+        <translation>Andel av v²/g som utflatingen krever. Samme kilde: 0,3.</translation>
+    </message>
+    <message>
+        <source>Buffer ratio</source>
+        <translation>Bufferforhold</translation>
+    </message>
+    <message>
+        <source>Width of the ground-risk buffer by the height of the contingency volume. Same source: 1, the rule 1:1.</source>
+        <translation>Bakkerisikobufferens bredde delt på beredskapsvolumets høyde. Samme kilde: 1, regelen 1:1.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, time</source>
+        <translation>Tilstøtende område, tid</translation>
+    </message>
+    <message>
+        <source>Of flight at full speed. Same source: 180 s.</source>
+        <translation>Flytid i full fart. Samme kilde: 180 s.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, least</source>
+        <translation>Tilstøtende område, minst</translation>
+    </message>
+    <message>
+        <source>Same source: 5 km.</source>
+        <translation>Samme kilde: 5 km.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, most</source>
+        <translation>Tilstøtende område, mest</translation>
+    </message>
+    <message>
+        <source>Same source: 35 km.</source>
+        <translation>Samme kilde: 35 km.</translation>
+    </message>
+    <message>
+        <source>Crew</source>
+        <translation>Mannskap</translation>
+    </message>
+    <message>
+        <source>Who flies, printed in the flight brief; empty: a blank line.</source>
+        <translation>Hvem som flyr, trykkes på flygearket; tomt: en blank linje.</translation>
+    </message>
+    <message>
+        <source>Call sign</source>
+        <translation>Kallesignal</translation>
+    </message>
+    <message>
+        <source>Likewise.</source>
+        <translation>Likeså.</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakter</translation>
+    </message>
+    <message>
+        <source>Ship, air traffic service, rescue: names, numbers, frequencies.</source>
+        <translation>Skip, lufttrafikktjeneste, redning: navn, numre, frekvenser.</translation>
+    </message>
+    <message>
+        <source>Command link</source>
+        <translation>Kommandolink</translation>
+    </message>
+    <message>
+        <source>How the UAVs are commanded, and what they do without it.</source>
+        <translation>Hvordan UAV-ene styres, og hva de gjør uten den.</translation>
+    </message>
+    <message>
+        <source>Checklist</source>
+        <translation>Sjekkliste</translation>
+    </message>
+    <message>
+        <source>One line for each item, printed with a box to tick.</source>
+        <translation>En linje for hvert punkt, trykkes med en rute å krysse av.</translation>
+    </message>
+    <message>
+        <source>Change operation</source>
+        <translation>Endre operasjonen</translation>
+    </message>
+    <message>
+        <source>Operation volume</source>
+        <translation>Operasjonsvolum</translation>
+    </message>
+    <message>
+        <source>Proposal for an application for a permit, to be checked with your authority: on the map, in KML and GeoJSON, and as a second page of the flight brief.</source>
+        <translation>Forslag til en søknad om tillatelse, som må avklares med myndigheten: på kartet, i KML og GeoJSON, og som andre side av flygearket.</translation>
+    </message>
+    <message>
+        <source>Contingency volume %1 wide, %2 high
+Ground-risk buffer %3
+Adjacent area %4</source>
+        <translation>Beredskapsvolum %1 bredt, %2 høyt
+Bakkerisikobuffer %3
+Tilstøtende område %4</translation>
+    </message>
+    <message>
+        <source>Airspace %1: %2</source>
+        <translation>Luftrom %1: %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>og %1 til</translation>
+    </message>
+    <message>
+        <source>Airspace that the operation may enter becomes no-fly areas: then the UAVs keep out of it.</source>
+        <translation>Luftrom som operasjonen kan komme inn i, blir flyforbudsområder: da holder UAV-ene seg utenfor.</translation>
+    </message>
+    <message>
+        <source>Make entered airspace no-fly areas</source>
+        <translation>Gjør berørt luftrom til flyforbudsområder</translation>
+    </message>
+    <message>
+        <source>All of it; undo brings it back.</source>
+        <translation>Alt sammen; angre henter det tilbake.</translation>
+    </message>
+    <message>
+        <source>Remove airspace</source>
+        <translation>Fjern luftrom</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -4060,6 +4288,161 @@
         <source>names an iceberg, but the run holds none</source>
         <translation>viser til et isfjell, men kjøringen har ingen</translation>
     </message>
+    <message>
+        <source>A scenario holds at most %2 airspace areas, not %3.</source>
+        <translation>Et scenario har høyst %2 luftromsområder, ikke %3.</translation>
+    </message>
+    <message>
+        <source>The operation may enter the airspace &quot;%2&quot;, which begins at %3.</source>
+        <translation>Operasjonen kan komme inn i luftrommet «%2», som begynner i %3.</translation>
+    </message>
+    <message>
+        <source>airspace left out: a place or an arc cannot be read</source>
+        <translation>luftrom utelatt: et sted eller en bue kan ikke leses</translation>
+    </message>
+    <message>
+        <source>airspace left out: its outline touches or crosses itself, has too many corners, or the ceiling is not above the floor</source>
+        <translation>luftrom utelatt: omrisset berører eller krysser seg selv, har for mange hjørner, eller taket er ikke over gulvet</translation>
+    </message>
+    <message>
+        <source>is no airspace: neither OpenAir nor GeoJSON</source>
+        <translation>er ikke luftrom: verken OpenAir eller GeoJSON</translation>
+    </message>
+    <message>
+        <source>holds no airspace</source>
+        <translation>inneholder ikke luftrom</translation>
+    </message>
+</context>
+<context>
+    <name>LogText</name>
+    <message>
+        <source>Flight log: %1</source>
+        <translation>Flygelogg: %1</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>aldri</translation>
+    </message>
+    <message>
+        <source>Start, UTC</source>
+        <translation>Start, UTC</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Until, UTC</source>
+        <translation>Til, UTC</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Til</translation>
+    </message>
+    <message>
+        <source>Zeta flown</source>
+        <translation>Zeta fløyet</translation>
+    </message>
+    <message>
+        <source>Predicted before take-off</source>
+        <translation>Forutsagt før avgang</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøk</translation>
+    </message>
+    <message>
+        <source>Plans made</source>
+        <translation>Planer laget</translation>
+    </message>
+    <message>
+        <source>Planned by</source>
+        <translation>Planlagt av</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Frø</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Program</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>UAV</translation>
+    </message>
+    <message>
+        <source>Visits planned</source>
+        <translation>Besøk planlagt</translation>
+    </message>
+    <message>
+        <source>flown</source>
+        <translation>fløyet</translation>
+    </message>
+    <message>
+        <source>Distance planned</source>
+        <translation>Strekning planlagt</translation>
+    </message>
+    <message>
+        <source>Time planned</source>
+        <translation>Tid planlagt</translation>
+    </message>
+    <message>
+        <source>aloft</source>
+        <translation>i luften</translation>
+    </message>
+    <message>
+        <source>Outside the geography</source>
+        <translation>Utenfor geografien</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>First seen</source>
+        <translation>Først sett</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Sist sett</translation>
+    </message>
+    <message>
+        <source>Longest unseen</source>
+        <translation>Lengst usett</translation>
+    </message>
+    <message>
+        <source>σ at the end, m²</source>
+        <translation>σ til slutt, m²</translation>
+    </message>
+    <message>
+        <source>Something was changed in flight: the prediction was for another flight.</source>
+        <translation>Noe ble endret under flygingen: prognosen gjaldt en annen flyging.</translation>
+    </message>
+    <message>
+        <source>None on record.</source>
+        <translation>Ingen registrert.</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>Observasjoner</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Avvik</translation>
+    </message>
+    <message>
+        <source>and %1 more; all of them: export log-html</source>
+        <translation>og %1 til; alle: eksporter log-html</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the first plan as a file of the format wpl</source>
+        <translation>SHA-256 av den første planen som fil i formatet wpl</translation>
+    </message>
+    <message>
+        <source>Nothing was flown</source>
+        <translation>Ingenting ble fløyet</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -4516,6 +4899,46 @@
         <source>Place to search</source>
         <translation>Sted å lete</translation>
     </message>
+    <message>
+        <source>Airspace, for information</source>
+        <translation>Luftrom, til orientering</translation>
+    </message>
+    <message>
+        <source>Airspace</source>
+        <translation>Luftrom</translation>
+    </message>
+    <message>
+        <source>Flight geography, proposal</source>
+        <translation>Flygeografi, forslag</translation>
+    </message>
+    <message>
+        <source>Flight geography</source>
+        <translation>Flygeografi</translation>
+    </message>
+    <message>
+        <source>Contingency volume, proposal</source>
+        <translation>Beredskapsvolum, forslag</translation>
+    </message>
+    <message>
+        <source>Contingency</source>
+        <translation>Beredskap</translation>
+    </message>
+    <message>
+        <source>Ground-risk buffer, proposal</source>
+        <translation>Bakkerisikobuffer, forslag</translation>
+    </message>
+    <message>
+        <source>Risk buffer</source>
+        <translation>Risikobuffer</translation>
+    </message>
+    <message>
+        <source>Adjacent area, proposal</source>
+        <translation>Tilstøtende område, forslag</translation>
+    </message>
+    <message>
+        <source>Adjacent area</source>
+        <translation>Tilstøtende område</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -4838,6 +5261,117 @@
     <message>
         <source>Home margin</source>
         <translation>Margin hjem</translation>
+    </message>
+</context>
+<context>
+    <name>OperationPage</name>
+    <message>
+        <source>Largest speed over ground</source>
+        <translation>Største fart over grunnen</translation>
+    </message>
+    <message>
+        <source>Flight geography, height</source>
+        <translation>Flygeografi, høyde</translation>
+    </message>
+    <message>
+        <source>Contingency volume, height</source>
+        <translation>Beredskapsvolum, høyde</translation>
+    </message>
+    <message>
+        <source>Contingency volume, width</source>
+        <translation>Beredskapsvolum, bredde</translation>
+    </message>
+    <message>
+        <source>Ground-risk buffer, width</source>
+        <translation>Bakkerisikobuffer, bredde</translation>
+    </message>
+    <message>
+        <source>Adjacent area, width</source>
+        <translation>Tilstøtende område, bredde</translation>
+    </message>
+    <message>
+        <source>Flight geography: inside of the geofence.</source>
+        <translation>Flygeografi: innsiden av geogjerdet.</translation>
+    </message>
+    <message>
+        <source>Flight geography: all places that a plan may lead to, and %1 m round them.</source>
+        <translation>Flygeografi: alle steder en plan kan føre til, og %1 m rundt dem.</translation>
+    </message>
+    <message>
+        <source>Formulas and usual constants: calculator of Digisky 3.3.0, after the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
+        <translation>Formler og vanlige konstanter: kalkulatoren til Digisky 3.3.0, etter veiledningen fra sveitsiske FOCA; ikke en myndighets egen tekst.</translation>
+    </message>
+    <message>
+        <source>The outlines are in the KML, KMZ and GeoJSON exports.</source>
+        <translation>Omrissene er i eksporten til KML, KMZ og GeoJSON.</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>UAV</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Utholdenhet</translation>
+    </message>
+    <message>
+        <source>Reserve</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>Wind limit</source>
+        <translation>Vindgrense</translation>
+    </message>
+    <message>
+        <source>Gust limit</source>
+        <translation>Grense for vindkast</translation>
+    </message>
+    <message>
+        <source>Icing conditions</source>
+        <translation>Isingsforhold</translation>
+    </message>
+    <message>
+        <source>flown in</source>
+        <translation>kan flys</translation>
+    </message>
+    <message>
+        <source>not flown in</source>
+        <translation>flys ikke</translation>
+    </message>
+    <message>
+        <source>Made by Bergwatch from the scenario. It says nothing about whether the operation may be flown.</source>
+        <translation>Laget av Bergwatch ut fra scenariet. Det sier ikke om operasjonen kan flys.</translation>
+    </message>
+    <message>
+        <source>Checklist</source>
+        <translation>Sjekkliste</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>og %1 til</translation>
+    </message>
+    <message>
+        <source>Operation volume: proposal, to be checked with your authority</source>
+        <translation>Operasjonsvolum: forslag, må avklares med myndigheten</translation>
+    </message>
+    <message>
+        <source>Crew</source>
+        <translation>Mannskap</translation>
+    </message>
+    <message>
+        <source>Call sign</source>
+        <translation>Kallesignal</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakter</translation>
+    </message>
+    <message>
+        <source>Command link</source>
+        <translation>Kommandolink</translation>
+    </message>
+    <message>
+        <source>Date and signatures</source>
+        <translation>Dato og underskrifter</translation>
     </message>
 </context>
 <context>
@@ -6462,12 +6996,12 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>Exports the charts of the run as a page.</source>
-        <translation>Eksporterer kurvene fra flygingen som en side.</translation>
-    </message>
-    <message>
         <source>%1 m² s</source>
         <translation>%1 m² s</translation>
+    </message>
+    <message>
+        <source>Exports the log of the run: planned and flown, sightings, deviations.</source>
+        <translation>Eksporterer flygeloggen: planlagt og fløyet, observasjoner, avvik.</translation>
     </message>
 </context>
 <context>
@@ -7123,6 +7657,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Drift horizon</source>
         <translation>Drifthorisont</translation>
     </message>
+    <message>
+        <source>Airspace and operation volume</source>
+        <translation>Luftrom og operasjonsvolum</translation>
+    </message>
 </context>
 <context>
     <name>berg::MainWindow</name>
@@ -7645,6 +8183,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Find or &amp;go to…</source>
         <translation>Finn eller &amp;gå til …</translation>
+    </message>
+    <message>
+        <source>Import airspa&amp;ce...</source>
+        <translation>Importer luft&amp;rom …</translation>
+    </message>
+    <message>
+        <source>Flight &amp;log...</source>
+        <translation>Flyge&amp;logg …</translation>
     </message>
 </context>
 <context>
@@ -8528,10 +9074,6 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
 <context>
     <name>berg::SightingsImport</name>
     <message>
-        <source>In flight no sightings can be imported. Stop the flight to import them.</source>
-        <translation>Under flygingen kan ingen observasjoner importeres. Stopp flygingen for å importere dem.</translation>
-    </message>
-    <message>
         <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;All files (*)</source>
         <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
     </message>
@@ -8548,6 +9090,22 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
             <numerusform>Importerte %n isfjell fra %1</numerusform>
             <numerusform>Importerte %n isfjell fra %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>In flight nothing can be imported. Stop the flight to import it.</source>
+        <translation>Under en flyging kan ingenting importeres. Stopp flygingen for å importere.</translation>
+    </message>
+    <message>
+        <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;All files (*)</source>
+        <translation>Luftrom: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Import airspace from %1</source>
+        <translation>Importer luftrom fra %1</translation>
+    </message>
+    <message>
+        <source>Airspace of %1: %2 areas added, %3 there already, %4 farther than 100 km, %5 left out</source>
+        <translation>Luftrom fra %1: %2 områder lagt til, %3 fantes alt, %4 lenger unna enn 100 km, %5 utelatt</translation>
     </message>
 </context>
 <context>

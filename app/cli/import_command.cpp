@@ -3,9 +3,11 @@
 #include "app/cli/output_gate.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
+#include "core/io/import/import_airspace.h"
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_report.h"
 #include "core/io/text/atomic_file.h"
+#include "core/io/text/json_writer.h"
 #include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>
@@ -45,12 +47,14 @@ constexpr std::array<Named<DateOrder>, 2> kDateOrderNames{{
     {DateOrder::DayFirst, "day-first"},
 }};
 
+constexpr const char* kAirspaceFormat = "airspace"; ///< no sightings: added to a scenario
+
 std::string formatList()
 {
     std::string ids = "auto";
     for (const ImportFormat& format : importFormats())
         ids += ", " + std::string(format.id);
-    return ids;
+    return ids + ", " + kAirspaceFormat;
 }
 
 std::optional<UtcTime> timeOf(const std::string& option, const std::string& text)
@@ -218,8 +222,50 @@ imported(const ImportArguments& arguments, const ReadOptions& formats, const Imp
     }
 }
 
+/** What of the file was not taken, on stderr, and how much was. */
+std::string airspaceSummary(const std::string& file, const AirspaceResult& result)
+{
+    for (const RejectedRow& row : result.rejected.first)
+        tell(word(file) + ": line " + std::to_string(row.line) + ": " + englishText(reasonOf(row)));
+    std::string text = "added      " + std::to_string(result.added) + " areas\n";
+    if (result.known > 0)
+        text += "known      " + std::to_string(result.known) + " areas\n";
+    if (result.far > 0)
+        text += "left out   " + std::to_string(result.far) + " areas farther than 100 km\n";
+    if (result.tooMany > 0)
+        text += "left out   " + std::to_string(result.tooMany) + " areas: a scenario holds " +
+                std::to_string(kMostAirspaceAreas) + '\n';
+    return text;
+}
+
+int importAirspaceFile(const ImportArguments& arguments)
+{
+    if (arguments.intoFile.empty())
+        throw UsageError{"--format airspace needs --into, the scenario that it is added to"};
+    checkFiles({.inputs = {arguments.file},
+                .outputs = {{.option = "--output", .path = arguments.outputFile}},
+                .force = arguments.force,
+                .json = arguments.json});
+    const AirspaceResult result = reading([&] {
+        return importAirspace(loadScenario(arguments.intoFile), readFile(arguments.file),
+                              arguments.file);
+    });
+    const NewFile file{.path = arguments.outputFile, .content = scenarioToJson(result.scenario)};
+    JsonObject json;
+    json.add("added", result.added);
+    json.add("known", result.known);
+    json.add("far", result.far);
+    json.add("too_many", result.tooMany);
+    json.add("rejected", result.rejected.count);
+    deliver({&file, 1},
+            arguments.json ? json.inLines(0) + '\n' : airspaceSummary(arguments.file, result));
+    return kDone;
+}
+
 int importFile(const ImportArguments& arguments)
 {
+    if (arguments.format == kAirspaceFormat)
+        return importAirspaceFile(arguments);
     if (arguments.format != "auto" && findImportFormat(arguments.format) == nullptr)
         throw UsageError{"--format: " + arguments.format + " is none of " + formatList()};
     ReadOptions formats{.format = arguments.format, .mapping = {}, .dates = arguments.dates};

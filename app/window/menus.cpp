@@ -89,6 +89,8 @@ void Menus::buildFileMenu()
         {"importAction", tr("&Import sightings..."), QKeySequence(Qt::CTRL | Qt::Key_I),
          std::nullopt},
         [this] { m_targets.sightings.chooseSightings(); });
+    add(menu, {"airspaceAction", tr("Import airspa&ce..."), {}, std::nullopt},
+        [this] { m_targets.sightings.chooseAirspace(); });
     menu.addSeparator();
     add(menu, {"saveAction", tr("&Save"), QKeySequence::Save, IconName::Save},
         [this] { m_targets.files.saveScenario(); });

@@ -4,10 +4,14 @@
 #include "app/window/panels.h"
 #include "app/window/scenario_files.h"
 #include "app/window/start_guide.h"
+#include "core/io/import/import_airspace.h"
+#include "core/io/text/atomic_file.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
+#include "widgets/words/error_text.h"
 
 #include <QDropEvent>
+#include <QFile>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMimeData>
@@ -41,7 +45,7 @@ bool SightingsImport::mayImport()
 {
     if (!workspace().inFlight())
         return true;
-    showMessage(tr("In flight no sightings can be imported. Stop the flight to import them."),
+    showMessage(tr("In flight nothing can be imported. Stop the flight to import it."),
                 kMessage_ms);
     return false;
 }
@@ -56,6 +60,36 @@ void SightingsImport::chooseSightings()
            "All files (*)"));
     if (!path.isEmpty())
         importSightings(path);
+}
+
+void SightingsImport::chooseAirspace()
+{
+    if (!mayImport())
+        return;
+    const QString path = interaction().openPath(
+        &window(), tr("Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;"
+                      "All files (*)"));
+    if (path.isEmpty() || !mayImport())
+        return;
+    panels().finishTyping();
+    const QString name = QFileInfo(path).fileName();
+    try {
+        AirspaceResult result =
+            importAirspace(workspace().document().scenario(),
+                           readFile(QFile::encodeName(path).toStdString()), name.toStdString());
+        if (result.added > 0)
+            workspace().document().edit(
+                tr("Import airspace from %1").arg(name),
+                [&](Scenario& scenario) { scenario = std::move(result.scenario); });
+        showMessage(tr("Airspace of %1: %2 areas added, %3 there already, %4 farther than 100 km, "
+                       "%5 left out")
+                        .arg(name, QString::number(result.added), QString::number(result.known),
+                             QString::number(result.far),
+                             QString::number(result.tooMany + result.rejected.count)),
+                    kMessage_ms);
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+    }
 }
 
 void SightingsImport::importSightings(const QString& path)

@@ -17,6 +17,7 @@ public:
     SightingsImport(WindowContext& context, ScenarioFiles& files, StartGuide& start);
 
     void chooseSightings();
+    void chooseAirspace();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -28,7 +28,8 @@ enum class IssueId
     NotUtcTime,
     AreaCorners, ///< most, count
     AreaNotSimple,
-    NoFlyCount, ///< most, count
+    NoFlyCount,    ///< most, count
+    AirspaceCount, ///< the same
     IdEmpty,
     IdTaken,      ///< the id, path of its owner
     UavCount,     ///< most, count
@@ -75,9 +76,10 @@ enum class IssueId
     WindLimit, ///< wind, limit
     GustLimit, ///< gusts, limit
     Icing,
-    CrowdedReturn, ///< seconds that waiting for other UAVs may take
-    ThinReserve,   ///< seconds of the reserve that are used
-    NoContact,     ///< seconds
+    CrowdedReturn,   ///< seconds that waiting for other UAVs may take
+    ThinReserve,     ///< seconds of the reserve that are used
+    NoContact,       ///< seconds
+    AirspaceEntered, ///< its kind and name, floor in metres
     FenceUnplanned,
     UavOutside,
     WideTurn,

@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/plan/solve/engine.h"
+#include "core/scenario/airspace.h"
 #include "core/scenario/checks.h"
 #include "core/scenario/drift_advice.h"
 #include "core/scenario/fence.h"
@@ -100,6 +101,8 @@ public:
         adviseLayers();
         for (const Flyer& flyer : m_flyers)
             adviseEndurance(flyer);
+        for (Issue& issue : airspaceIssues(m_s))
+            m_issues.push_back(std::move(issue));
         for (Issue& issue : weatherIssues(m_s))
             m_issues.push_back(std::move(issue));
         adviseFences();
@@ -188,7 +191,9 @@ void Adviser::adviseUnused()
     const auto hasExtra = [](const auto& part) { return !part.extraJson.empty(); };
     if (hasExtra(m_s) || !m_s.plannerExtraJson.empty() || !m_s.originExtraJson.empty() ||
         !m_s.observerExtraJson.empty() || (m_s.asset && hasExtra(*m_s.asset)) ||
-        hasExtra(m_s.weather) || (m_s.groundStation && hasExtra(*m_s.groundStation)) ||
+        hasExtra(m_s.weather) || (m_s.operation && hasExtra(*m_s.operation)) ||
+        std::any_of(m_s.airspace.begin(), m_s.airspace.end(), hasExtra) ||
+        (m_s.groundStation && hasExtra(*m_s.groundStation)) ||
         std::any_of(m_s.noFly.begin(), m_s.noFly.end(), hasExtra) ||
         std::any_of(m_s.uavs.begin(), m_s.uavs.end(), hasExtra) ||
         std::any_of(m_s.icebergs.begin(), m_s.icebergs.end(), [](const Iceberg& iceberg) {

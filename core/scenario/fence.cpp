@@ -1,37 +1,12 @@
 #include "core/scenario/fence.h"
 
 #include "core/base/angles.h"
+#include "core/base/outline.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace berg {
-
-namespace {
-
-/** Counter-clockwise, without corners on its edges. */
-std::vector<Point> convexHull(std::vector<Point> points)
-{
-    std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
-        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-    });
-    std::vector<Point> hull;
-    for (const bool isUpper : {false, true}) {
-        const std::size_t first = hull.size();
-        for (const Point& point : points) {
-            while (hull.size() >= first + 2 &&
-                   cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0)
-                hull.pop_back();
-            hull.push_back(point);
-        }
-        hull.pop_back(); // the first one of the other half
-        if (!isUpper)
-            std::reverse(points.begin(), points.end());
-    }
-    return hull;
-}
-
-} // namespace
 
 std::optional<NoFlyArea> standoffArea(const Asset& asset, double duration_s)
 {

@@ -18,6 +18,7 @@ inline constexpr std::size_t kMostIcebergs = 1000;
 inline constexpr std::size_t kMostUavs = 100;
 inline constexpr std::size_t kMostAreaCorners = 2000;
 inline constexpr std::size_t kMostNoFlyAreas = 100;
+inline constexpr std::size_t kMostAirspaceAreas = 200;
 inline constexpr std::size_t kMostTrackPoints = 10'000; ///< of one iceberg
 
 inline constexpr double kLargestCoordinate_m = 1e6;
@@ -64,6 +65,9 @@ inline constexpr Limits kSensorInterval_s{.low = 0, .high = 60};
 inline constexpr Limits kDetection{.low = 0, .high = 1, .above = true};
 inline constexpr Limits kTau{.low = 0, .high = 100};
 inline constexpr Limits kPlanningDelay_s{.low = 0, .high = 3600};
+inline constexpr Limits kSmallError_m{.low = 0, .high = 1000}; ///< of a position or a height
+inline constexpr Limits kReaction_s{.low = 0, .high = 600};
+inline constexpr Limits kPart{.low = 0, .high = 10}; ///< of a term of a formula
 } // namespace limits
 
 } // namespace berg

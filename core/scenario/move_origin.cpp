@@ -63,6 +63,9 @@ void keepPlaces(Scenario& scenario, const PlaneChange& change)
     for (NoFlyArea& area : scenario.noFly)
         for (Point& corner_m : area.corners_m)
             corner_m = change(corner_m);
+    for (AirspaceArea& area : scenario.airspace)
+        for (Point& corner_m : area.corners_m)
+            corner_m = change(corner_m);
     if (scenario.groundStation)
         scenario.groundStation->position_m = change(scenario.groundStation->position_m);
     for (Uav& uav : scenario.uavs) {

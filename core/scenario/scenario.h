@@ -150,11 +150,56 @@ struct ScenarioWorld : ScenarioMotion
     bool operator==(const ScenarioWorld&) const = default;
 };
 
+/**
+ * What an application for a permit is made of: constants of the volume that the flights are kept
+ * within (`operationVolume`, which has the formulas and their source), and what people fill in.
+ */
+struct Operation
+{
+    double margin_m = 500; ///< round the places that plans lead to, for turns and changes
+    double span_m = 3;     ///< largest dimension of a UAV
+    double positionError_m = 3;
+    double pathError_m = 3; ///< of the autopilot
+    double mapError_m = 1;
+    double reaction_s = 1;
+    double turnBank_deg = 30; ///< in the turn back
+    double heightError_m = 4;
+    double climbPart = 0.707; ///< of the speed that leads upwards until there is a reaction
+    double pullUpPart = 0.3;  ///< of v^2/g that levelling out takes
+    double bufferRatio = 1;   ///< width of the buffer by the height it is fallen from
+    double adjacent_s = 180;  ///< of flight, within the next two
+    double adjacentLeast_m = 5000;
+    double adjacentMost_m = 35000;
+    std::string crew;
+    std::string callSign;
+    std::string contacts;
+    std::string link; ///< how UAVs are commanded
+    std::string checklist;
+    std::string extraJson;
+    bool operator==(const Operation&) const = default;
+};
+
+/** Airspace that has a rule: told when the operation enters it, but flown into all the same. */
+struct AirspaceArea
+{
+    std::string name;
+    std::string kind; ///< class or type, as its source has it: "D", "R", "TRA", ...
+    std::vector<Point> corners_m;
+    double floor_m = 0;
+    std::optional<double> ceiling_m; ///< none: without end
+    std::string fromUtc;             ///< ISO 8601 with Z; empty: since ever
+    std::string untilUtc;            ///< likewise
+    std::string extraJson;
+    bool operator==(const AirspaceArea&) const = default;
+};
+
 /** What only people read. */
 struct ScenarioLabels
 {
     std::string name;
     std::string notes;
+    std::optional<Operation> operation; ///< none: no permit is applied for
+    std::vector<AirspaceArea> airspace;
     bool operator==(const ScenarioLabels&) const = default;
 };
 

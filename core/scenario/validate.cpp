@@ -4,6 +4,8 @@
 #include "core/scenario/advice.h"
 #include "core/scenario/checks.h"
 #include "core/scenario/fence.h"
+#include "core/scenario/findings.h"
+#include "core/scenario/operation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,93 +22,6 @@ constexpr double kStrongWind = 0.7;
 
 /** Slower autopilots cannot be told when home must be gone for: `pathTo`. */
 constexpr double kSlowestHoming_s = 1;
-
-/** Gathers the findings; the checks below call it field by field. */
-class Findings
-{
-public:
-    enum class Kind
-    {
-        All,
-        Unreadable ///< errors of single fields only
-    };
-    explicit Findings(Kind kind) : m_kind(kind) {}
-
-    using Arguments = std::vector<IssueArgument>;
-
-    /** Of fields that are each in range but do not fit together. */
-    void conflict(std::string field, IssueId id, Arguments arguments = {})
-    {
-        if (m_kind == Kind::All)
-            error(std::move(field), id, std::move(arguments));
-    }
-    void error(std::string field, IssueId id, Arguments arguments = {})
-    {
-        if (++m_errors <= kMostStored)
-            add(Severity::Error, std::move(field), id, std::move(arguments));
-    }
-    void warn(std::string field, IssueId id, Arguments arguments = {})
-    {
-        if (m_kind == Kind::All)
-            add(Severity::Warning, std::move(field), id, std::move(arguments));
-    }
-    void hint(std::string field, IssueId id)
-    {
-        if (m_kind == Kind::All)
-            add(Severity::Hint, std::move(field), id, {});
-    }
-
-    /**
-     * False, with an error noted, when the number is not in the limits (NaN never is). What is only
-     * less than the least that is flown can be read.
-     */
-    bool inRange(double value, const Limits& limits, const std::string& field)
-    {
-        const bool reads = m_kind == Kind::Unreadable && limits.low > 0;
-        const Limits positive{.low = 0, .high = limits.high, .above = true};
-        std::optional<IssueReason> fault = outOfLimits(value, reads ? positive : limits);
-        if (fault)
-            error(field, fault->id, std::move(fault->arguments));
-        return !fault;
-    }
-
-    bool inRange(const std::optional<double>& value, const Limits& limits, const std::string& field)
-    {
-        return !value || inRange(*value, limits, field);
-    }
-
-    bool inRange(const Point& value, const Limits& limits, const std::string& field)
-    {
-        const bool first = inRange(value.x(), limits, entryPath(field, 0));
-        return inRange(value.y(), limits, entryPath(field, 1)) && first;
-    }
-
-    void utf8(const std::string& text, const std::string& field)
-    {
-        if (!isUtf8(text))
-            error(field, IssueId::NotUtf8);
-    }
-
-    [[nodiscard]] std::vector<Issue> take()
-    {
-        if (m_errors > kMostStored)
-            add(Severity::Error, "", IssueId::MoreFaults, {countOf(m_errors - kMostStored)});
-        return std::move(m_issues);
-    }
-
-private:
-    static constexpr std::size_t kMostStored = 1000; ///< nobody reads more
-
-    void add(Severity severity, std::string field, IssueId id, Arguments arguments)
-    {
-        m_issues.push_back(
-            Issue{severity, std::move(field), {.id = id, .arguments = std::move(arguments)}});
-    }
-
-    Kind m_kind;
-    std::size_t m_errors = 0;
-    std::vector<Issue> m_issues;
-};
 
 void checkRun(const Scenario& s, Findings& findings)
 {
@@ -163,6 +78,39 @@ void checkAreas(const Scenario& s, Findings& findings)
         checkPolygon(area.corners_m, path + ".area_m", findings);
         if (findings.inRange(area.floor_m, limits::kLength_m, path + ".floor_m"))
             checkHeights(area.floor_m, area.ceiling_m, path + ".ceiling_m", findings);
+    }
+}
+
+void checkOperation(const std::optional<Operation>& operation, Findings& findings)
+{
+    if (!operation)
+        return;
+    for (const OperationNumber& number : kOperationNumbers)
+        findings.inRange((*operation).*number.member, number.limits,
+                         "operation." + std::string(number.name));
+    for (const OperationText& text : kOperationTexts)
+        findings.utf8((*operation).*text.member, "operation." + std::string(text.name));
+}
+
+void checkAirspace(const std::vector<AirspaceArea>& airspace, Findings& findings)
+{
+    if (airspace.size() > kMostAirspaceAreas) {
+        findings.error("airspace", IssueId::AirspaceCount,
+                       {countOf(kMostAirspaceAreas), countOf(airspace.size())});
+        return;
+    }
+    for (std::size_t i = 0; i < airspace.size(); ++i) {
+        const AirspaceArea& area = airspace[i];
+        const std::string path = entryPath("airspace", i);
+        findings.utf8(area.name, path + ".name");
+        findings.utf8(area.kind, path + ".kind");
+        checkPolygon(area.corners_m, path + ".area_m", findings);
+        if (findings.inRange(area.floor_m, limits::kLength_m, path + ".floor_m"))
+            checkHeights(area.floor_m, area.ceiling_m, path + ".ceiling_m", findings);
+        if (!area.fromUtc.empty() && !isUtcTime(area.fromUtc))
+            findings.error(path + ".from_utc", IssueId::NotUtcTime);
+        if (!area.untilUtc.empty() && !isUtcTime(area.untilUtc))
+            findings.error(path + ".until_utc", IssueId::NotUtcTime);
     }
 }
 
@@ -459,6 +407,8 @@ std::vector<Issue> found(const Scenario& scenario, Findings::Kind kind)
     std::map<std::string, std::string> ownerOfId;
     checkRun(scenario, findings);
     checkAreas(scenario, findings);
+    checkOperation(scenario.operation, findings);
+    checkAirspace(scenario.airspace, findings);
     checkUavs(scenario, ownerOfId, findings);
     checkGeofence(scenario, findings);
     checkClosedAreas(scenario, findings);

@@ -5,6 +5,7 @@
 #include "core/io/files/problem_json.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
+#include "core/io/import/import_airspace.h"
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_scenario.h"
 #include "core/io/study/study_json.h"
@@ -53,8 +54,9 @@ void checkMessage(const Error& error)
     if (first.reason.id == IssueId::Verbatim)
         fail(std::string("words of no id: ") + error.what());
     const bool isAboutAll =
-        first.reason.id == IssueId::NoSightings || first.reason.id == IssueId::ColumnsFixed ||
-        first.reason.id == IssueId::HeaderColumns || first.reason.id == IssueId::JsonDepth;
+        first.reason.id == IssueId::NoSightings || first.reason.id == IssueId::NoAirspace ||
+        first.reason.id == IssueId::ColumnsFixed || first.reason.id == IssueId::HeaderColumns ||
+        first.reason.id == IssueId::JsonDepth;
     if (!isWhole && !isAboutAll && first.field.empty() && !first.message().starts_with("line "))
         fail(std::string("neither field nor line: ") + error.what());
     if (std::string_view(error.what()).find('\x1b') != std::string_view::npos)
@@ -82,6 +84,13 @@ void readAsSightings(const std::string& text)
 {
     const SightingTable table = readSightings(text, kSubject);
     const ImportResult result = importSightings(sea(), table);
+    if (!unreadable(result.scenario).empty())
+        fail("an import that cannot be opened");
+}
+
+void readAsAirspace(const std::string& text)
+{
+    const AirspaceResult result = importAirspace(sea(), text, kSubject);
     if (!unreadable(result.scenario).empty())
         fail("an import that cannot be opened");
 }
@@ -130,8 +139,9 @@ void readAsFormat(const std::string& text)
 }
 
 /** The other readers of text now and then, whatever the file is called. */
-constexpr std::array kReaders{readAsScenario, readAsRun,       readAsProblem,  readAsStudy,
-                              readAsFormat,   readAsSightings, readAsIcebergs, readAsPlace};
+constexpr std::array kReaders{readAsScenario, readAsRun,    readAsProblem,
+                              readAsStudy,    readAsFormat, readAsSightings,
+                              readAsIcebergs, readAsPlace,  readAsAirspace};
 
 using Reader = void (*)(const std::string&);
 
@@ -140,7 +150,8 @@ Reader readerOf(const std::filesystem::path& file)
     static const std::map<std::string, Reader> kByEnding{{".berg", readAsScenario},
                                                          {".bergrun", readAsRun},
                                                          {".bergstudy", readAsStudy},
-                                                         {".json", readAsProblem}};
+                                                         {".json", readAsProblem},
+                                                         {".openair", readAsAirspace}};
     const auto it = kByEnding.find(file.extension().string());
     return it == kByEnding.end() ? readAsSightings : it->second;
 }

@@ -33,6 +33,12 @@ inline Scenario hostile()
                     .corners_m = {{8000, 0}, {8500, 0}, {8500, 500}},
                     .floor_m = 50,
                     .ceiling_m = 500}};
+        s.airspace = {{.name = "]]></name>, \"b\"",
+                       .kind = "<&",
+                       .corners_m = {{0, 8000}, {500, 8000}, {500, 8500}},
+                       .floor_m = 900,
+                       .fromUtc = "2026-01-01T00:00Z"}};
+        s.operation = Operation{.crew = "</kml> \x01", .checklist = "\n\n<b>\r\xFF"};
     });
 }
 
@@ -43,6 +49,7 @@ inline Scenario at180()
         s.origin = {.latitude_deg = 70, .longitude_deg = 179.95};
         s.geofence = true;
         s.noFly = {{.corners_m = {{1000, 8000}, {4000, 8000}, {4000, 8500}, {1000, 8500}}}};
+        s.operation = Operation{};
     });
 }
 
@@ -68,8 +75,10 @@ inline void exportRows()
     QTest::addColumn<QString>("id");
     QTest::addColumn<Scenario>("scenario");
     QTest::addColumn<ExportOptions>("options");
-    const Scenario north =
-        changed([](Scenario& s) { s.origin = {.latitude_deg = 90, .longitude_deg = 0}; });
+    const Scenario north = changed([](Scenario& s) {
+        s.origin = {.latitude_deg = 90, .longitude_deg = 0};
+        s.operation = Operation{}; // its parts hold the pole
+    });
     const Scenario south =
         changed([](Scenario& s) { s.origin = {.latitude_deg = -89.99, .longitude_deg = 180}; });
     const Scenario timeless = changed([](Scenario& s) { s.startUtc.clear(); });

@@ -171,6 +171,10 @@ MapPicture exportPicture(const ExportContent& content)
     picture.closed = closedOf(content.noFly, content.standoff);
     for (MapClosedArea& area : picture.closed)
         area.name = printable(area.name);
+    picture.airspace = airspaceOf(*content.scenario);
+    for (MapAirspace& area : picture.airspace)
+        area.title = printable(area.title);
+    picture.operation = content.operation;
     picture.asset = assetOf(content.asset, content.now_s);
     if (picture.asset)
         picture.asset->name = printable(picture.asset->name);

@@ -5,6 +5,7 @@
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/print/brief_layout.h"
 #include "widgets/print/export_picture.h"
+#include "widgets/print/operation_page.h"
 #include "widgets/theme/painter_state.h"
 
 #include <QCoreApplication>
@@ -78,12 +79,17 @@ void paintMapOf(QPainter& painter, const Brief& brief)
     paintMap(painter, brief.picture, brief.style(), brief.map);
 }
 
-void paintLines(QPainter& painter, const Brief& brief)
+void paintRules(QPainter& painter, const BriefLayout& layout)
 {
-    for (const BriefRule& rule : brief.layout.rules) {
+    for (const BriefRule& rule : layout.rules) {
         painter.setPen(rule.isStrong ? QPen(Qt::black, 1) : QPen(kFaint, 0.6));
         painter.drawLine(rule.line);
     }
+}
+
+void paintLines(QPainter& painter, const Brief& brief)
+{
+    paintRules(painter, brief.layout);
     painter.setPen(QPen(Qt::black, 0.8));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(brief.layout.map);
@@ -93,10 +99,10 @@ void paintLines(QPainter& painter, const Brief& brief)
     }
 }
 
-void paintTexts(QPainter& painter, const Brief& brief)
+void paintTexts(QPainter& painter, const BriefLayout& layout)
 {
     painter.setLayoutDirection(Qt::LeftToRight);
-    for (const BriefText& text : brief.layout.texts) {
+    for (const BriefText& text : layout.texts) {
         painter.setFont(briefFont(text.type));
         painter.setPen(text.type.isMuted ? kMuted : QColor(Qt::black));
         const Qt::Alignment side = text.type.isRight ? Qt::AlignRight : Qt::AlignLeft;
@@ -107,10 +113,21 @@ void paintTexts(QPainter& painter, const Brief& brief)
 
 } // namespace
 
+QSize briefPage_px(const QLocale& locale)
+{
+    return locale.measurementSystem() == QLocale::ImperialUSSystem ? kLetter_px : kA4_px;
+}
+
+void paintLayout(QPainter& painter, const BriefLayout& layout)
+{
+    const PainterState saved(painter);
+    paintRules(painter, layout);
+    paintTexts(painter, layout);
+}
+
 PicturePage flightBrief(const ExportContent& content, const QLocale& locale)
 {
-    const QSize size_px =
-        locale.measurementSystem() == QLocale::ImperialUSSystem ? kLetter_px : kA4_px;
+    const QSize size_px = briefPage_px(locale);
     const BriefContent words = briefContent(content, locale);
     auto brief = std::make_shared<Brief>();
     brief->locale = locale;
@@ -119,15 +136,22 @@ PicturePage flightBrief(const ExportContent& content, const QLocale& locale)
     brief->mapScale = brief->picture.icebergs.size() > kDense ? kDenseMapScale : kMapScale;
     brief->map = arrangeMap(brief->picture, brief->style(),
                             QRectF(QPointF(0, 0), brief->layout.map.size() / brief->mapScale));
+    std::vector<std::function<void(QPainter&)>> more;
+    if (content.operation)
+        more.emplace_back([page = std::make_shared<const BriefLayout>(layOutOperation(
+                               operationContent(content, locale), QSizeF(size_px)))](
+                              QPainter& painter) { paintLayout(painter, *page); });
     return {.size_px = size_px,
             .title = FlightBrief::tr("Flight brief: %1").arg(words.title),
             .description = words.about,
-            .paint = [shared = std::shared_ptr<const Brief>(std::move(brief))](QPainter& painter) {
-                const PainterState saved(painter);
-                paintMapOf(painter, *shared);
-                paintLines(painter, *shared);
-                paintTexts(painter, *shared);
-            }};
+            .paint =
+                [shared = std::shared_ptr<const Brief>(std::move(brief))](QPainter& painter) {
+                    const PainterState saved(painter);
+                    paintMapOf(painter, *shared);
+                    paintLines(painter, *shared);
+                    paintTexts(painter, shared->layout);
+                },
+            .more = std::move(more)};
 }
 
 } // namespace berg

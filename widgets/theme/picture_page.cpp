@@ -144,8 +144,13 @@ std::string pictureFile(const PicturePage& page, const QString& ending)
     if (ending == u"pdf"_s)
         return pdfFile({.size_px = page.size_px,
                         .title = page.title,
-                        .count = 1,
-                        .paint = [&page](QPainter& painter, int) { paintPage(page, painter); }});
+                        .count = 1 + static_cast<int>(page.more.size()),
+                        .paint = [&page](QPainter& painter, int number) {
+                            if (number == 0)
+                                paintPage(page, painter);
+                            else
+                                page.more[static_cast<std::size_t>(number - 1)](painter);
+                        }});
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);

@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 class QPainter;
 
@@ -21,7 +22,8 @@ struct PicturePage
     QSize size_px; ///< of the layout, at 96 to the inch; PNG has twice as many
     QString title;
     QString description;
-    std::function<void(QPainter&)> paint; ///< within `size_px`, on white
+    std::function<void(QPainter&)> paint;                  ///< within `size_px`, on white
+    std::vector<std::function<void(QPainter&)>> more = {}; ///< further pages, in a PDF alone
 };
 
 /** Pages of one size. */

@@ -48,6 +48,8 @@ constexpr std::array<SentenceRow, kScenarioIssueIds> kSentences{{
      QT_TRANSLATE_NOOP("IssueText", "The area must neither touch nor cross itself.")},
     {IssueId::NoFlyCount,
      QT_TRANSLATE_NOOP("IssueText", "A scenario holds at most %2 no-fly areas, not %3.")},
+    {IssueId::AirspaceCount,
+     QT_TRANSLATE_NOOP("IssueText", "A scenario holds at most %2 airspace areas, not %3.")},
     {IssueId::IdEmpty, QT_TRANSLATE_NOOP("IssueText", "The id must not be empty.")},
     {IssueId::IdTaken, QT_TRANSLATE_NOOP("IssueText", "The id \"%2\" is taken already.")},
     {IssueId::UavCount,
@@ -158,6 +160,9 @@ constexpr std::array<SentenceRow, kScenarioIssueIds> kSentences{{
     {IssueId::NoContact,
      QT_TRANSLATE_NOOP("IssueText",
                        "The plan leads out of the range of the ground station for %2.")},
+    {IssueId::AirspaceEntered,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "The operation may enter the airspace \"%2\", which begins at %3.")},
     {IssueId::FenceUnplanned,
      QT_TRANSLATE_NOOP("IssueText",
                        "This policy plans without geofence and no-fly areas; they are kept in "

@@ -263,6 +263,16 @@ ExportPlan planOf(const ExportSource& source)
             .fellBack = source.plan.fellBack};
 }
 
+/** With the altitude and the airspeed of the options. */
+OperationVolume operationAsChosen(Scenario scenario, const ExportOptions& options)
+{
+    for (Uav& uav : scenario.uavs) {
+        uav.spec.altitude_m = options.altitude_m.value_or(uav.spec.altitude_m);
+        uav.spec.airspeed_mps = options.airspeed_mps.value_or(uav.spec.airspeed_mps);
+    }
+    return operationVolume(scenario, *scenario.operation);
+}
+
 /** It is at one of the places at most. */
 std::optional<double> chanceToFind(const std::vector<PlannedSearch>& searches, int iceberg,
                                    double now_s)
@@ -302,6 +312,8 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         .mission = source.mission};
     if (content.asset)
         content.standoff = standoffArea(*content.asset, scenario.duration_s);
+    if (scenario.operation)
+        content.operation = operationAsChosen(scenario, options);
     if (source.mission)
         content.zeta_m2s = source.mission->metrics().zeta_m2s;
     if (source.mission)

@@ -4,6 +4,7 @@
 #include "core/io/results/result_csv.h"
 #include "core/io/text/utc_time.h"
 #include "core/plan/solve/names.h"
+#include "core/scenario/operation.h"
 #include "core/sim/mission.h"
 #include "core/sim/visits.h"
 
@@ -133,7 +134,8 @@ struct ExportContent
     bool geofence = false;
     std::vector<NoFlyArea> noFly; ///< as entered
     std::optional<Asset> asset;
-    std::optional<NoFlyArea> standoff; ///< round the asset
+    std::optional<NoFlyArea> standoff;        ///< round the asset
+    std::optional<OperationVolume> operation; ///< at the altitude and airspeed chosen
     PlannerSettings planner;
     ExportPlan plan;                  ///< in force, or the last one
     Point wind_mps = Point::Zero();   ///< at `now_s`, in the plane
@@ -149,6 +151,10 @@ struct ExportContent
  */
 [[nodiscard]] ExportContent exportContent(const ExportSource& source,
                                           const ExportOptions& options = {});
+
+/** What every paper about an operation volume says first. */
+inline constexpr const char* kVolumeTitle =
+    "Operation volume: proposal, to be checked with your authority";
 
 /** No-fly areas and the stand-off ring, `closedAreas` of the content. */
 [[nodiscard]] std::vector<NoFlyArea> closedAreas(const ExportContent& content);

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace berg {
 
 namespace {
@@ -58,6 +60,10 @@ public:
             addClosed(area, "no-fly");
         if (m_content.standoff)
             addClosed(*m_content.standoff, "stand-off");
+        for (const AirspaceArea& area : m_content.scenario->airspace)
+            addAirspace(area);
+        if (m_content.operation)
+            addOperation(*m_content.operation);
         addAsset();
         return "{\"type\":\"FeatureCollection\",\"features\":[\n" + m_features + "\n]}\n";
     }
@@ -223,6 +229,34 @@ private:
         if (area.ceiling_m)
             properties["ceiling_m"] = *area.ceiling_m;
         addPolygon(area.corners_m, std::move(properties));
+    }
+
+    void addAirspace(const AirspaceArea& area)
+    {
+        Json properties;
+        properties["kind"] = "airspace";
+        properties["name"] = area.name;
+        properties["class"] = area.kind;
+        properties["floor_m"] = area.floor_m;
+        if (area.ceiling_m)
+            properties["ceiling_m"] = *area.ceiling_m;
+        if (!area.fromUtc.empty())
+            properties["from_utc"] = area.fromUtc;
+        if (!area.untilUtc.empty())
+            properties["until_utc"] = area.untilUtc;
+        addPolygon(area.corners_m, std::move(properties));
+    }
+
+    void addOperation(const OperationVolume& volume)
+    {
+        for (std::size_t part = 0; part < kVolumeParts; ++part) {
+            Json properties;
+            properties["kind"] = std::string(kVolumePartIds[part]);
+            properties["name"] = kVolumeTitle;
+            if (const auto top_m = volume.top_m(static_cast<VolumePart>(part)))
+                properties["ceiling_m"] = std::round(*top_m * 10) / 10;
+            addPolygon(volume.outlines_m[part], std::move(properties));
+        }
     }
 
     void addPolygon(const std::vector<Point>& corners_m, Json properties)

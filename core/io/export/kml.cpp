@@ -5,6 +5,10 @@
 #include "core/io/export/xml_text.h"
 #include "core/io/text/export_numbers.h"
 #include "core/io/text/zip_file.h"
+#include "core/scenario/airspace.h"
+
+#include <array>
+#include <cmath>
 
 namespace berg {
 
@@ -58,6 +62,16 @@ std::string closedStyle(const std::string& id)
            "<PolyStyle><color>402828c8</color></PolyStyle></Style>\n";
 }
 
+/** From the inside: green, amber, red, grey. */
+constexpr std::array<const char*, kVolumeParts> kVolumeColours{"ff50a028", "ff1ea0f0", "ff2828c8",
+                                                               "ff787878"};
+
+std::string outlineStyle(const std::string& id, const std::string& colour)
+{
+    return "<Style id=\"" + id + "\"><LineStyle><color>" + colour +
+           "</color><width>2</width></LineStyle><PolyStyle><fill>0</fill></PolyStyle></Style>\n";
+}
+
 class KmlWriter
 {
 public:
@@ -72,6 +86,9 @@ public:
             addClosed(area, "no-fly", area.name.empty() ? "No-fly area" : area.name);
         if (m_content.standoff)
             addClosed(*m_content.standoff, "stand-off", "Stand-off " + m_content.standoff->name);
+        addAirspace();
+        if (m_content.operation)
+            addOperation(*m_content.operation);
         m_text += "<Folder><name>Icebergs</name>\n";
         for (const ExportIceberg& now : m_content.icebergs)
             if (now.isListed)
@@ -123,9 +140,12 @@ private:
         };
         point("iceberg", "fff0c878");
         point("asset", "ff3c3cdc");
-        m_text +=
-            "<Style id=\"area\"><LineStyle><color>ff808080</color><width>2</width></LineStyle>"
-            "<PolyStyle><fill>0</fill></PolyStyle></Style>\n";
+        m_text += outlineStyle("area", "ff808080");
+        if (!m_content.scenario->airspace.empty())
+            m_text += outlineStyle("airspace", "ffc87830");
+        if (m_content.operation)
+            for (std::size_t part = 0; part < kVolumeParts; ++part)
+                m_text += outlineStyle(std::string(kVolumePartIds[part]), kVolumeColours[part]);
         if (!m_content.noFly.empty())
             m_text += closedStyle("no-fly");
         if (m_content.standoff)
@@ -169,6 +189,70 @@ private:
         m_text += "<Placemark>" + xmlElement("name", title) + "<styleUrl>#" + style +
                   "</styleUrl>" + extendedData(dataOf(area)) + "<MultiGeometry>";
         addPolygons(area.corners_m, mode, height_m);
+        m_text += "</MultiGeometry></Placemark>\n";
+    }
+
+    void addAirspace()
+    {
+        if (m_content.scenario->airspace.empty())
+            return;
+        m_text += "<Folder><name>Airspace</name>\n";
+        for (const AirspaceArea& area : m_content.scenario->airspace) {
+            std::vector<XmlData> data = dataOf(
+                NoFlyArea{.name = area.name, .floor_m = area.floor_m, .ceiling_m = area.ceiling_m});
+            data.push_back({"class", area.kind});
+            if (!area.fromUtc.empty())
+                data.push_back({"from_utc", area.fromUtc});
+            if (!area.untilUtc.empty())
+                data.push_back({"until_utc", area.untilUtc});
+            const std::string title = titleOf(area);
+            addOutline({.title = title.empty() ? "Airspace" : title,
+                        .style = "airspace",
+                        .corners_m = area.corners_m,
+                        .height_m = area.floor_m,
+                        .data = std::move(data)});
+        }
+        m_text += "</Folder>\n";
+    }
+
+    void addOperation(const OperationVolume& volume)
+    {
+        constexpr std::array<const char*, kVolumeParts> kTitles{
+            "Flight geography", "Contingency volume", "Ground-risk buffer", "Adjacent area"};
+        m_text += "<Folder>" + xmlElement("name", kVolumeTitle) + "\n";
+        for (std::size_t part = 0; part < kVolumeParts; ++part) {
+            const auto top_m = volume.top_m(static_cast<VolumePart>(part));
+            std::vector<XmlData> data;
+            if (top_m)
+                data.push_back({"ceiling_m", decimalText(std::round(*top_m * 10) / 10)});
+            addOutline({.title = kTitles[part],
+                        .style = std::string(kVolumePartIds[part]),
+                        .corners_m = volume.outlines_m[part],
+                        .height_m = top_m.value_or(0),
+                        .isSolid = true,
+                        .data = std::move(data)});
+        }
+        m_text += "</Folder>\n";
+    }
+
+    struct Outline
+    {
+        std::string title;
+        std::string style;
+        const std::vector<Point>& corners_m;
+        double height_m = 0;
+        bool isSolid = false; ///< from the sea up to the height
+        std::vector<XmlData> data = {};
+    };
+
+    void addOutline(const Outline& outline)
+    {
+        std::string mode = "<tessellate>1</tessellate>";
+        if (outline.height_m > 0)
+            mode = (outline.isSolid ? "<extrude>1</extrude>" : "") + altitudeMode(outline.height_m);
+        m_text += "<Placemark>" + xmlElement("name", outline.title) + "<styleUrl>#" +
+                  outline.style + "</styleUrl>" + extendedData(outline.data) + "<MultiGeometry>";
+        addPolygons(outline.corners_m, mode, outline.height_m);
         m_text += "</MultiGeometry></Placemark>\n";
     }
 

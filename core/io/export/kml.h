@@ -8,8 +8,9 @@ namespace berg {
 
 /**
  * KML 2.2: folders of icebergs (with what is known of them as extended data) and of each UAV with
- * its visits and its way, the area, home and asset. A path or track is a `gx:Track` with times when
- * the scenario has a start time, else a line. Lines and the area are cut at the antimeridian.
+ * its visits and its way, airspace, the operation volume, the area, home and asset. A path or track
+ * is a `gx:Track` with times when the scenario has a start time, else a line. Lines and the area
+ * are cut at the antimeridian.
  */
 [[nodiscard]] std::string kmlText(const ExportContent& content);
 

@@ -211,6 +211,10 @@ Scenario readScenario(ObjectReader& object, ScenarioUse use)
     scenario.geofence = object.boolean("geofence", scenario.geofence);
     if (object.find("no_fly") != nullptr)
         scenario.noFly = readList(object, "no_fly", kMostNoFlyAreas, &readNoFlyArea);
+    if (object.find("airspace") != nullptr)
+        scenario.airspace = readList(object, "airspace", kMostAirspaceAreas, &readAirspaceArea);
+    if (const Json* value = object.find("operation"))
+        scenario.operation = readOperation(*value, object.path("operation"), object.faults());
     scenario.separation_m = object.number("separation_m", scenario.separation_m);
     scenario.uavs = readList(object, "uavs", kMostUavs, &readUav);
     scenario.icebergs = readList(object, "icebergs", kMostIcebergs, &readIceberg);
@@ -252,6 +256,11 @@ std::string scenarioText(const Scenario& scenario, int indent)
     object.addUnless("geofence", scenario.geofence, false);
     if (!scenario.noFly.empty())
         object.addText("no_fly", jsonLines(textsOf(scenario.noFly, &noFlyAreaText), indent + 1));
+    if (!scenario.airspace.empty())
+        object.addText("airspace",
+                       jsonLines(textsOf(scenario.airspace, &airspaceAreaText), indent + 1));
+    if (scenario.operation)
+        object.addText("operation", operationText(*scenario.operation));
     object.addUnless("separation_m", scenario.separation_m, Scenario().separation_m);
     object.addText("uavs", jsonLines(textsOf(scenario.uavs, &uavText), indent + 1));
     object.addText("icebergs", jsonLines(textsOf(scenario.icebergs, &icebergText), indent + 1));

@@ -1,6 +1,7 @@
 // UAVs, icebergs, the asset and the surroundings of a scenario file.
 
 #include "core/io/files/scenario_parts.h"
+#include "core/scenario/operation.h"
 
 namespace berg {
 
@@ -251,6 +252,60 @@ std::string groundStationText(const GroundStation& station)
     object.add("antenna_m", station.antenna_m);
     object.addOptional("range_m", station.range_m);
     object.addExtra(station.extraJson);
+    return object.inLine();
+}
+
+Operation readOperation(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    Operation operation;
+    for (const OperationNumber& number : kOperationNumbers)
+        operation.*number.member = object.number(number.name.data(), operation.*number.member);
+    for (const OperationText& text : kOperationTexts)
+        operation.*text.member = object.text(text.name.data());
+    operation.extraJson = object.unknown();
+    return operation;
+}
+
+std::string operationText(const Operation& operation)
+{
+    const Operation standard;
+    JsonObject object;
+    for (const OperationNumber& number : kOperationNumbers)
+        object.addUnless(number.name, operation.*number.member, standard.*number.member);
+    for (const OperationText& text : kOperationTexts)
+        object.addUnless(text.name, operation.*text.member, {});
+    object.addExtra(operation.extraJson);
+    return object.inLine();
+}
+
+AirspaceArea readAirspaceArea(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    AirspaceArea area;
+    area.name = object.text("name");
+    area.kind = object.text("kind");
+    if (object.need("area_m") != nullptr)
+        area.corners_m = readCorners(object, "area_m");
+    area.floor_m = object.number("floor_m", area.floor_m);
+    area.ceiling_m = object.optionalNumber("ceiling_m");
+    area.fromUtc = object.text("from_utc");
+    area.untilUtc = object.text("until_utc");
+    area.extraJson = object.unknown();
+    return area;
+}
+
+std::string airspaceAreaText(const AirspaceArea& area)
+{
+    JsonObject object;
+    object.addUnless("name", area.name, {});
+    object.addUnless("kind", area.kind, {});
+    object.addText("area_m", jsonArrayOf(area.corners_m));
+    object.addUnless("floor_m", area.floor_m, 0.0);
+    object.addOptional("ceiling_m", area.ceiling_m);
+    object.addUnless("from_utc", area.fromUtc, {});
+    object.addUnless("until_utc", area.untilUtc, {});
+    object.addExtra(area.extraJson);
     return object.inLine();
 }
 

@@ -31,6 +31,13 @@ namespace berg {
 [[nodiscard]] GroundStation readGroundStation(const Json& value, const std::string& path,
                                               Faults& faults);
 
+/** The member `operation`. */
+[[nodiscard]] Operation readOperation(const Json& value, const std::string& path, Faults& faults);
+
+/** One entry of `airspace`. */
+[[nodiscard]] AirspaceArea readAirspaceArea(const Json& value, const std::string& path,
+                                            Faults& faults);
+
 /** The member `weather`. */
 [[nodiscard]] Weather readWeather(const Json& value, const std::string& path, Faults& faults);
 
@@ -44,6 +51,8 @@ namespace berg {
 [[nodiscard]] std::string assetText(const Asset& asset);
 [[nodiscard]] std::string noFlyAreaText(const NoFlyArea& area);
 [[nodiscard]] std::string groundStationText(const GroundStation& station);
+[[nodiscard]] std::string operationText(const Operation& operation);
+[[nodiscard]] std::string airspaceAreaText(const AirspaceArea& area);
 [[nodiscard]] std::string weatherText(const Weather& weather);
 
 } // namespace berg

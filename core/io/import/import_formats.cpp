@@ -76,6 +76,16 @@ std::string utf8FromLatin1(std::string_view bytes)
     return text;
 }
 
+} // namespace
+
+std::string textOfBytes(std::string_view bytes, const std::string& subject)
+{
+    requireText(bytes, subject);
+    return isUtf8(bytes) ? std::string() : utf8FromLatin1(bytes);
+}
+
+namespace {
+
 const ImportFormat& chosenFormat(std::string_view text, const std::string& subject,
                                  const ReadOptions& options)
 {
@@ -139,9 +149,9 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
         table.format = isAny ? "kmz" : table.format;
         return table;
     }
-    requireText(bytes, subject);
-    const std::string decoded =
-        isUtf8(bytes) || isKml(bytes) || isGpx(bytes) ? std::string() : utf8FromLatin1(bytes);
+    std::string decoded = textOfBytes(bytes, subject);
+    if (isKml(bytes) || isGpx(bytes)) // which say themselves what they are written in
+        decoded.clear();
     const std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
     const ImportFormat& format = chosenFormat(text, subject, options);
     if (!format.namedColumns && !options.mapping.empty())

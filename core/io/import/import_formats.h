@@ -46,6 +46,10 @@ struct ReadOptions
     std::optional<DateOrder> dates = {};
 };
 
+/** What is not UTF-8 taken as ISO 8859-1; empty: it is UTF-8. Throws `Error{WrongFormat}` for what
+ * is no text. */
+[[nodiscard]] std::string textOfBytes(std::string_view bytes, const std::string& subject);
+
 /**
  * Sightings of a file's bytes; rows that cannot be used are rejected one by one. Text that is not
  * UTF-8 is taken as ISO 8859-1 in tables. Throws `Error`: FileTooLarge (`ReadBudget`); WrongFormat

@@ -1,4 +1,5 @@
 #include "core/io/import/import_xml.h"
+#include "core/scenario/operation.h"
 
 #include <algorithm>
 #include <utility>
@@ -159,7 +160,7 @@ private:
         m_inside = false;
         setName(m_texts, m_name);
         if (m_isOwn && (m_style == "#area" || m_style == "#no-fly" || m_style == "#stand-off" ||
-                        m_style == "#asset" || isOfAircraft())) {
+                        m_style == "#asset" || isOfAircraft() || isOfPermit())) {
             readOwn();
         } else if (!m_coordinates.empty()) {
             finishTrack();
@@ -176,6 +177,14 @@ private:
         }
     }
 
+    /** What is made anew of a scenario, and airspace. */
+    [[nodiscard]] bool isOfPermit() const
+    {
+        return m_style == "#airspace" ||
+               std::ranges::any_of(kVolumePartIds, [&](std::string_view id) {
+                   return m_style == "#" + std::string(id);
+               });
+    }
     [[nodiscard]] bool isOfAircraft() const { return m_style.starts_with("#uav-"); }
 
     /** Of an export of our own what is no iceberg; ways and visits say nothing more. */

@@ -76,6 +76,10 @@ std::string scenarioWith(const QString& field, double value)
             members << u"\"%1\": %2"_s.arg(of, object(of));
     if (owner == u"ground_station"_s)
         members << u"\"ground_station\": %1"_s.arg(object(owner));
+    if (owner == u"operation"_s)
+        members << u"\"operation\": {%1}"_s.arg(text);
+    if (owner == u"airspace[]"_s)
+        members << u"\"airspace\": [{\"area_m\": [[0, 0], [9, 0], [0, 9]], %1}]"_s.arg(text);
     if (owner == u"no_fly[]"_s)
         members << u"\"no_fly\": [{\"area_m\": [[0, 0], [9, 0], [0, 9]], %1}]"_s.arg(text);
     if (owner.isEmpty())

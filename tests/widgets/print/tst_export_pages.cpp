@@ -137,8 +137,10 @@ QString pdfFault(const QByteArray& file)
 {
     if (!file.startsWith("%PDF-"))
         return u"no PDF"_s;
-    return file.contains("/Count 1\n") && file.count("/Type /Page\n") == 1 ? QString()
-                                                                           : u"not one page"_s;
+    const qsizetype pages = file.count("/Type /Page\n"); // brief and log have up to three
+    return pages >= 1 && pages <= 3 && file.contains("/Count " + QByteArray::number(pages) + "\n")
+               ? QString()
+               : u"not one page"_s;
 }
 
 QString faultOf(const QByteArray& file, const ExportFormat& written, const QSize& size_px)

@@ -15,14 +15,16 @@ enum class MapLayer : std::uint8_t
     Rings,
     Graticule,
     FormerPlan,
-    Swept
+    Swept,
+    Permit ///< airspace and operation volume
 };
-inline constexpr std::size_t kMapLayers = 6;
+inline constexpr std::size_t kMapLayers = 7;
 
 /** How strongly each layer is painted, and how far drift arrows look ahead. */
 struct MapLayers
 {
-    std::array<double, kMapLayers> opacities{1, 1, 1, 1, 1, 1}; ///< by `MapLayer`, 0: hidden, to 1
+    std::array<double, kMapLayers> opacities{1, 1, 1, 1,
+                                             1, 1, 1}; ///< by `MapLayer`, 0: hidden, to 1
     double horizon_s = 0; ///< of drift arrows; 0: what makes them of a length to be seen
     bool operator==(const MapLayers&) const = default;
 

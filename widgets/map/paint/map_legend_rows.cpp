@@ -239,7 +239,31 @@ void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme,
              [&](QPainter& p, const QRectF& r) { drawSweptSwatch(p, r, theme); });
 }
 
-void addPlaceRows(RowList& rows, const MapPicture& picture, const Theme& theme)
+void addPermitRows(RowList& rows, const MapPicture& picture, const Theme& theme,
+                   const MapLayers& layers)
+{
+    const bool isShown = layers.shows(MapLayer::Permit);
+    rows.add(isShown && !picture.airspace.empty(), MapLegend::tr("Airspace, for information"),
+             MapLegend::tr("Airspace"),
+             [&](QPainter& p, const QRectF& r) { drawLineSwatch(p, r, airspacePen(theme)); });
+    const auto part = [&](VolumePart which, const QString& text, const QString& word) {
+        rows.add(isShown && picture.operation.has_value(), text, word,
+                 [&theme, which](QPainter& p, const QRectF& r) {
+                     drawLineSwatch(p, r, volumePen(which, theme));
+                 });
+    };
+    part(VolumePart::Geography, MapLegend::tr("Flight geography, proposal"),
+         MapLegend::tr("Flight geography"));
+    part(VolumePart::Contingency, MapLegend::tr("Contingency volume, proposal"),
+         MapLegend::tr("Contingency"));
+    part(VolumePart::Buffer, MapLegend::tr("Ground-risk buffer, proposal"),
+         MapLegend::tr("Risk buffer"));
+    part(VolumePart::Adjacent, MapLegend::tr("Adjacent area, proposal"),
+         MapLegend::tr("Adjacent area"));
+}
+
+void addPlaceRows(RowList& rows, const MapPicture& picture, const Theme& theme,
+                  const MapLayers& layers)
 {
     rows.add(std::any_of(picture.uavs.begin(), picture.uavs.end(),
                          [](const MapUav& uav) { return uav.home_m.has_value(); }),
@@ -266,6 +290,7 @@ void addPlaceRows(RowList& rows, const MapPicture& picture, const Theme& theme)
              closedSwatch);
     rows.add(hasClosed(true), MapLegend::tr("Stand-off round the asset"),
              MapLegend::tr("Stand-off"), closedSwatch);
+    addPermitRows(rows, picture, theme, layers);
     rows.add(picture.asset.has_value(), MapLegend::tr("Asset's range: more urgent inside"),
              MapLegend::tr("Asset's range"),
              [&](QPainter& p, const QRectF& r) { drawRingSwatch(p, r, rangeRingPen(theme)); });
@@ -284,7 +309,7 @@ std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& sty
     addIcebergRows(rows, picture, theme);
     addFleetRows(rows, picture, theme);
     addPathRows(rows, picture, theme, style.layers);
-    addPlaceRows(rows, picture, theme);
+    addPlaceRows(rows, picture, theme, style.layers);
     rows.add(scale.showsDots, MapLegend::tr("Icebergs close together: dots, or how many"),
              MapLegend::tr("Close together"), [&theme](QPainter& p, const QRectF& r) {
                  drawIcebergDot(p, r.center() - QPointF(11, 0), theme.sigma.at(0.4), false, theme);

@@ -309,8 +309,9 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
 {
     const MapPaint p(painter, frame);
     paintArea(p);
-    paintClosedAreas(p);
     const MapLayers& layers = frame.style.layers;
+    withOpacity(p, layers.opacity(MapLayer::Permit), [&] { paintPermit(p); });
+    paintClosedAreas(p);
     withOpacity(p, layers.opacity(MapLayer::Swept), [&] { paintSwept(p); });
     paintComparison(p);
     paintTracks(p);

@@ -136,6 +136,55 @@ void paintClosedAreas(const MapPaint& p)
     }
 }
 
+QPen volumePen(VolumePart part, const Theme& theme)
+{
+    switch (part) {
+    case VolumePart::Geography:
+        return {theme.plan, 1.6, Qt::SolidLine};
+    case VolumePart::Contingency:
+        return {theme.warning, 1.6, Qt::DashLine};
+    case VolumePart::Buffer:
+        return {theme.alarm, 1.6, Qt::DashDotLine};
+    case VolumePart::Adjacent:
+        break;
+    }
+    return {theme.mutedText, 1.4, Qt::DotLine};
+}
+
+QPen airspacePen(const Theme& theme)
+{
+    return {theme.comparison, 1.4, Qt::DashDotDotLine};
+}
+
+void paintPermit(const MapPaint& p)
+{
+    const auto outlineOf = [&](const std::vector<Point>& corners_m) {
+        QPolygonF outline;
+        for (const Point& corner_m : corners_m)
+            outline << p.layout.view.toPixel(corner_m);
+        return outline;
+    };
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setFont(labelFont(p.theme));
+    for (const MapAirspace& area : p.picture.airspace) {
+        const QPolygonF outline = outlineOf(area.corners_m);
+        const QRectF shown = outline.boundingRect() & p.layout.rect;
+        if (shown.isEmpty())
+            continue;
+        p.painter.setPen(airspacePen(p.theme));
+        p.painter.drawPolygon(outline);
+        const QRectF label(shown.center().x() - 110, shown.top() + 4, 220, 18);
+        drawHaloText(p.painter, label, Qt::AlignCenter, area.title, p.theme.text, p.theme.sea);
+        drawHaloText(p.painter, label.translated(0, 17), Qt::AlignCenter,
+                     heightsText(area.floor_m, area.ceiling_m, p.style.locale), p.theme.text,
+                     p.theme.sea);
+    }
+    for (std::size_t part = 0; p.picture.operation && part < kVolumeParts; ++part) {
+        p.painter.setPen(volumePen(static_cast<VolumePart>(part), p.theme));
+        p.painter.drawPolygon(outlineOf(p.picture.operation->outlines_m[part]));
+    }
+}
+
 void paintHomes(const MapPaint& p)
 {
     for (std::size_t uav = 0; uav < p.picture.uavs.size(); ++uav)

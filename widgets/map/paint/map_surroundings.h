@@ -1,6 +1,9 @@
 #pragma once
 
 #include "widgets/map/picture/map_picture.h"
+#include "widgets/theme/theme.h"
+
+#include <QPen>
 
 #include <utility>
 
@@ -14,6 +17,10 @@ struct MapPaint;
 void paintArea(const MapPaint& p);
 /** No-fly areas and the stand-off ring: hatched, with their names and heights. */
 void paintClosedAreas(const MapPaint& p);
+/** Outlines of airspace and of the operation volume. */
+void paintPermit(const MapPaint& p);
+[[nodiscard]] QPen volumePen(VolumePart part, const Theme& theme);
+[[nodiscard]] QPen airspacePen(const Theme& theme);
 /** Where the UAVs land. */
 void paintHomes(const MapPaint& p);
 /** What is to be protected, with its rings. */

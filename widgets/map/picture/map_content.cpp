@@ -43,6 +43,10 @@ std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s, 
     std::vector<Point> points_m = picture.area_m;
     for (const MapClosedArea& area : picture.closed)
         points_m.insert(points_m.end(), area.corners_m.begin(), area.corners_m.end());
+    if (picture.operation) {
+        const std::vector<Point>& buffer_m = picture.operation->outline_m(VolumePart::Buffer);
+        points_m.insert(points_m.end(), buffer_m.begin(), buffer_m.end());
+    }
     for (const MapIceberg& iceberg : picture.icebergs) {
         points_m.push_back(iceberg.position_m);
         points_m.emplace_back(iceberg.position_m + iceberg.velocity_mps * driftTime_s);

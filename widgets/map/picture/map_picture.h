@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/geodesy.h"
+#include "core/scenario/operation.h"
 #include "core/tracking/observer.h"
 
 #include <QString>
@@ -141,6 +142,15 @@ struct MapClosedArea
     bool operator==(const MapClosedArea&) const = default;
 };
 
+/** Airspace with a rule: for information. */
+struct MapAirspace
+{
+    QString title;
+    std::vector<Point> corners_m;
+    double floor_m = 0;
+    std::optional<double> ceiling_m; ///< none: without end
+};
+
 /** Everything one picture of the map shows, as plain values. */
 struct MapPicture
 {
@@ -158,6 +168,8 @@ struct MapPicture
     std::vector<Point> area_m;         ///< corners; empty: unbounded
     bool isFenced = false;             ///< the UAVs stay inside the area
     std::vector<MapClosedArea> closed; ///< no-fly areas as in the scenario, then the ring
+    std::vector<MapAirspace> airspace;
+    std::optional<OperationVolume> operation;
     double separation_m = 0; ///< UAVs of one altitude layer keep so far apart; 0: not watched
     std::optional<MapAsset> asset;
     std::optional<MapStation> station;

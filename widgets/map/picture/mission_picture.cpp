@@ -392,6 +392,8 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale, Swe
     picture.area_m = scenario.area_m;
     picture.isFenced = scenario.geofence;
     picture.closed = closedOf(scenario, record.shown().asset);
+    picture.airspace = airspaceOf(scenario);
+    picture.operation = operationOf(scenario);
     picture.separation_m = scenario.separation_m;
     picture.asset = assetOf(record.shown().asset, record.shown().time_s);
     picture.station = stationOf(scenario);

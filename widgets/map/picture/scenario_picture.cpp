@@ -1,6 +1,7 @@
 #include "widgets/map/picture/scenario_picture.h"
 
 #include "core/base/angles.h"
+#include "core/scenario/airspace.h"
 #include "core/scenario/fence.h"
 #include "core/scenario/priority.h"
 #include "core/sim/sortie_outlook.h"
@@ -177,6 +178,24 @@ std::vector<MapClosedArea> closedOf(const Scenario& scenario, const std::optiona
                     asset ? standoffArea(*asset, scenario.duration_s) : std::nullopt);
 }
 
+std::vector<MapAirspace> airspaceOf(const Scenario& scenario)
+{
+    std::vector<MapAirspace> airspace;
+    for (const AirspaceArea& area : scenario.airspace)
+        airspace.push_back({.title = QString::fromStdString(titleOf(area)),
+                            .corners_m = area.corners_m,
+                            .floor_m = area.floor_m,
+                            .ceiling_m = area.ceiling_m});
+    return airspace;
+}
+
+std::optional<OperationVolume> operationOf(const Scenario& scenario)
+{
+    if (!scenario.operation || scenario.uavs.empty())
+        return std::nullopt;
+    return operationVolume(scenario, *scenario.operation);
+}
+
 MapAir airOf(const Scenario& scenario)
 {
     return {.wind_mps = scenario.wind_mps,
@@ -238,6 +257,8 @@ MapPicture withScenario(MapPicture picture, const Scenario& scenario)
     picture.area_m = scenario.area_m;
     picture.isFenced = scenario.geofence;
     picture.closed = closedOf(scenario, scenario.asset);
+    picture.airspace = airspaceOf(scenario);
+    picture.operation = operationOf(scenario);
     picture.separation_m = scenario.separation_m;
     picture.asset = assetOf(scenario.asset, 0);
     picture.station = stationOf(scenario);

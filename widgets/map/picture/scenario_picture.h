@@ -15,6 +15,11 @@ namespace berg {
 [[nodiscard]] std::optional<MapStation> stationOf(const Scenario& scenario);
 [[nodiscard]] std::optional<MapAsset> assetOf(const std::optional<Asset>& asset, double time_s);
 
+[[nodiscard]] std::vector<MapAirspace> airspaceOf(const Scenario& scenario);
+
+/** None where no permit is applied for. */
+[[nodiscard]] std::optional<OperationVolume> operationOf(const Scenario& scenario);
+
 /** No-fly areas and stand-off ring. */
 [[nodiscard]] std::vector<MapClosedArea> closedOf(const std::vector<NoFlyArea>& noFly,
                                                   const std::optional<NoFlyArea>& ring);

@@ -29,7 +29,8 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
          {"rings", tr("Rings of uncertainty")},
          {"graticule", tr("Graticule")},
          {"formerPlan", tr("Former plan")},
-         {"swept", tr("Swept area")}}};
+         {"swept", tr("Swept area")},
+         {"permit", tr("Airspace and operation volume")}}};
     auto* form = new QFormLayout(this);
     form->setContentsMargins(kMargin_px, kMargin_px, kMargin_px, kMargin_px);
     for (std::size_t i = 0; i < kMapLayers; ++i) {

@@ -130,6 +130,8 @@ inline bool hasUavsToldApart(const Scenario& scenario, const std::string& /*id*/
 [[nodiscard]] std::vector<InspectorRow> reserveRows();
 /** Weather that a UAV is not flown in; part of `uavRows`. */
 [[nodiscard]] std::vector<InspectorRow> weatherLimitRows();
+/** Operation volume, papers and airspace; part of `scenarioRows`. */
+[[nodiscard]] std::vector<InspectorRow> permitRows();
 /** Weather and ground station; part of `scenarioRows`. */
 [[nodiscard]] std::vector<InspectorRow> surroundingsRows();
 

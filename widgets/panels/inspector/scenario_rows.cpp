@@ -264,6 +264,7 @@ std::vector<InspectorRow> scenarioRows()
     append(rows, windRows());
     append(rows, currentRows());
     append(rows, surroundingsRows());
+    append(rows, permitRows());
     append(rows, observerRows());
     append(rows, plannerRows());
     append(rows, placeRows());

@@ -62,6 +62,42 @@ class TestInspectorWorld : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    void operationIsSwitchedOnAndEdited()
+    {
+        Fixture f;
+        QVERIFY(!f.isShown(u"operation_reaction_s"_s));
+        test::child<QCheckBox>(f.panel, u"scenarioOperation"_s).click();
+        QVERIFY(f.scenario().operation == Operation{});
+        QVERIFY(f.isShown(u"operation_reaction_s"_s) && f.isShown(u"operation_crew"_s));
+        f.type(u"operation_reaction_s"_s, u"2.5"_s);
+        f.type(u"operation_turn_bank_deg"_s, u"25"_s);
+        QVERIFY(f.scenario().operation == (Operation{.reaction_s = 2.5, .turnBank_deg = 25}));
+        f.undoAll();
+        QVERIFY(!f.scenario().operation);
+    }
+
+    void enteredAirspaceBecomesNoFly()
+    {
+        Scenario scenario = test::fourIcebergs();
+        const std::vector<Point> near_m{{2000, 2000}, {2400, 2000}, {2400, 2300}};
+        const std::vector<Point> far_m{{2000, 52000}, {2400, 52000}, {2400, 52300}};
+        scenario.airspace = {
+            {.name = "far", .kind = {}, .corners_m = far_m},
+            {.name = "near", .kind = "R", .corners_m = near_m, .floor_m = 10, .ceiling_m = 900}};
+        Fixture f(scenario);
+        test::child<QPushButton>(f.panel, u"airspaceClose"_s).click();
+        QCOMPARE(f.scenario().airspace.size(), std::size_t{1});
+        QCOMPARE(f.scenario().airspace[0].name, std::string("far"));
+        QVERIFY(f.scenario().noFly ==
+                (std::vector<NoFlyArea>{
+                    {.name = "R near", .corners_m = near_m, .floor_m = 10, .ceiling_m = 900}}));
+        QVERIFY(!f.isShown(u"airspaceClose"_s));
+        test::child<QPushButton>(f.panel, u"airspaceRemove"_s).click();
+        QVERIFY(f.scenario().airspace.empty());
+        f.undoAll();
+        QVERIFY(f.scenario() == scenario);
+    }
+
     void observerIsEditedWhereItMatters()
     {
         Fixture f;

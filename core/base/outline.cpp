@@ -1,0 +1,181 @@
+#include "core/base/outline.h"
+
+#include "core/base/angles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+constexpr int kArcsOfCircle = 24;
+/** Along an edge of a polygon that is not convex: where parts of the outline are left out, the rest
+ * is joined in a straight line. */
+constexpr int kStepsOfEdge = 48;
+
+/** Along a circle from the direction of `normal` on, about it: a tangent polygon. */
+void appendArc(std::vector<Point>& outline, const Point& centre_m, const Point& normal,
+               double turn_rad, double radius_m)
+{
+    const int arcs = std::max(1, static_cast<int>(std::ceil(turn_rad * kArcsOfCircle / (2 * kPi))));
+    const double half_rad = turn_rad / arcs / 2;
+    for (int i = 0; i < arcs; ++i)
+        outline.emplace_back(centre_m + turned(normal, (2 * i + 1) * half_rad) * radius_m /
+                                            std::cos(half_rad));
+}
+
+/** Angle by which the edges turn left at a corner; half a turn at the end of a line. */
+double turnAt(const Point& in, const Point& out)
+{
+    const double side = cross(in, out);
+    return side == 0 && in.dot(out) < 0 ? kPi : std::atan2(side, in.dot(out));
+}
+
+/** Round a polygon that runs counter-clockwise, without equal corners beside each other. */
+class Growth
+{
+public:
+    Growth(std::span<const Point> corners_m, double by_m) : m_corners_m(corners_m), m_by_m(by_m)
+    {
+        for (std::size_t i = 0; i < corners_m.size(); ++i)
+            m_isConvex = m_isConvex && turnAt(edge(i + corners_m.size() - 1), edge(i)) >= 0;
+    }
+
+    [[nodiscard]] std::vector<Point> outline() const
+    {
+        std::vector<Point> outline_m;
+        for (std::size_t i = 0; i < m_corners_m.size(); ++i) {
+            const std::size_t before = i + m_corners_m.size() - 1;
+            std::vector<Point> part_m;
+            if (const double turn_rad = turnAt(edge(before), edge(i)); turn_rad > 0)
+                appendArc(part_m, at(i), normal(before), turn_rad, m_by_m);
+            for (int step = 0; !m_isConvex && step <= kStepsOfEdge; ++step)
+                part_m.emplace_back(at(i) + edge(i) * step / kStepsOfEdge + normal(i) * m_by_m);
+            for (const Point& place_m : part_m)
+                if (m_isConvex || isOutside(place_m))
+                    append(outline_m, place_m);
+        }
+        return outline_m;
+    }
+
+private:
+    [[nodiscard]] const Point& at(std::size_t i) const
+    {
+        return m_corners_m[i % m_corners_m.size()];
+    }
+    [[nodiscard]] Point edge(std::size_t i) const { return at(i + 1) - at(i); }
+    /** Outwards. */
+    [[nodiscard]] Point normal(std::size_t i) const
+    {
+        const Point along = edge(i).normalized();
+        return {along.y(), -along.x()};
+    }
+    /** Of the grown polygon, or on its outline. */
+    [[nodiscard]] bool isOutside(const Point& place_m) const
+    {
+        constexpr double kAll = 1 - 1e-9;
+        return distanceToEdges(m_corners_m, place_m) >= m_by_m * kAll &&
+               !insidePolygon(m_corners_m, place_m);
+    }
+    /** Without corners on straight lines. */
+    static void append(std::vector<Point>& outline_m, const Point& place_m)
+    {
+        constexpr double kStraight_m = 1e-6;
+        const std::size_t count = outline_m.size();
+        if (count > 1) {
+            const Point along = (outline_m[count - 1] - outline_m[count - 2]).normalized();
+            const Point next_m = place_m - outline_m[count - 1];
+            if (std::abs(cross(along, next_m)) < kStraight_m && along.dot(next_m) >= 0) {
+                outline_m.back() = place_m;
+                return;
+            }
+        }
+        outline_m.push_back(place_m);
+    }
+
+    std::span<const Point> m_corners_m;
+    double m_by_m;
+    bool m_isConvex = true;
+};
+
+struct Box
+{
+    explicit Box(std::span<const Point> corners)
+    {
+        for (const Point& corner : corners) {
+            low = low.cwiseMin(corner);
+            high = high.cwiseMax(corner);
+        }
+    }
+    Point low = Point::Constant(HUGE_VAL);
+    Point high = Point::Constant(-HUGE_VAL);
+};
+
+} // namespace
+
+std::vector<Point> convexHull(std::vector<Point> points)
+{
+    std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+    });
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.size() < 2)
+        return points;
+    std::vector<Point> hull;
+    for (const bool isUpper : {false, true}) {
+        const std::size_t first = hull.size();
+        for (const Point& point : points) {
+            while (hull.size() >= first + 2 &&
+                   cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0)
+                hull.pop_back();
+            hull.push_back(point);
+        }
+        hull.pop_back(); // the first one of the other half
+        if (!isUpper)
+            std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
+std::vector<Point> grownOutline(std::span<const Point> corners_m, double by_m)
+{
+    std::vector<Point> polygon_m;
+    for (const Point& corner_m : corners_m)
+        if (polygon_m.empty() || polygon_m.back() != corner_m)
+            polygon_m.push_back(corner_m);
+    while (polygon_m.size() > 1 && polygon_m.back() == polygon_m.front())
+        polygon_m.pop_back();
+    std::vector<Point> outline_m;
+    if (polygon_m.size() < 2) {
+        if (!polygon_m.empty())
+            appendArc(outline_m, polygon_m.front(), {1, 0}, 2 * kPi, by_m);
+        return outline_m;
+    }
+    if (signedArea(polygon_m) < 0)
+        std::reverse(polygon_m.begin(), polygon_m.end());
+    outline_m = Growth(polygon_m, by_m).outline();
+    if (outline_m.size() >= 3 && isSimplePolygon(outline_m) &&
+        std::ranges::all_of(
+            polygon_m, [&](const Point& corner_m) { return insidePolygon(outline_m, corner_m); }))
+        return outline_m;
+    return Growth(convexHull(std::move(polygon_m)), by_m).outline();
+}
+
+bool polygonsMeet(std::span<const Point> a, std::span<const Point> b)
+{
+    const Box boxA(a);
+    const Box boxB(b);
+    if (a.size() < 3 || b.size() < 3 || (boxA.low.array() > boxB.high.array()).any() ||
+        (boxB.low.array() > boxA.high.array()).any())
+        return false;
+    if (insidePolygon(a, b.front()) || insidePolygon(b, a.front()))
+        return true;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t k = 0; k < b.size(); ++k)
+            if (segmentsMeet(a[i], a[(i + 1) % a.size()], b[k], b[(k + 1) % b.size()]))
+                return true;
+    return false;
+}
+
+} // namespace berg

@@ -1,0 +1,225 @@
+#include "core/io/import/import_airspace.h"
+
+#include "core/base/error.h"
+#include "core/base/outline.h"
+#include "core/base/stopped.h"
+#include "core/io/import/area_outline.h"
+#include "core/io/import/import_fields.h"
+#include "core/io/import/import_formats.h"
+#include "core/io/import/import_geojson_scene.h"
+#include "core/io/import/import_icebergs.h"
+#include "core/io/import/json_members.h"
+#include "core/io/text/json_writer.h"
+#include "core/scenario/operation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+namespace berg {
+
+namespace {
+
+/** Of the first of the properties that is a text. */
+std::string textAt(const Json* properties, std::initializer_list<const char*> names,
+                   std::size_t most)
+{
+    for (const char* name : names)
+        if (std::string text = cleanText(textOf(memberOf(properties, name)), most); !text.empty())
+            return text;
+    return {};
+}
+
+/** Of "FL 65", or of `{"value": 65, "unit": 6}`. */
+std::optional<double> limitOf(const Json& value)
+{
+    if (value.is_string())
+        return airspaceHeight_m(value.get_ref<const std::string&>());
+    const Json* number = memberOf(&value, "value");
+    if (number == nullptr || !number->is_number())
+        return std::nullopt;
+    const Json* unit = memberOf(&value, "unit");
+    const std::string text = jsonText(number->get<double>());
+    const int code = unit != nullptr && unit->is_number_integer() ? unit->get<int>() : 1;
+    return airspaceHeight_m(code == 0 ? text + " M" : code == 6 ? "FL " + text : text + " FT");
+}
+
+std::optional<double> heightAt(const Json* properties, const char* metres,
+                               std::initializer_list<const char*> names)
+{
+    if (const Json* value = memberOf(properties, metres); value != nullptr && value->is_number())
+        return value->get<double>();
+    for (const char* name : names)
+        if (const Json* value = memberOf(properties, name))
+            if (const std::optional<double> height_m = limitOf(*value))
+                return height_m;
+    return std::nullopt;
+}
+
+std::string timeAt(const Json* properties, const char* name)
+{
+    std::string text = textOf(memberOf(properties, name));
+    return isUtcTime(text) ? text : std::string();
+}
+
+FileAirspace describedBy(const Json* properties)
+{
+    FileAirspace area{
+        .name = textAt(properties, {"name", "NAME", "title"}, kLongestName),
+        .kind = textAt(properties, {"class", "CLASS", "type", "TYPE", "kind"}, kLongestId),
+        .rings = {},
+        .fromUtc = timeAt(properties, "from_utc"),
+        .untilUtc = timeAt(properties, "until_utc")};
+    const double floor_m =
+        heightAt(properties, "floor_m", {"floor", "lower", "lowerLimit", "LOWER"}).value_or(0);
+    area.floor_m = std::clamp(floor_m, 0.0, kLargestLength_m);
+    area.ceiling_m = heightAt(properties, "ceiling_m", {"ceiling", "upper", "upperLimit", "UPPER"});
+    if (area.ceiling_m && !(*area.ceiling_m <= kLargestLength_m))
+        area.ceiling_m.reset();
+    return area;
+}
+
+/** One area for each polygon: those of a MultiPolygon may lie apart. Holes count as airspace. */
+void addPolygons(const Json& feature, std::size_t number, AirspaceTable& table, ReadBudget& budget)
+{
+    const Json* geometry = memberOf(&feature, "geometry");
+    const Json* coordinates = arrayOf(geometry, "coordinates");
+    const std::string type = textOf(memberOf(geometry, "type"));
+    if (type != "Polygon" && type != "MultiPolygon")
+        return;
+    FileAirspace area = describedBy(memberOf(&feature, "properties"));
+    area.line = number;
+    const auto add = [&](const Json& rings) {
+        std::optional<std::vector<LatLon>> ring;
+        if (rings.is_array() && !rings.empty())
+            ring = placesOf(&rings.front(), AxisOrder::LongitudeFirst);
+        if (!ring) {
+            table.rejected.add({.line = number,
+                                .fault = IssueId::AirspaceUnreadable,
+                                .detail = cleanText(area.name, 60)});
+            return;
+        }
+        budget.takeRow(sizeof area + area.name.size() + ring->size() * sizeof(LatLon));
+        table.areas.push_back(area);
+        table.areas.back().rings.push_back(std::move(*ring));
+    };
+    if (coordinates == nullptr)
+        add(Json());
+    else if (type == "Polygon")
+        add(*coordinates);
+    else
+        std::ranges::for_each(*coordinates, add);
+}
+
+/** The corners in the plane; none: no outline that a scenario can hold. */
+std::optional<std::vector<Point>> outlineOf(const FileAirspace& area, const LocalFrame& frame)
+{
+    constexpr std::size_t kMostVertices = 20'000; // more take long to thin out
+    if (area.rings.front().size() > kMostVertices)
+        return std::nullopt;
+    std::vector<Point> corners_m = areaOutline(area.rings, frame);
+    for (Point& corner_m : corners_m)
+        corner_m = toCentimetre(corner_m);
+    const auto [repeated, end] = std::ranges::unique(corners_m);
+    corners_m.erase(repeated, end);
+    const bool fits =
+        corners_m.size() >= 3 && corners_m.size() <= kMostAreaCorners &&
+        std::ranges::all_of(corners_m,
+                            [](const Point& corner_m) {
+                                return corner_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m;
+                            }) &&
+        isSimplePolygon(corners_m);
+    return fits ? std::optional(std::move(corners_m)) : std::nullopt;
+}
+
+bool isFar(const FileAirspace& area, const LocalFrame& frame)
+{
+    return std::ranges::all_of(area.rings.front(), [&](const LatLon& place) {
+        return frame.toPlane(place).cwiseAbs().maxCoeff() > kLargestCoordinate_m;
+    });
+}
+
+} // namespace
+
+AirspaceTable readAirspaceGeoJson(std::string_view text, ReadBudget& budget)
+{
+    ParsedJson file = parseJson(text, budget);
+    const Json* features = arrayOf(&file.root, "features");
+    AirspaceTable table;
+    if (features == nullptr) {
+        addPolygons(file.root, 1, table, budget);
+        return table;
+    }
+    const bool isOwn = std::ranges::any_of(*features, [](const Json& feature) {
+        return isOwnGeoJson(memberOf(&feature, "properties"));
+    });
+    std::size_t number = 0;
+    for (const Json& feature : *features) {
+        budget.goOn();
+        ++number;
+        if (!isOwn || kindOf(memberOf(&feature, "properties")) == "airspace")
+            addPolygons(feature, number, table, budget);
+    }
+    return table;
+}
+
+AirspaceResult importAirspace(const Scenario& base, std::string_view bytes,
+                              const std::string& subject, const std::stop_token& stop)
+{
+    ReadBudget budget(subject, bytes.size(), stop);
+    const std::string decoded = textOfBytes(bytes, subject);
+    std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark))
+        text.remove_prefix(kByteOrderMark.size());
+    const bool isJson = trimmed(text).starts_with('{');
+    if (!isJson && !isOpenAir(text))
+        throw Error(ErrorCode::WrongFormat, subject, {IssueId::NotAirspace});
+    const AirspaceTable table =
+        isJson ? readAirspaceGeoJson(text, budget) : readOpenAir(text, budget);
+    if (table.areas.empty() && table.rejected.count == 0)
+        throw Error(ErrorCode::InvalidInput, subject, {IssueId::NoAirspace});
+
+    AirspaceResult result{.scenario = base, .rejected = table.rejected};
+    const LocalFrame frame(base.origin);
+    const std::vector<Point> near_m = grownOutline(
+        operationVolume(base, base.operation.value_or(Operation())).outlines_m[0], kNearAirspace_m);
+    std::vector<AirspaceArea>& airspace = result.scenario.airspace;
+    for (const FileAirspace& area : table.areas) {
+        throwIfStopped(stop);
+        if (isFar(area, frame)) {
+            ++result.far;
+            continue;
+        }
+        std::optional<std::vector<Point>> corners_m = outlineOf(area, frame);
+        if (!corners_m || (area.ceiling_m && *area.ceiling_m <= area.floor_m)) {
+            result.rejected.add({.line = area.line,
+                                 .fault = IssueId::AirspaceOutline,
+                                 .detail = cleanText(area.name, 60)});
+            continue;
+        }
+        if (!polygonsMeet(near_m, *corners_m)) {
+            ++result.far;
+            continue;
+        }
+        AirspaceArea added{.name = area.name,
+                           .kind = area.kind,
+                           .corners_m = std::move(*corners_m),
+                           .floor_m = area.floor_m,
+                           .ceiling_m = area.ceiling_m,
+                           .fromUtc = area.fromUtc,
+                           .untilUtc = area.untilUtc};
+        if (std::ranges::find(airspace, added) != airspace.end())
+            ++result.known;
+        else if (airspace.size() >= kMostAirspaceAreas)
+            ++result.tooMany;
+        else {
+            airspace.push_back(std::move(added));
+            ++result.added;
+        }
+    }
+    return result;
+}
+
+} // namespace berg

@@ -1,0 +1,270 @@
+#include "widgets/print/operation_page.h"
+
+#include "widgets/print/brief_setting.h"
+#include "widgets/print/brief_uav_table.h"
+#include "widgets/print/page_text.h"
+#include "widgets/print/printable_text.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct OperationPage
+{
+    Q_DECLARE_TR_FUNCTIONS(OperationPage)
+};
+
+constexpr BriefType kTitle{.size_px = 20, .isBold = true};
+constexpr BriefType kHead{.size_px = 12};
+constexpr BriefType kCaption{.size_px = 10, .isMuted = true};
+constexpr BriefType kFact{.size_px = 12, .isBold = true};
+constexpr BriefType kHeading{.size_px = 11, .isBold = true};
+constexpr BriefType kWords{.size_px = 11};
+constexpr BriefType kFoot{.size_px = 9, .isMuted = true};
+
+constexpr double kGap_px = 9;
+constexpr double kBlankLine_px = 24; ///< to write on
+constexpr int kBlankLines = 2;       ///< of what is filled in by hand
+constexpr int kMostLines = 4;        ///< of a text
+constexpr double kBox_px = 9;
+
+QString metres(double length_m, const QLocale& locale)
+{
+    return distanceText(std::round(length_m), locale, 3, DistanceUnit::Metric);
+}
+
+std::vector<BriefFact> volumeFacts(const OperationVolume& volume, const QLocale& locale)
+{
+    return {
+        {OperationPage::tr("Largest speed over ground"), speedText(volume.speed_mps, locale, 3)},
+        {OperationPage::tr("Flight geography, height"), metres(volume.height_m, locale)},
+        {OperationPage::tr("Contingency volume, height"), metres(volume.ceiling_m, locale)},
+        {OperationPage::tr("Contingency volume, width"), metres(volume.outside_m, locale)},
+        {OperationPage::tr("Ground-risk buffer, width"), metres(volume.buffer_m, locale)},
+        {OperationPage::tr("Adjacent area, width"), metres(volume.adjacent_m, locale)}};
+}
+
+/** With the numbers put in. */
+QStringList formulasOf(const Scenario& scenario, const OperationVolume& volume,
+                       const QLocale& locale)
+{
+    const Operation& o = *scenario.operation;
+    const auto number = [&](double value) { return locale.toString(value, 'g', 4); };
+    return {
+        scenario.geofence
+            ? OperationPage::tr("Flight geography: inside of the geofence.")
+            : OperationPage::tr("Flight geography: all places that a plan may lead to, and %1 m "
+                                "round them.")
+                  .arg(number(o.margin_m)),
+        u"S_CV = %1 + %2 + %3 + v · %4 s + v²/(g tan %5°) = %6 m"_s.arg(
+            number(o.positionError_m), number(o.pathError_m), number(o.mapError_m),
+            number(o.reaction_s), number(o.turnBank_deg), number(volume.outside_m)),
+        u"H_CV = %1 + %2 + %3 v · %4 s + %5 v²/g = %6 m"_s.arg(
+            number(volume.height_m), number(o.heightError_m), number(o.climbPart),
+            number(o.reaction_s), number(o.pullUpPart), number(volume.ceiling_m)),
+        u"S_GRB = %1 · H_CV + %2/2 = %3 m"_s.arg(number(o.bufferRatio), number(o.span_m),
+                                                 number(volume.buffer_m)),
+        u"S_AA = v · %1 s, %2 … %3 m = %4 m"_s.arg(number(o.adjacent_s), number(o.adjacentLeast_m),
+                                                   number(o.adjacentMost_m),
+                                                   number(volume.adjacent_m)),
+        OperationPage::tr("Formulas and usual constants: calculator of Digisky 3.3.0, after the "
+                          "guide of the Swiss FOCA; not an authority's own text."),
+        OperationPage::tr("The outlines are in the KML, KMZ and GeoJSON exports.")};
+}
+
+QString limitText(const std::optional<double>& speed_mps, const QLocale& locale)
+{
+    return speed_mps ? speedText(*speed_mps, locale, 3) : u"–"_s;
+}
+
+std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& locale)
+{
+    std::vector<QStringList> rows{{OperationPage::tr("UAV"), OperationPage::tr("Endurance"),
+                                   OperationPage::tr("Reserve"), OperationPage::tr("Wind limit"),
+                                   OperationPage::tr("Gust limit"),
+                                   OperationPage::tr("Icing conditions")}};
+    for (const ExportUav& uav : content.uavs) {
+        const Uav& entered = content.scenario->uavs[uav.row];
+        const bool isLimited = entered.spec.endurance_s > 0;
+        rows.push_back({printable(titleOf(entered)),
+                        isLimited ? clockText(entered.spec.endurance_s) : u"–"_s,
+                        isLimited ? clockText(reserve_s(entered.spec)) : u"–"_s,
+                        limitText(entered.weather.wind_mps, locale),
+                        limitText(entered.weather.gust_mps, locale),
+                        entered.weather.icing ? OperationPage::tr("flown in")
+                                              : OperationPage::tr("not flown in")});
+    }
+    return rows;
+}
+
+/** Sets one block after the other from the top of the page. */
+class OperationLayout
+{
+public:
+    explicit OperationLayout(const QSizeF& page)
+    {
+        m_layout.page = page;
+        m_free =
+            QRectF(QPointF(0, 0), page)
+                .adjusted(kBriefMargin_px, kBriefMargin_px, -kBriefMargin_px, -kBriefMargin_px);
+        m_free.setBottom(m_free.bottom() - linePitch_px(kFoot.size_px) - kGap_px);
+    }
+
+    BriefLayout laidOut(const OperationContent& content)
+    {
+        const double foot_px = linePitch_px(kFoot.size_px);
+        setText(m_layout, QRectF(m_free.left(), m_free.bottom() + kGap_px, m_free.width(), foot_px),
+                OperationPage::tr("Made by Bergwatch from the scenario. It says nothing about "
+                                  "whether the operation may be flown."),
+                kFoot);
+        line(content.title, kTitle);
+        line(content.about, kHead);
+        rule(true);
+        setFacts(content.volume);
+        for (const QString& formula : content.formulas)
+            line(formula, kWords);
+        taken(kGap_px);
+        rule(false);
+        m_free.setTop(setUavTable(m_layout, content.uavs, m_free));
+        taken(kGap_px);
+        rule(false);
+        for (const BriefFact& paper : content.papers)
+            setPaper(paper);
+        setChecklist(content.checklist);
+        return std::move(m_layout);
+    }
+
+private:
+    QRectF taken(double height_px)
+    {
+        const QRectF strip(m_free.left(), m_free.top(), m_free.width(), height_px);
+        m_free.setTop(strip.bottom());
+        return strip;
+    }
+
+    void line(const QString& text, const BriefType& type)
+    {
+        setText(m_layout, taken(linePitch_px(type.size_px)), text, type);
+    }
+
+    void rule(bool isStrong)
+    {
+        const double y = taken(4).bottom();
+        m_layout.rules.push_back({QLineF(m_free.left(), y, m_free.right(), y), isStrong});
+        taken(4);
+    }
+
+    /** Three in a row. */
+    void setFacts(const std::vector<BriefFact>& facts)
+    {
+        constexpr std::size_t kColumns = 3;
+        const double caption_px = linePitch_px(kCaption.size_px);
+        const double value_px = linePitch_px(kFact.size_px);
+        QRectF row;
+        for (std::size_t i = 0; i < facts.size(); ++i) {
+            if (i % kColumns == 0)
+                row = taken(caption_px + value_px + 4);
+            const double width_px = row.width() / kColumns;
+            const QRectF box(row.left() + width_px * static_cast<double>(i % kColumns), row.top(),
+                             width_px - kGap_px, caption_px);
+            setText(m_layout, box, facts[i].caption, kCaption);
+            setText(m_layout, QRectF(box.left(), box.bottom(), box.width(), value_px),
+                    facts[i].value, kFact);
+        }
+        taken(kGap_px);
+    }
+
+    void blankLine(double left_px)
+    {
+        const double y = taken(kBlankLine_px).bottom();
+        m_layout.rules.push_back({QLineF(left_px, y, m_free.right(), y), false});
+    }
+
+    void setPaper(const BriefFact& paper)
+    {
+        line(paper.caption, kCaption);
+        const QStringList words = wrapped(paper.value, kWords, m_free.width(), kMostLines);
+        if (paper.value.isEmpty())
+            for (int i = 0; i < kBlankLines; ++i)
+                blankLine(m_free.left());
+        else
+            for (const QString& text : words)
+                line(text, kWords);
+        taken(kGap_px);
+    }
+
+    /** A box before each item; at the end lines for what is not foreseen. */
+    void setChecklist(const QStringList& items)
+    {
+        line(OperationPage::tr("Checklist"), kHeading);
+        qsizetype shown = 0;
+        while (shown < items.size() && m_free.height() > 2 * kBlankLine_px)
+            setItem(items[shown++]);
+        if (shown < items.size()) {
+            line(OperationPage::tr("and %1 more").arg(items.size() - shown), kWords);
+            return;
+        }
+        constexpr qsizetype kMostBlank = 6;
+        for (qsizetype i = 0; items.isEmpty() && i < kMostBlank && m_free.height() > kBlankLine_px;
+             ++i)
+            setItem({});
+    }
+
+    void setItem(const QString& item)
+    {
+        const QRectF strip = taken(kBlankLine_px);
+        const QRectF box(strip.left(), strip.bottom() - kBox_px - 2, kBox_px, kBox_px);
+        for (const QLineF& side :
+             {QLineF(box.topLeft(), box.topRight()), QLineF(box.topRight(), box.bottomRight()),
+              QLineF(box.bottomRight(), box.bottomLeft()), QLineF(box.bottomLeft(), box.topLeft())})
+            m_layout.rules.push_back({side, true});
+        const double left_px = box.right() + kGap_px;
+        if (item.isEmpty())
+            m_layout.rules.push_back(
+                {QLineF(left_px, box.bottom(), strip.right(), box.bottom()), false});
+        const double height_px = linePitch_px(kWords.size_px);
+        setText(
+            m_layout,
+            QRectF(left_px, box.center().y() - height_px / 2, strip.right() - left_px, height_px),
+            item, kWords);
+    }
+
+    BriefLayout m_layout;
+    QRectF m_free;
+};
+
+} // namespace
+
+OperationContent operationContent(const ExportContent& content, const QLocale& locale)
+{
+    const Operation& operation = *content.scenario->operation;
+    QStringList checklist;
+    for (const QString& item :
+         QString::fromStdString(operation.checklist).split(u'\n', Qt::SkipEmptyParts))
+        checklist << printable(item.toStdString());
+    return {.title = OperationPage::tr("Operation volume: proposal, to be checked with your "
+                                       "authority"),
+            .about = pageTitle(content),
+            .volume = volumeFacts(*content.operation, locale),
+            .formulas = formulasOf(*content.scenario, *content.operation, locale),
+            .uavs = uavRows(content, locale),
+            .papers = {{OperationPage::tr("Crew"), printable(operation.crew)},
+                       {OperationPage::tr("Call sign"), printable(operation.callSign)},
+                       {OperationPage::tr("Contacts"), printable(operation.contacts)},
+                       {OperationPage::tr("Command link"), printable(operation.link)},
+                       {OperationPage::tr("Date and signatures"), {}}},
+            .checklist = checklist};
+}
+
+BriefLayout layOutOperation(const OperationContent& content, const QSizeF& page)
+{
+    return OperationLayout(page).laidOut(content);
+}
+
+} // namespace berg
