@@ -114,6 +114,8 @@ void Menus::buildFileMenu()
                               [this] { m_targets.results.exportPlan(); });
     add(menu, {"briefAction", tr("Flight brie&f..."), QKeySequence::Print, std::nullopt},
         [this] { m_targets.results.exportBrief(); });
+    add(menu, {"logAction", tr("Flight &log..."), {}, std::nullopt},
+        [this] { m_targets.results.exportReport(); });
     menu.addSeparator();
     add(menu, {"quitAction", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), std::nullopt},
         [this] { window().close(); });

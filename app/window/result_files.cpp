@@ -81,7 +81,7 @@ void ResultFiles::copyPicture()
 
 void ResultFiles::exportReport()
 {
-    chooseExport("charts-pdf");
+    chooseExport("log");
 }
 
 void ResultFiles::chooseExport(const std::string& formatId)

@@ -26,7 +26,7 @@ public:
     void exportBrief();
     /** The map as it is, for other programs to paste. */
     void copyPicture();
-    /** Charts of the run as a page, unless another format is chosen. */
+    /** The log of the run, unless another format is chosen. */
     void exportReport();
 
 private:

@@ -5,7 +5,7 @@
 bergwatch=$4
 default="$source_dir/resources/scenarios/grand-banks-12.berg"
 
-painted="brief map-pdf map-svg map-png charts-pdf charts-svg charts-png"
+painted="brief map-pdf map-svg map-png log charts-pdf charts-svg charts-png"
 check "a plan to be in the way" exits 0 "$cli" export "$default" --format plan --output plan.plan
 # --- whether there is a bergwatch ------------------------------------------------------------
 # A copy in a folder of its own, where each bergwatch is one that this script has put there.

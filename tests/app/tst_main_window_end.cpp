@@ -130,7 +130,7 @@ private slots:
         QCOMPARE(w.interaction.suggested, QStringList{u"flight.bergrun"_s});
         press(w, u"flightCardReport"_s);
         QCOMPARE(w.interaction.offers.size(), 1U);
-        QCOMPARE(w.interaction.offers.front().suggested.formatId, std::string("charts-pdf"));
+        QCOMPARE(w.interaction.offers.front().suggested.formatId, std::string("log"));
         QVERIFY(card(w).isVisible());
     }
 

@@ -2,6 +2,7 @@
 
 #include "widgets/print/chart_page.h"
 #include "widgets/print/flight_brief.h"
+#include "widgets/print/log_page.h"
 #include "widgets/print/map_page.h"
 
 #include <stdexcept>
@@ -20,6 +21,8 @@ PicturePage exportPage(const ExportFormat& format, const ExportContent& content,
         return flightBrief(content, locale);
     if (format.id.starts_with("map-"))
         return mapPage(content, locale);
+    if (format.id == "log")
+        return logPage(content, locale);
     if (format.id.starts_with("charts-"))
         return chartPage(content, locale);
     throw std::logic_error("exportPage: no page for " + std::string(format.id));

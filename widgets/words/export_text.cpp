@@ -85,6 +85,11 @@ ExportFormatText tableText(std::string_view id)
                 .tool = ExportText::tr("Spreadsheets"),
                 .about = ExportText::tr("Table with plans, visits and what else happened in the "
                                         "flight.")};
+    if (id == "log-html")
+        return {.name = ExportText::tr("Flight log"),
+                .tool = ExportText::tr("Browsers"),
+                .about = ExportText::tr("Page with planned and flown, zeta against prediction, all "
+                                        "sightings and deviations, in English.")};
     if (id == "zeta-csv")
         return {.name = ExportText::tr("Zeta"),
                 .tool = ExportText::tr("Spreadsheets"),
@@ -111,6 +116,12 @@ ExportFormatText pageText(std::string_view id)
                 .tool = ExportText::tr("Paper"),
                 .about = ExportText::tr("One page to print and take along: map, order with "
                                         "coordinates, legs and times, wind, warnings.")};
+    if (id == "log")
+        return {.group = group,
+                .name = ExportText::tr("Flight log"),
+                .tool = ExportText::tr("Paper"),
+                .about = ExportText::tr("Two or three pages: planned and flown, map, zeta against "
+                                        "prediction, sightings, deviations.")};
     const QString tool = id.ends_with("pdf")   ? ExportText::tr("Paper")
                          : id.ends_with("svg") ? ExportText::tr("Drawing programs")
                                                : ExportText::tr("Documents and messages");

@@ -2,6 +2,7 @@
 
 #include "core/io/export/czml.h"
 #include "core/io/export/export_files.h"
+#include "core/io/export/flight_log.h"
 #include "core/io/export/geojson.h"
 #include "core/io/export/gpx.h"
 #include "core/io/export/kml.h"
@@ -88,6 +89,8 @@ constexpr std::array kFormats{
     ExportFormat{"map-pdf", "pdf", "paper: the map", kPictureHolds, nullptr},
     ExportFormat{"map-svg", "svg", "drawing programs: the map", kPictureHolds, nullptr},
     ExportFormat{"map-png", "png", "documents and messages: the map", kPictureHolds, nullptr},
+    ExportFormat{"log", "pdf", "paper: log of a flight", kChartsHold, nullptr},
+    ExportFormat{"log-html", "html", "browsers: log of a flight", kFlightTableHolds, flightLogHtml},
     ExportFormat{"charts-pdf", "pdf", "paper: zeta and sigma over time", kChartsHold, nullptr},
     ExportFormat{"charts-svg", "svg", "drawing programs: zeta and sigma over time", kChartsHold,
                  nullptr},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace berg {
@@ -67,5 +68,10 @@ svg .hollow { fill: var(--page); stroke: var(--ink); stroke-width: 1.5; }
   figure, tr, dd, .incomplete, pre { break-inside: avoid; }
 }
 )css";
+
+/** From the doctype to the end of the head of a page by that program, in `kReportStyle` and more.
+ */
+[[nodiscard]] std::string reportHead(const std::string& title, const std::string& program,
+                                     const std::string& style = {});
 
 } // namespace berg

@@ -29,20 +29,6 @@ std::string policyStyle()
     return light + "@media screen and (prefers-color-scheme: dark) {\n" + dark + "}\n";
 }
 
-std::string headHtml(const std::string& title, const ReportOrigin& origin)
-{
-    // The policy lets nothing be loaded and nothing be run, whatever else the page may hold.
-    return "<!DOCTYPE html>\n"
-           "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
-           "<meta charset=\"utf-8\"/>\n"
-           "<meta http-equiv=\"Content-Security-Policy\" "
-           "content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n"
-           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-           "<meta name=\"generator\" content=\"" +
-           htmlText(origin.program) + "\"/>\n<title>" + htmlText(title) + "</title>\n<style>" +
-           std::string(kReportStyle) + policyStyle() + "</style>\n</head>\n";
-}
-
 std::string figureHtml(const std::string& heading, const std::string& drawing,
                        const std::string& caption)
 {
@@ -87,16 +73,31 @@ std::string figuresHtml(const StudySummary& summary)
 
 } // namespace
 
+std::string reportHead(const std::string& title, const std::string& program,
+                       const std::string& style)
+{
+    // The policy lets nothing be loaded and nothing be run, whatever else the page may hold.
+    return "<!DOCTYPE html>\n"
+           "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
+           "<meta charset=\"utf-8\"/>\n"
+           "<meta http-equiv=\"Content-Security-Policy\" "
+           "content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n"
+           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+           "<meta name=\"generator\" content=\"" +
+           htmlText(program) + "\"/>\n<title>" + htmlText(title) + "</title>\n<style>" +
+           std::string(kReportStyle) + style + "</style>\n</head>\n";
+}
+
 std::string studyReportHtml(const Study& study, const StudySummary& summary,
                             const ReportOrigin& origin)
 {
     const std::string title = titleOf(study.spec);
-    return headHtml(title, origin) + "<body>\n<header>\n<h1>" + htmlName(title) + "</h1>\n" +
-           "<p class=\"lead\">" + htmlText(origin.program) + ", " + htmlText(origin.madeUtc) +
-           "</p>\n</header>\n<main>\n" + reportFindings(study, summary) + figuresHtml(summary) +
-           reportTables(summary) + reportFacts(study, origin) + reportRecipe(study.spec) +
-           "</main>\n" + std::string(kStudyOpens) + '\n' + scriptJson(studyToJson(study)) +
-           std::string(kStudyCloses) + "\n</body>\n</html>\n";
+    return reportHead(title, origin.program, policyStyle()) + "<body>\n<header>\n<h1>" +
+           htmlName(title) + "</h1>\n" + "<p class=\"lead\">" + htmlText(origin.program) + ", " +
+           htmlText(origin.madeUtc) + "</p>\n</header>\n<main>\n" + reportFindings(study, summary) +
+           figuresHtml(summary) + reportTables(summary) + reportFacts(study, origin) +
+           reportRecipe(study.spec) + "</main>\n" + std::string(kStudyOpens) + '\n' +
+           scriptJson(studyToJson(study)) + std::string(kStudyCloses) + "\n</body>\n</html>\n";
 }
 
 bool isReport(std::string_view text)

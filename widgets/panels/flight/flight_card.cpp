@@ -101,7 +101,8 @@ FlightCard::FlightCard(QWidget* map)
               &FlightCard::compareRequested);
     addButton(u"flightCardSave"_s, tr("Save run"), tr("Keeps the run in a file."),
               &FlightCard::saveRequested);
-    addButton(u"flightCardReport"_s, tr("Report"), tr("Exports the charts of the run as a page."),
+    addButton(u"flightCardReport"_s, tr("Report"),
+              tr("Exports the log of the run: planned and flown, sightings, deviations."),
               &FlightCard::reportRequested);
     column->addLayout(row, column->rowCount(), 0, 1, 2);
     connect(m_close, &QToolButton::clicked, this, [this] {

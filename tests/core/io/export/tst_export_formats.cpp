@@ -64,9 +64,10 @@ private slots:
             QVERIFY(row.pieces == nullptr || row.holds.fleet); // one file
             QVERIFY(!row.holds.painted || row.holds.fleet);    // a page shows all UAVs
         }
-        QCOMPARE(ids.join(u' '), QStringLiteral("plan wpl geojson csv sigma-csv decisions-csv "
-                                                "zeta-csv gpx kml kmz czml brief map-pdf map-svg "
-                                                "map-png charts-pdf charts-svg charts-png"));
+        QCOMPARE(ids.join(u' '),
+                 QStringLiteral("plan wpl geojson csv sigma-csv decisions-csv "
+                                "zeta-csv gpx kml kmz czml brief map-pdf map-svg "
+                                "map-png log log-html charts-pdf charts-svg charts-png"));
         QVERIFY(findExportFormat("mission") == nullptr);
     }
 

@@ -1,0 +1,175 @@
+#include "core/io/export/flight_log.h"
+
+#include "core/io/export/export_flight.h"
+#include "core/io/export/plan_wpl.h"
+#include "core/io/text/sha256.h"
+#include "core/sim/policy_forecast.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+bool isDeviation(const MissionEvent& event)
+{
+    switch (event.kind) {
+    case EventKind::PlannerFailed:
+    case EventKind::Alarm:
+    case EventKind::Intervention:
+    case EventKind::Lost:
+    case EventKind::GivenUp:
+    case EventKind::LateHome:
+    case EventKind::Close:
+    case EventKind::LeftFence:
+    case EventKind::BackInside:
+        return true;
+    case EventKind::Planned:
+        return event.fellBack;
+    case EventKind::Reached:
+    case EventKind::Sighted:
+    case EventKind::Appeared:
+    case EventKind::Left:
+    case EventKind::Found:
+    case EventKind::HomeBound:
+    case EventKind::Landed:
+    case EventKind::TookOff:
+        break;
+    }
+    return false;
+}
+
+/** What the first plan was to be, and its file. */
+void addPlanned(LogUav& uav, const Mission& mission, const PlanAnswer& plan)
+{
+    const Scenario& scenario = mission.scenario();
+    const std::string& id = scenario.uavs[uav.row].id;
+    const ExportSource source{.scenario = scenario, .plan = plan};
+    const ExportContent path = exportContent(source, {.what = ExportWhat::Path, .uav = id});
+    const std::vector<TimedPoint> line = pathOf(path.uavs.front());
+    for (std::size_t i = 1; i < line.size(); ++i)
+        uav.plannedLength_m += (line[i].position_m - line[i - 1].position_m).norm();
+    uav.plannedTime_s = line.back().time_s - line.front().time_s;
+    const std::vector<Visit>& visits = path.uavs.front().visits;
+    uav.plannedVisits = static_cast<std::size_t>(
+        std::ranges::count_if(visits, [](const Visit& visit) { return visit.iceberg >= 0; }));
+    uav.planHash = sha256(wplText(exportContent(source, {.what = ExportWhat::Order, .uav = id})));
+}
+
+/** What the samples tell of UAVs and icebergs, one after the other. */
+class RecordReading
+{
+public:
+    RecordReading(const ExportContent& content, FlightLog& log)
+        : m_content(content), m_log(log), m_icebergs(content.mission->icebergs().size())
+    {
+    }
+
+    void read()
+    {
+        const Recorder& recorder = m_content.mission->recorder();
+        IcebergReader reader = recorder.reader();
+        double before_s = 0;
+        for (std::size_t row = 0; row < recorder.samples().size(); ++row) {
+            const Sample& sample = recorder.samples()[row];
+            readUavs(sample, sample.time_s - before_s);
+            readIcebergs(reader.at(row), sample.time_s);
+            before_s = sample.time_s;
+        }
+        for (std::size_t i = 0; i < m_icebergs.size(); ++i)
+            if (m_icebergs[i].known_s) {
+                close(m_icebergs[i], m_log.flown_s);
+                m_icebergs[i].log.iceberg = i;
+                m_log.icebergs.push_back(m_icebergs[i].log);
+            }
+    }
+
+private:
+    struct Watched
+    {
+        LogIceberg log;
+        std::optional<double> known_s; ///< seen last, or known of from then on
+    };
+
+    void readUavs(const Sample& sample, double passed_s)
+    {
+        for (LogUav& uav : m_log.uavs) {
+            const UavSample& now = sample.uavs.at(uav.row);
+            if (now.onGround)
+                continue;
+            uav.aloft_s += passed_s;
+            if (m_content.operation &&
+                !insidePolygon(m_content.operation->outline_m(VolumePart::Geography),
+                               now.pose.position_m))
+                uav.outside_s += passed_s;
+        }
+    }
+
+    static void close(Watched& watched, double time_s)
+    {
+        watched.log.longestUnseen_s =
+            std::max(watched.log.longestUnseen_s, time_s - *watched.known_s);
+    }
+
+    void readIcebergs(const std::vector<IcebergSample>& icebergs, double time_s)
+    {
+        for (std::size_t i = 0; i < icebergs.size() && i < m_icebergs.size(); ++i) {
+            Watched& watched = m_icebergs[i];
+            if (!icebergs[i].active)
+                continue;
+            watched.log.sigma_m2 = icebergs[i].sigma_m2;
+            if (!watched.known_s)
+                watched.known_s = time_s;
+            if (!icebergs[i].inView)
+                continue;
+            close(watched, time_s);
+            watched.known_s = time_s;
+            watched.log.first_s = watched.log.first_s.value_or(time_s);
+            watched.log.last_s = time_s;
+        }
+    }
+
+    const ExportContent& m_content;
+    FlightLog& m_log;
+    std::vector<Watched> m_icebergs;
+};
+
+} // namespace
+
+FlightLog flightLog(const ExportContent& content)
+{
+    if (content.mission == nullptr)
+        throw Error(ErrorCode::InvalidInput, "format", {IssueId::NothingFlown});
+    const Mission& mission = *content.mission;
+    FlightLog log{.flown_s = mission.simulation().time_s(),
+                  .metrics = mission.metrics(),
+                  .predicted = forecastOf(mission.scenario(), mission.scenario().planner.policy),
+                  .wasChanged = !mission.interventions().empty()};
+    const PlanAnswer plan = startPlan(mission);
+    for (std::size_t row = 0; row < mission.scenario().uavs.size(); ++row) {
+        LogUav uav{.row = row,
+                   .visits = mission.visits(static_cast<int>(row)),
+                   .flown_m = mission.simulation().uav(static_cast<int>(row)).flown_m};
+        addPlanned(uav, mission, plan);
+        log.uavs.push_back(std::move(uav));
+    }
+    RecordReading(content, log).read();
+    for (const MissionEvent& event : mission.events()) {
+        if (event.kind == EventKind::Reached)
+            for (LogIceberg& iceberg : log.icebergs)
+                if (event.iceberg == static_cast<int>(iceberg.iceberg) ||
+                    std::ranges::find(event.together, static_cast<int>(iceberg.iceberg)) !=
+                        event.together.end())
+                    ++iceberg.visits;
+        if (isDeviation(event))
+            log.deviations.push_back(event);
+    }
+    return log;
+}
+
+std::string programName()
+{
+    return "Bergwatch " BERGWATCH_VERSION;
+}
+
+} // namespace berg

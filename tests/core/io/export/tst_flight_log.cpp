@@ -1,0 +1,121 @@
+#include "core/io/export/flight_log.h"
+#include "core/io/export/plan_wpl.h"
+#include "core/io/text/sha256.h"
+#include "core/sim/policy_forecast.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/export_fixtures.h"
+
+#include <QCryptographicHash>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace berg;
+using namespace berg::test;
+
+class TestFlightLog : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** Against Qt's, over the lengths at which the padding changes. */
+    void hashIsSha256()
+    {
+        for (int length = 0; length < 200; ++length) {
+            const QByteArray text(length, char('a' + length % 26));
+            QCOMPARE(QByteArray::fromStdString(sha256(text.toStdString())),
+                     QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex());
+        }
+    }
+
+    void tellsPlannedAndFlown()
+    {
+        const Mission mission = flown(fourIcebergs());
+        const ExportContent content = runContent(mission);
+        const FlightLog log = flightLog(content);
+        QCOMPARE(log.flown_s, 400.0);
+        QCOMPARE(log.metrics, mission.metrics());
+        QVERIFY(!log.wasChanged);
+        const std::optional<Metrics> predicted =
+            forecastOf(mission.scenario(), mission.scenario().planner.policy);
+        QVERIFY(log.predicted && predicted && *log.predicted == *predicted);
+
+        QCOMPARE(log.uavs.size(), std::size_t{1});
+        const LogUav& uav = log.uavs.front();
+        QCOMPARE(uav.plannedVisits, std::size_t{4});
+        QVERIFY(uav.plannedLength_m > 4000 && uav.plannedLength_m < 20000);
+        QVERIFY(uav.plannedTime_s > 200);
+        QCOMPARE(uav.visits, mission.metrics().visits);
+        QCOMPARE(uav.flown_m, mission.metrics().flown_m);
+        QCOMPARE(uav.aloft_s, 400.0);
+        QCOMPARE(uav.outside_s, 0.0); // no operation
+        QCOMPARE(log.icebergs.size(), std::size_t{4});
+        int visits = 0;
+        for (const LogIceberg& iceberg : log.icebergs) {
+            visits += iceberg.visits;
+            QCOMPARE(iceberg.first_s.has_value(), iceberg.last_s.has_value());
+            QVERIFY(!iceberg.first_s || *iceberg.first_s <= *iceberg.last_s);
+            QVERIFY(iceberg.visits == 0 || iceberg.first_s);
+            QVERIFY(iceberg.longestUnseen_s > 0 && iceberg.longestUnseen_s <= 400);
+        }
+        QCOMPARE(visits, mission.metrics().visits);
+    }
+
+    /** The hash is that of the file which the plan before take-off is exported as. */
+    void planIsNamedByItsFile()
+    {
+        const Scenario scenario = fourIcebergs();
+        const Mission mission = flown(scenario);
+        const PlanAnswer plan = planFromStart(scenario);
+        const std::string file = wplText(exportContent({.scenario = scenario, .plan = plan}));
+        QCOMPARE(flightLog(runContent(mission)).uavs.front().planHash, sha256(file));
+    }
+
+    void timeOutsideTheGeographyCounts()
+    {
+        Scenario scenario = fourIcebergs();
+        scenario.operation = Operation{};
+        QCOMPARE(flightLog(runContent(flown(scenario))).uavs.front().outside_s, 0.0);
+    }
+
+    void changesInFlightAreTold()
+    {
+        Mission mission(fourIcebergs());
+        mission.advance(100);
+        Intervention change;
+        change.wind_mps = Point(3, 0);
+        mission.intervene(change);
+        mission.advance(1e9);
+        const FlightLog log = flightLog(runContent(mission));
+        QVERIFY(log.wasChanged);
+        QVERIFY(std::ranges::any_of(log.deviations, [](const MissionEvent& event) {
+            return event.kind == EventKind::Intervention && event.time_s == 100;
+        }));
+    }
+
+    void pageIsWellFormedAndWhole()
+    {
+        Scenario scenario = hostile();
+        scenario.icebergs[2].name = "\xC2\x85 and \x7F"; // a mission refuses what is no UTF-8
+        scenario.operation = Operation{};
+        const Mission mission = flown(scenario);
+        const std::string page = flightLogHtml(runContent(mission));
+        QCOMPARE(xmlFault(bytes(page)), QString());
+        const FlightLog log = flightLog(runContent(mission));
+        QVERIFY(page.find(log.uavs.front().planHash) != std::string::npos);
+        for (const char* part : {"Planned and flown", "Sightings", "Deviations", "<dt>Seed</dt>",
+                                 "<dd>7</dd>", "<svg"})
+            QVERIFY2(page.find(part) != std::string::npos, part);
+        QCOMPARE(flightLogHtml(runContent(mission)), page); // the same run, the same bytes
+    }
+
+    void planAloneHasNoLog()
+    {
+        const std::optional<Error> error =
+            errorOf([] { (void)flightLog(planContent(fourIcebergs())); });
+        QVERIFY(error && error->code() == ErrorCode::InvalidInput);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFlightLog)
+#include "tst_flight_log.moc"

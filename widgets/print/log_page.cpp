@@ -1,0 +1,355 @@
+#include "widgets/print/log_page.h"
+
+#include "core/io/export/flight_log.h"
+#include "widgets/charts/figure_painter.h"
+#include "widgets/charts/mission_charts.h"
+#include "widgets/map/paint/map_painter.h"
+#include "widgets/map/picture/scenario_picture.h"
+#include "widgets/print/brief_setting.h"
+#include "widgets/print/brief_table.h"
+#include "widgets/print/brief_uav_table.h"
+#include "widgets/print/document_chart.h"
+#include "widgets/print/export_picture.h"
+#include "widgets/print/flight_brief.h"
+#include "widgets/print/page_text.h"
+#include "widgets/print/printable_text.h"
+#include "widgets/theme/painter_state.h"
+#include "widgets/theme/quantity_text.h"
+#include "widgets/words/event_text.h"
+#include "widgets/words/policy_words.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct LogText
+{
+    Q_DECLARE_TR_FUNCTIONS(LogText)
+};
+
+constexpr BriefType kTitle{.size_px = 20, .isBold = true};
+constexpr BriefType kHead{.size_px = 12};
+constexpr BriefType kCaption{.size_px = 10, .isMuted = true};
+constexpr BriefType kFact{.size_px = 12, .isBold = true};
+constexpr BriefType kHeading{.size_px = 12, .isBold = true};
+constexpr BriefType kWords{.size_px = 10};
+
+constexpr double kGap_px = 9;
+constexpr double kChart_px = 330; ///< height
+constexpr double kMapScale = 0.78;
+constexpr std::size_t kMostPages = 3;
+
+QString zetaText(double zeta_m2s, const QLocale& locale)
+{
+    return u"%1 m² s"_s.arg(significantText(zeta_m2s, 4, locale));
+}
+
+QString timeOrNever(const ExportContent& content, const std::optional<double>& time_s)
+{
+    return time_s ? briefClock(content, *time_s) : LogText::tr("never");
+}
+
+std::vector<BriefFact> factsOf(const ExportContent& content, const FlightLog& log,
+                               const QLocale& locale)
+{
+    const Scenario& scenario = content.mission->scenario();
+    std::vector<BriefFact> facts{
+        {content.start ? LogText::tr("Start, UTC") : LogText::tr("Start"), briefClock(content, 0)},
+        {content.start ? LogText::tr("Until, UTC") : LogText::tr("Until"),
+         briefClock(content, log.flown_s)},
+        {LogText::tr("Zeta flown"), zetaText(log.metrics.zeta_m2s, locale)},
+        {LogText::tr("Predicted before take-off"),
+         log.predicted ? zetaText(log.predicted->zeta_m2s, locale) : u"–"_s},
+        {LogText::tr("Visits"), locale.toString(log.metrics.visits)},
+        {LogText::tr("Plans made"), locale.toString(log.metrics.replans)},
+        {LogText::tr("Planned by"), policyText(scenario.planner, locale)},
+        {LogText::tr("Seed"), QString::number(scenario.seed)},
+        {LogText::tr("Program"), QString::fromStdString(programName())}};
+    return facts;
+}
+
+std::vector<QStringList> uavRows(const ExportContent& content, const FlightLog& log,
+                                 const QLocale& locale)
+{
+    std::vector<QStringList> rows{{LogText::tr("UAV"), LogText::tr("Visits planned"),
+                                   LogText::tr("flown"), LogText::tr("Distance planned"),
+                                   LogText::tr("flown"), LogText::tr("Time planned"),
+                                   LogText::tr("aloft"), LogText::tr("Outside the geography")}};
+    for (const LogUav& uav : log.uavs)
+        rows.push_back({printable(titleOf(content.mission->scenario().uavs[uav.row])),
+                        locale.toString(static_cast<qulonglong>(uav.plannedVisits)),
+                        locale.toString(uav.visits), distanceText(uav.plannedLength_m, locale),
+                        distanceText(uav.flown_m, locale), clockText(uav.plannedTime_s),
+                        clockText(uav.aloft_s),
+                        content.operation ? clockText(uav.outside_s) : u"–"_s});
+    return rows;
+}
+
+std::vector<QStringList> sightingRows(const ExportContent& content, const FlightLog& log,
+                                      const QLocale& locale)
+{
+    std::vector<QStringList> rows{{LogText::tr("Iceberg"), LogText::tr("First seen"),
+                                   LogText::tr("Last seen"), LogText::tr("Visits"),
+                                   LogText::tr("Longest unseen"), LogText::tr("σ at the end, m²")}};
+    for (const LogIceberg& iceberg : log.icebergs)
+        rows.push_back({printable(titleOf(content.mission->icebergs()[iceberg.iceberg])),
+                        timeOrNever(content, iceberg.first_s), timeOrNever(content, iceberg.last_s),
+                        locale.toString(iceberg.visits), clockText(iceberg.longestUnseen_s),
+                        significantText(iceberg.sigma_m2, 3, locale)});
+    return rows;
+}
+
+QStringList deviationLines(const ExportContent& content, const FlightLog& log,
+                           const QLocale& locale)
+{
+    const Mission& mission = *content.mission;
+    QStringList lines;
+    if (log.wasChanged)
+        lines << LogText::tr("Something was changed in flight: the prediction was for another "
+                             "flight.");
+    for (const MissionEvent& event : log.deviations)
+        lines << u"%1  %2"_s.arg(
+            briefClock(content, event.time_s),
+            printable(eventSentence(event, mission.icebergs(), mission.scenario().uavs, locale)));
+    if (lines.isEmpty())
+        lines << LogText::tr("None on record.");
+    return lines;
+}
+
+/** All pages, each with rules and texts; the first has room for map and chart. */
+struct LogSheets
+{
+    std::vector<BriefLayout> pages;
+    QRectF map;
+    QRectF chart;
+};
+
+/** Sets one block after the other, on a new page when one is full. */
+class LogLayout
+{
+public:
+    explicit LogLayout(const QSizeF& page) : m_page(page) { turn(); }
+
+    LogSheets laidOut(const ExportContent& content, const FlightLog& log, const QLocale& locale)
+    {
+        line(LogText::tr("Flight log: %1").arg(pageTitle(content)), kTitle);
+        line(pathsText(content), kHead);
+        rule(true);
+        setFacts(factsOf(content, log, locale));
+        rule(false);
+        m_free.setTop(setUavTable(layout(), uavRows(content, log, locale), m_free));
+        space(kGap_px);
+        m_sheets.chart =
+            QRectF(m_free.left(), m_free.bottom() - kChart_px, m_free.width(), kChart_px);
+        m_sheets.map = m_free.adjusted(0, 0, 0, -kChart_px - kGap_px);
+        turn();
+        setTable(LogText::tr("Sightings"), sightingRows(content, log, locale));
+        setLines(LogText::tr("Deviations"), deviationLines(content, log, locale));
+        setHashes(content, log);
+        return std::move(m_sheets);
+    }
+
+private:
+    [[nodiscard]] BriefLayout& layout() { return m_sheets.pages.back(); }
+
+    void turn()
+    {
+        m_sheets.pages.push_back({});
+        layout().page = m_page;
+        m_free =
+            QRectF(QPointF(0, 0), m_page)
+                .adjusted(kBriefMargin_px, kBriefMargin_px, -kBriefMargin_px, -kBriefMargin_px);
+    }
+
+    QRectF taken(double height_px)
+    {
+        const QRectF strip(m_free.left(), m_free.top(), m_free.width(), height_px);
+        m_free.setTop(strip.bottom());
+        return strip;
+    }
+
+    void space(double height_px) { (void)taken(height_px); }
+
+    void line(const QString& text, const BriefType& type)
+    {
+        setText(layout(), taken(linePitch_px(type.size_px)), text, type);
+    }
+
+    void rule(bool isStrong)
+    {
+        const double y = taken(4).bottom();
+        layout().rules.push_back({QLineF(m_free.left(), y, m_free.right(), y), isStrong});
+        space(4);
+    }
+
+    /** Three in a row. */
+    void setFacts(const std::vector<BriefFact>& facts)
+    {
+        constexpr std::size_t kColumns = 3;
+        const double caption_px = linePitch_px(kCaption.size_px);
+        const double value_px = linePitch_px(kFact.size_px);
+        QRectF row;
+        for (std::size_t i = 0; i < facts.size(); ++i) {
+            if (i % kColumns == 0)
+                row = taken(caption_px + value_px + 3);
+            const double width_px = row.width() / kColumns;
+            const QRectF box(row.left() + width_px * static_cast<double>(i % kColumns), row.top(),
+                             width_px - kGap_px, caption_px);
+            setText(layout(), box, facts[i].caption, kCaption);
+            setText(layout(), QRectF(box.left(), box.bottom(), box.width(), value_px),
+                    facts[i].value, kFact);
+        }
+    }
+
+    /** Lines that still fit on this page and those that may follow, the first pages full. */
+    [[nodiscard]] qsizetype room(double line_px, double keep_px) const
+    {
+        return static_cast<qsizetype>(
+            std::floor(std::max(0.0, m_free.height() - keep_px) / line_px));
+    }
+
+    /** A row a line, the first column wide; what does not fit goes onto the next page. */
+    void setTable(const QString& heading, const std::vector<QStringList>& rows)
+    {
+        line(heading, kHeading);
+        const double line_px = linePitch_px(kWords.size_px);
+        setRow(rows.front(), kCaption);
+        const double keep_px = 14 * line_px; // for what follows
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+            const bool isLastPage = m_sheets.pages.size() == kMostPages;
+            if (room(line_px, isLastPage ? keep_px : 0) < 2) {
+                if (isLastPage) {
+                    line(LogText::tr("and %1 more; all of them: export log-html")
+                             .arg(rows.size() - i),
+                         kWords);
+                    break;
+                }
+                turn();
+                setRow(rows.front(), kCaption);
+            }
+            setRow(rows[i], kWords);
+        }
+        space(kGap_px);
+    }
+
+    void setRow(const QStringList& cells, const BriefType& type)
+    {
+        constexpr double kFirst = 0.28; // of the width
+        const QRectF strip = taken(linePitch_px(type.size_px));
+        const double first_px = kFirst * strip.width();
+        const double other_px = (strip.width() - first_px) /
+                                static_cast<double>(std::max<qsizetype>(1, cells.size() - 1));
+        BriefType right = type;
+        right.isRight = true;
+        for (qsizetype i = 0; i < cells.size(); ++i)
+            setText(layout(),
+                    i == 0 ? QRectF(strip.left(), strip.top(), first_px, strip.height())
+                           : QRectF(strip.left() + first_px + static_cast<double>(i - 1) * other_px,
+                                    strip.top(), other_px, strip.height()),
+                    cells[i], i == 0 ? type : right);
+    }
+
+    void setLines(const QString& heading, const QStringList& lines)
+    {
+        const double line_px = linePitch_px(kWords.size_px);
+        const double hashes_px = 8 * line_px;
+        if (room(line_px, hashes_px) < 4 && m_sheets.pages.size() < kMostPages)
+            turn();
+        line(heading, kHeading);
+        for (qsizetype i = 0; i < lines.size(); ++i) {
+            if (room(line_px, hashes_px) < 2) {
+                if (m_sheets.pages.size() == kMostPages) {
+                    line(LogText::tr("and %1 more; all of them: export log-html")
+                             .arg(lines.size() - i),
+                         kWords);
+                    break;
+                }
+                turn();
+            }
+            line(lines[i], kWords);
+        }
+        space(kGap_px);
+    }
+
+    /** Of as many UAVs as there is room for. */
+    void setHashes(const ExportContent& content, const FlightLog& log)
+    {
+        line(LogText::tr("SHA-256 of the first plan as a file of the format wpl"), kCaption);
+        const double line_px = linePitch_px(kWords.size_px);
+        for (const LogUav& uav : log.uavs)
+            if (room(line_px, 0) > 0)
+                line(u"%1  %2"_s.arg(QString::fromStdString(uav.planHash),
+                                     printable(titleOf(content.mission->scenario().uavs[uav.row]))),
+                     kWords);
+    }
+
+    QSizeF m_page;
+    LogSheets m_sheets;
+    QRectF m_free;
+};
+
+/** All that the pages are painted from. */
+struct LogBook
+{
+    Theme theme = Theme::light();
+    QLocale locale;
+    MapPicture picture;
+    MapLayout map; ///< in pixels of the map, which are smaller
+    std::vector<TimeFigure> charts;
+    LogSheets sheets;
+};
+
+void paintFirst(QPainter& painter, const LogBook& book)
+{
+    const PainterState saved(painter);
+    paintLayout(painter, book.sheets.pages.front());
+    painter.save();
+    painter.setClipRect(book.sheets.map);
+    painter.translate(book.sheets.map.topLeft());
+    painter.scale(kMapScale, kMapScale);
+    paintMap(painter, book.picture, {.theme = book.theme, .locale = book.locale}, book.map);
+    painter.restore();
+    painter.setPen(QPen(Qt::black, 0.8));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(book.sheets.map);
+    painter.translate(book.sheets.chart.topLeft());
+    for (const TimeFigure& chart : book.charts)
+        paintDrawing(painter, chart.drawing, book.theme);
+}
+
+} // namespace
+
+PicturePage logPage(const ExportContent& content, const QLocale& locale)
+{
+    const FlightLog log = flightLog(content);
+    const QSize size_px = briefPage_px(locale);
+    auto book = std::make_shared<LogBook>();
+    book->locale = locale;
+    book->sheets = LogLayout(QSizeF(size_px)).laidOut(content, log, locale);
+    book->picture = exportPicture(content);
+    book->picture.air = exportAir(content);
+    book->map = arrangeMap(book->picture, {.theme = book->theme, .locale = locale},
+                           QRectF(QPointF(0, 0), book->sheets.map.size() / kMapScale));
+    const FlightRecord record = recordOf(*content.mission);
+    std::array contents{zetaContent(record, locale)};
+    contents[0].emptyText = LogText::tr("Nothing was flown");
+    book->charts = documentCharts(contents, book->theme, book->sheets.chart.size(), locale);
+    std::vector<std::function<void(QPainter&)>> more;
+    for (std::size_t page = 1; page < book->sheets.pages.size(); ++page)
+        more.emplace_back(
+            [book, page](QPainter& painter) { paintLayout(painter, book->sheets.pages[page]); });
+    return {.size_px = size_px,
+            .title = LogText::tr("Flight log: %1").arg(pageTitle(content)),
+            .description = contents[0].summary,
+            .paint = [book](QPainter& painter) { paintFirst(painter, *book); },
+            .more = std::move(more)};
+}
+
+} // namespace berg
