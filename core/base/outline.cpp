@@ -10,9 +10,11 @@ namespace berg {
 namespace {
 
 constexpr int kArcsOfCircle = 24;
-/** Along an edge of a polygon that is not convex: where parts of the outline are left out, the rest
- * is joined in a straight line. */
-constexpr int kStepsOfEdge = 48;
+/** Of the outline of a polygon that is not convex: where some are left out, the rest is joined in a
+ * straight line. */
+constexpr std::size_t kPlacesOfEdges = 2400;
+constexpr std::size_t kMostStepsOfEdge = 48;
+constexpr double kAll = 1 - 1e-9; ///< of a distance that is kept, but for rounding
 
 /** Along a circle from the direction of `normal` on, about it: a tangent polygon. */
 void appendArc(std::vector<Point>& outline, const Point& centre_m, const Point& normal,
@@ -45,13 +47,15 @@ public:
     [[nodiscard]] std::vector<Point> outline() const
     {
         std::vector<Point> outline_m;
+        const int steps =
+            static_cast<int>(std::min(kMostStepsOfEdge, 4 + kPlacesOfEdges / m_corners_m.size()));
         for (std::size_t i = 0; i < m_corners_m.size(); ++i) {
             const std::size_t before = i + m_corners_m.size() - 1;
             std::vector<Point> part_m;
             if (const double turn_rad = turnAt(edge(before), edge(i)); turn_rad > 0)
                 appendArc(part_m, at(i), normal(before), turn_rad, m_by_m);
-            for (int step = 0; !m_isConvex && step <= kStepsOfEdge; ++step)
-                part_m.emplace_back(at(i) + edge(i) * step / kStepsOfEdge + normal(i) * m_by_m);
+            for (int step = 0; !m_isConvex && step <= steps; ++step)
+                part_m.emplace_back(at(i) + edge(i) * step / steps + normal(i) * m_by_m);
             for (const Point& place_m : part_m)
                 if (m_isConvex || isOutside(place_m))
                     append(outline_m, place_m);
@@ -74,7 +78,6 @@ private:
     /** Of the grown polygon, or on its outline. */
     [[nodiscard]] bool isOutside(const Point& place_m) const
     {
-        constexpr double kAll = 1 - 1e-9;
         return distanceToEdges(m_corners_m, place_m) >= m_by_m * kAll &&
                !insidePolygon(m_corners_m, place_m);
     }
@@ -98,6 +101,18 @@ private:
     double m_by_m;
     bool m_isConvex = true;
 };
+
+/** Whether the outline is one line that comes nowhere nearer to the polygon inside it. */
+bool isRound(std::span<const Point> outline_m, std::span<const Point> polygon_m, double by_m)
+{
+    if (outline_m.size() < 3 || !insidePolygon(outline_m, polygon_m.front()))
+        return false;
+    for (std::size_t i = 0; polygon_m.size() > 2 && i < outline_m.size(); ++i)
+        if (distanceToEdges(polygon_m, outline_m[i], outline_m[(i + 1) % outline_m.size()]) <
+            by_m * (1 - 1e-6))
+            return false;
+    return isSimplePolygon(outline_m);
+}
 
 struct Box
 {
@@ -155,9 +170,7 @@ std::vector<Point> grownOutline(std::span<const Point> corners_m, double by_m)
     if (signedArea(polygon_m) < 0)
         std::reverse(polygon_m.begin(), polygon_m.end());
     outline_m = Growth(polygon_m, by_m).outline();
-    if (outline_m.size() >= 3 && isSimplePolygon(outline_m) &&
-        std::ranges::all_of(
-            polygon_m, [&](const Point& corner_m) { return insidePolygon(outline_m, corner_m); }))
+    if (isRound(outline_m, polygon_m, by_m))
         return outline_m;
     return Growth(convexHull(std::move(polygon_m)), by_m).outline();
 }
