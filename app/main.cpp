@@ -2,6 +2,7 @@
 #include "app/cli/output_gate.h"
 #include "app/export_run.h"
 #include "app/pictures.h"
+#include "app/window/run_settings.h"
 #include "app/window/window_run.h"
 #include "core/base/error.h"
 #include "widgets/manual/manual_pages.h"
@@ -40,6 +41,29 @@ void choosePlatform()
         qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
     if (!hasDisplay && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
+}
+
+/** The size that was chosen in the window, where none is given from outside; pictures have their
+ * own. */
+void chooseScale(int argc, char* argv[])
+{
+    if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR"))
+        return;
+    QString config;
+    for (int i = 1; i < argc; ++i) {
+        const QString argument = QFile::decodeName(argv[i]);
+        if (argument == u"--screenshot"_s || argument == u"--pictures"_s ||
+            argument == u"--manual"_s || argument.startsWith(u"--screenshot="_s) ||
+            argument.startsWith(u"--pictures="_s) || argument.startsWith(u"--manual="_s))
+            return;
+        if (argument.startsWith(u"--config="_s))
+            config = argument.section(u'=', 1);
+        else if (argument == u"--config"_s && i + 1 < argc)
+            config = QFile::decodeName(argv[i + 1]);
+    }
+    const int scale_percent = berg::RunSettings::savedScale_percent(config);
+    if (scale_percent != 100)
+        qputenv("QT_SCALE_FACTOR", QByteArray::number(scale_percent / 100.0));
 }
 
 void print(std::FILE* stream, const QString& text)
@@ -237,6 +261,7 @@ int main(int argc, char* argv[])
     if (berg::asksForExport(argc, argv))
         return berg::runExport(argc, argv);
     choosePlatform();
+    chooseScale(argc, argv);
     QApplication app(argc, argv);
     // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread yet
     std::setlocale(LC_NUMERIC, "C"); // which the constructor set to the user's; files are in C

@@ -32,16 +32,27 @@ void AppearanceChoice::setAppearance(Appearance appearance)
 {
     settings().setValue("view/appearance", static_cast<int>(appearance));
     m_appearance = appearance;
-    if (appearance == Appearance::System)
-        followSystem();
-    else
-        applyTheme(appearance == Appearance::Dark ? Theme::dark() : Theme::light());
+    switch (appearance) {
+    case Appearance::System:
+        return followSystem();
+    case Appearance::Light:
+        break;
+    case Appearance::Dark:
+        return applyTheme(Theme::dark());
+    case Appearance::HighContrastLight:
+        return applyTheme(Theme::highContrast(false));
+    case Appearance::HighContrastDark:
+        return applyTheme(Theme::highContrast(true));
+    }
+    applyTheme(Theme::light());
 }
 
 void AppearanceChoice::followSystem()
 {
     if (m_appearance == Appearance::System)
-        applyTheme(m_system.isDark() ? Theme::dark() : Theme::light());
+        applyTheme(m_system.wantsContrast() ? Theme::highContrast(m_system.isDark())
+                   : m_system.isDark()      ? Theme::dark()
+                                            : Theme::light());
 }
 
 void AppearanceChoice::applyTheme(const Theme& theme)

@@ -10,7 +10,9 @@ enum class Appearance
 {
     System,
     Light,
-    Dark
+    Dark,
+    HighContrastLight,
+    HighContrastDark
 };
 
 /** Which theme the window has: what the user chose, or what the desktop has. */

@@ -1,6 +1,7 @@
 #include "app/window/preference_menus.h"
 
 #include "app/window/appearance_choice.h"
+#include "app/window/run_settings.h"
 #include "core/base/coordinates.h"
 #include "widgets/theme/unit_settings.h"
 
@@ -20,6 +21,7 @@ PreferenceMenus::PreferenceMenus(WindowContext& context, AppearanceChoice& appea
 void PreferenceMenus::build(QMenu& menu)
 {
     buildAppearance(*menu.addMenu(tr("&Appearance")));
+    buildScale(*menu.addMenu(tr("Text si&ze")));
     buildUnits(*menu.addMenu(tr("U&nits")));
     buildLanguage(*menu.addMenu(tr("&Language")));
 }
@@ -41,11 +43,24 @@ void PreferenceMenus::addChoice(QMenu& menu, const QString& text, const QString&
 
 void PreferenceMenus::buildAppearance(QMenu& menu)
 {
-    const QStringList words{tr("Follow system"), tr("Light"), tr("Dark")};
+    const QStringList words{tr("Follow system"), tr("Light"), tr("Dark"),
+                            tr("High contrast, light"), tr("High contrast, dark")};
     for (qsizetype i = 0; i < words.size(); ++i)
         addChoice(menu, words[i], u"view/appearance"_s, QString::number(i));
     connect(&menu, &QMenu::triggered, &m_appearance, [this](const QAction* action) {
         m_appearance.setAppearance(static_cast<Appearance>(action->data().toInt()));
+    });
+}
+
+/** Of the whole window: text that grows alone leaves no room for itself. */
+void PreferenceMenus::buildScale(QMenu& menu)
+{
+    for (const int scale_percent : kScales_percent)
+        addChoice(menu, u"%1 %"_s.arg(scale_percent), QLatin1String(kScaleKey),
+                  QString::number(scale_percent));
+    connect(&menu, &QMenu::triggered, this, [this](const QAction* action) {
+        settings().setValue(kScaleKey, action->data());
+        showMessage(tr("The text has this size when Bergwatch is started again."), kLongMessage_ms);
     });
 }
 

@@ -24,6 +24,7 @@ signals:
 
 private:
     void buildAppearance(QMenu& menu);
+    void buildScale(QMenu& menu);
     void buildUnits(QMenu& menu);
     void buildLanguage(QMenu& menu);
     void addChoice(QMenu& menu, const QString& text, const QString& key, const QString& value);

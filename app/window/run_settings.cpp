@@ -4,6 +4,8 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace berg {
@@ -26,6 +28,13 @@ RunSettings::RunSettings(const QString& config, bool isPicture)
         m_settings.emplace(config, QSettings::IniFormat);
         m_dataFolder = config + u".data"_s;
     }
+}
+
+int RunSettings::savedScale_percent(const QString& config)
+{
+    RunSettings run(config, false);
+    const int scale = run.settings().value(kScaleKey, 100).toInt();
+    return std::clamp(scale, kScales_percent.front(), kScales_percent.back());
 }
 
 } // namespace berg

@@ -3,9 +3,14 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include <array>
 #include <optional>
 
 namespace berg {
+
+/** Of text and all else, per cent of what the system has; the sizes to choose from. */
+inline constexpr const char* kScaleKey = "view/scale";
+inline constexpr std::array kScales_percent = {100, 125, 150, 175, 200};
 
 /**
  * The settings of one run of the program, and where it keeps what belongs to them. GUI thread.
@@ -21,6 +26,12 @@ public:
     RunSettings(const QString& config, bool isPicture);
 
     [[nodiscard]] QSettings& settings() { return *m_settings; }
+    /**
+     * What is written in that file of the size of text and all else, in per cent; 100: nothing is.
+     * Before there is an application, whose scale it decides.
+     */
+    [[nodiscard]] static int savedScale_percent(const QString& config);
+
     /** Where unsaved work and locks are kept. */
     [[nodiscard]] const QString& dataFolder() const { return m_dataFolder; }
 

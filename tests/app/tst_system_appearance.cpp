@@ -27,6 +27,23 @@ private slots:
         QCOMPARE(changed.count(), 2);
     }
 
+    void contrastIsFollowed()
+    {
+        SystemAppearance system;
+        QSignalSpy changed(&system, &SystemAppearance::changed);
+        QVERIFY(!system.wantsContrast());
+        for (const uint contrast : {0U, 2U, 99U}) // the portal knows 1 alone
+            system.setContrast(contrast);
+        QCOMPARE(changed.count(), 0);
+        system.setContrast(1);
+        QVERIFY(system.wantsContrast());
+        system.setContrast(1);
+        QCOMPARE(changed.count(), 1);
+        system.setContrast(0);
+        QVERIFY(!system.wantsContrast());
+        QCOMPARE(changed.count(), 2);
+    }
+
     void withoutPreferenceThePaletteDecides()
     {
         SystemAppearance system;

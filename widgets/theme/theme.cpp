@@ -34,12 +34,12 @@ Theme Theme::light()
     theme.uav = QColor(0xd9541e);
     theme.plan = QColor(0x1769aa);
     theme.planText = QColor(0xffffff);
-    theme.formerPlan = QColor(0x5d7b96);
+    theme.formerPlan = QColor(0x667c94);
     theme.track = QColor(0x43535f);
     theme.swept = QColor(0x2a, 0x8f, 0x86, 24);
     theme.comparison = QColor(0xb3263a);
-    theme.alarm = QColor(0xc3161c);
-    theme.warning = QColor(0x9a6200);
+    theme.alarm = QColor(0xa40810);
+    theme.warning = QColor(0x9c6400);
     theme.text = QColor(0x16222b);
     theme.mutedText = QColor(0x4c5e6a);
     theme.panel = QColor(0xfafcfd);
@@ -70,7 +70,7 @@ Theme Theme::dark()
     theme.formerPlan = QColor(0x5f7d96);
     theme.track = QColor(0x9fb1bd);
     theme.swept = QColor(0x4f, 0xd0, 0xc0, 30);
-    theme.comparison = QColor(0xff7a8a);
+    theme.comparison = QColor(0xfa5876);
     theme.alarm = QColor(0xff5c52);
     theme.warning = QColor(0xf2b632);
     theme.text = QColor(0xe8eff3);
@@ -83,6 +83,37 @@ Theme Theme::dark()
     theme.accumulated = QColor(0xe8eff3);
     theme.momentary = QColor(0x5fb3f2);
     theme.sigma = SigmaScale(true);
+    return theme;
+}
+
+Theme Theme::highContrast(bool isDark)
+{
+    Theme theme = isDark ? dark() : light();
+    const QColor ground = isDark ? QColor(Qt::black) : QColor(Qt::white);
+    const QColor ink = isDark ? QColor(Qt::white) : QColor(Qt::black);
+    theme.sea = ground;
+    theme.panel = ground;
+    theme.chart = ground;
+    theme.text = ink;
+    theme.ink = ink;
+    theme.panelLine = ink;
+    theme.chartAxis = ink;
+    theme.accumulated = ink;
+    theme.coast = ink;
+    theme.land = mixed(ground, ink, isDark ? 0.16 : 0.12);
+    theme.mutedText = mixed(ground, ink, isDark ? 0.8 : 0.75);
+    theme.track = theme.mutedText;
+    theme.chartGrid = mixed(ground, ink, 0.3);
+    theme.graticule = mixed(ground, ink, 0.55);
+    theme.graticuleText = theme.mutedText;
+    theme.formerPlan = mixed(ground, ink, isDark ? 0.5 : 0.55);
+    theme.uav = isDark ? QColor(0xffa05c) : QColor(0xb05400);
+    theme.plan = isDark ? QColor(0x7cc8ff) : QColor(0x004f94);
+    theme.planText = ground;
+    theme.momentary = theme.plan;
+    theme.comparison = isDark ? QColor(0xf85c9c) : QColor(0x901820);
+    theme.alarm = isDark ? QColor(0xff7a72) : QColor(0x780008);
+    theme.warning = isDark ? QColor(0xffc83c) : QColor(0x946c00);
     return theme;
 }
 

@@ -53,6 +53,8 @@ struct Theme
 
     [[nodiscard]] static Theme light();
     [[nodiscard]] static Theme dark();
+    /** For those who need more: text keeps 7 : 1 (WCAG 2.1, 1.4.6), lines of one UAV 4.5 : 1. */
+    [[nodiscard]] static Theme highContrast(bool isDark);
 
     [[nodiscard]] QFont body() const;   ///< 13 px
     [[nodiscard]] QFont small() const;  ///< 11 px

@@ -67,6 +67,19 @@ private slots:
         }
     }
 
+    void highContrastHasMore_data() { contrastIsEnough_data(); }
+
+    void highContrastHasMore()
+    {
+        QFETCH(bool, isDark);
+        QFETCH(int, pair);
+        const QPalette palette = paletteOf(Theme::highContrast(isDark));
+        const Pair& p = kPairs[pair];
+        const double ratio = contrastRatio(palette.color(p.on), palette.color(p.below));
+        QVERIFY2(ratio >= (p.least == kTextContrast ? 7 : 4.5),
+                 QByteArray::number(ratio).constData());
+    }
+
     void sigmaAndMutedTextOnPanels_data()
     {
         QTest::addColumn<bool>("isDark");

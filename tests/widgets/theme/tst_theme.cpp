@@ -121,6 +121,21 @@ private slots:
         QVERIFY2(ratio >= p.least, QByteArray::number(ratio).constData());
     }
 
+    void highContrastHasMore_data() { contrastIsEnough_data(); }
+
+    /** WCAG 2.1, 1.4.6 asks for 7 : 1 for text; what carries meaning without it has 4.5 : 1. */
+    void highContrastHasMore()
+    {
+        QFETCH(bool, isDark);
+        QFETCH(int, pair);
+        const Theme theme = Theme::highContrast(isDark);
+        QCOMPARE(theme.isDark, isDark);
+        const Pair& p = pairs()[static_cast<std::size_t>(pair)];
+        const double ratio = contrastRatio(theme.*p.on, theme.*p.below);
+        QVERIFY2(ratio >= (p.least == kTextContrast ? 7 : 4.5),
+                 QByteArray::number(ratio).constData());
+    }
+
     void waterSeenHidesNothing_data() { addThemes(); }
 
     /** The tint can be told from the sea, and what is drawn on it reads as on the sea. */
