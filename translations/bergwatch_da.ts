@@ -7193,10 +7193,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Kort</translation>
     </message>
     <message numerus="yes">
-        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits.</source>
+        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</source>
         <translation>
-            <numerusform>%n isbjerg og dronen på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F tilpasser.</numerusform>
-            <numerusform>%n isbjerge og dronen på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F tilpasser.</numerusform>
+            <numerusform>%n isbjerg og dronen på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F tilpasser. Isbjergtabellen viser dem række for række.</numerusform>
+            <numerusform>%n isbjerge og dronen på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F tilpasser. Isbjergtabellen viser dem række for række.</numerusform>
         </translation>
     </message>
     <message>

@@ -412,10 +412,10 @@
 <context>
     <name>berg::MapView</name>
     <message numerus="yes">
-        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits.</source>
+        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</source>
         <translation>
-            <numerusform>%n iceberg and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits.</numerusform>
-            <numerusform>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits.</numerusform>
+            <numerusform>%n iceberg and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</numerusform>
+            <numerusform>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</numerusform>
         </translation>
     </message>
 </context>

@@ -7193,10 +7193,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Carte</translation>
     </message>
     <message numerus="yes">
-        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits.</source>
+        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</source>
         <translation>
-            <numerusform>%n iceberg et le drone en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout.</numerusform>
-            <numerusform>%n icebergs et le drone en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout.</numerusform>
+            <numerusform>%n iceberg et le drone en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout. Le tableau des icebergs les donne ligne par ligne.</numerusform>
+            <numerusform>%n icebergs et le drone en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout. Le tableau des icebergs les donne ligne par ligne.</numerusform>
         </translation>
     </message>
     <message>

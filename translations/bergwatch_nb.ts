@@ -5264,6 +5264,13 @@ Tilstøtende område %4</translation>
     </message>
 </context>
 <context>
+    <name>MissionSeriesText</name>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+</context>
+<context>
     <name>OperationPage</name>
     <message>
         <source>Largest speed over ground</source>
@@ -5422,6 +5429,10 @@ Tilstøtende område %4</translation>
     <message>
         <source>Click a line to go back or forth to it; the disk marks what is saved.</source>
         <translation>Klikk på en linje for å gå tilbake eller fram til den; disketten merker det som er lagret.</translation>
+    </message>
+    <message>
+        <source>History of edits</source>
+        <translation>Endringshistorikk</translation>
     </message>
 </context>
 <context>
@@ -6311,6 +6322,10 @@ mot %2</translation>
         <source>Reset zoom</source>
         <translation>Tilbakestill zoom</translation>
     </message>
+    <message>
+        <source>Show values as a table</source>
+        <translation>Vis verdiene som tabell</translation>
+    </message>
 </context>
 <context>
     <name>berg::CheckPanel</name>
@@ -6672,6 +6687,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Map layers</source>
         <translation>Kartlag</translation>
     </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldinger</translation>
+    </message>
 </context>
 <context>
     <name>berg::EventModel</name>
@@ -6888,6 +6907,21 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Page</source>
         <translation>Side</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FigureView</name>
+    <message>
+        <source>Show values as a table</source>
+        <translation>Vis verdiene som tabell</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Verdier</translation>
     </message>
 </context>
 <context>
@@ -7731,10 +7765,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Kart</translation>
     </message>
     <message numerus="yes">
-        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits.</source>
+        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</source>
         <translation>
-            <numerusform>%n isfjell og UAV-en på sjøen. Piltastene flytter kartet eller det som er valgt, pluss og minus zoomer, F tilpasser.</numerusform>
-            <numerusform>%n isfjell og UAV-en på sjøen. Piltastene flytter kartet eller det som er valgt, pluss og minus zoomer, F tilpasser.</numerusform>
+            <numerusform>%n isfjell og UAV-en på sjøen. Piltastene flytter kartet eller det som er valgt, pluss og minus zoomer, F tilpasser. Isfjelltabellen har dem rad for rad.</numerusform>
+            <numerusform>%n isfjell og UAV-en på sjøen. Piltastene flytter kartet eller det som er valgt, pluss og minus zoomer, F tilpasser. Isfjelltabellen har dem rad for rad.</numerusform>
         </translation>
     </message>
     <message>
@@ -8194,6 +8228,13 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
+    <name>berg::MessageList</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meldinger</translation>
+    </message>
+</context>
+<context>
     <name>berg::MissionRunner</name>
     <message>
         <source>The scenario has changed meanwhile. Nothing was exported.</source>
@@ -8550,10 +8591,6 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Usikkerheten som én meter vei må være verd; følger av τ.</translation>
     </message>
     <message>
-        <source>State of the plan</source>
-        <translation>Planens tilstand</translation>
-    </message>
-    <message>
         <source>%1 m²/m</source>
         <translation>%1 m²/m</translation>
     </message>
@@ -8568,6 +8605,10 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     <message>
         <source>Objective and distance weight of the plan</source>
         <translation>Målfunksjon og avstandsvekt for planen</translation>
+    </message>
+    <message>
+        <source>State of the plan: %1</source>
+        <translation>Planens tilstand: %1</translation>
     </message>
 </context>
 <context>
@@ -8833,6 +8874,22 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>Drift and &amp;wind</source>
         <translation>Drift og &amp;vind</translation>
+    </message>
+    <message>
+        <source>High contrast, light</source>
+        <translation>Høy kontrast, lyst</translation>
+    </message>
+    <message>
+        <source>High contrast, dark</source>
+        <translation>Høy kontrast, mørkt</translation>
+    </message>
+    <message>
+        <source>Text si&amp;ze</source>
+        <translation>Tekstst&amp;ørrelse</translation>
+    </message>
+    <message>
+        <source>The text has this size when Bergwatch is started again.</source>
+        <translation>Teksten får denne størrelsen når Bergwatch startes på nytt.</translation>
     </message>
 </context>
 <context>
@@ -9344,6 +9401,14 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <source>%1   %2 E  %3 N</source>
         <comment>place, east and north of the origin</comment>
         <translation>%1   %2 Ø  %3 N</translation>
+    </message>
+    <message>
+        <source>State: %1</source>
+        <translation>Tilstand: %1</translation>
+    </message>
+    <message>
+        <source>Cursor: %1</source>
+        <translation>Peker: %1</translation>
     </message>
 </context>
 <context>
@@ -10111,6 +10176,17 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
         <translation>Én vei slutter ved det siste isfjellet; en rundtur regner også med tilbakeveien.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ValueTable</name>
+    <message>
+        <source>Values: %1</source>
+        <translation>Verdier: %1</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopier</translation>
     </message>
 </context>
 <context>

@@ -49,6 +49,7 @@ RecoveryDialog::RecoveryDialog(const std::vector<RecoveryOffer>& offers, QWidget
 void RecoveryDialog::fill(const std::vector<RecoveryOffer>& offers)
 {
     m_list->setObjectName(u"recoveryList"_s);
+    m_list->setAccessibleName(windowTitle());
     m_list->setColumnCount(3);
     m_list->setHorizontalHeaderLabels({tr("Name"), tr("Changed"), tr("File")});
     m_list->setRowCount(static_cast<int>(offers.size()));

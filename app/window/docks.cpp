@@ -8,6 +8,7 @@
 #include "widgets/panels/dialogs/layers_panel.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/event_panel.h"
+#include "widgets/panels/flight/message_list.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/inspector/check_panel.h"
 #include "widgets/panels/inspector/inspector_panel.h"
@@ -48,6 +49,7 @@ QWidget* scrolling(QWidget* content)
     auto* scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(content);
     return scroll;
 }
@@ -156,6 +158,9 @@ void Docks::addStudies()
         add("layersDock", tr("Map layers"), panels().layers, Qt::RightDockWidgetArea);
     window().tabifyDockWidget(dock(Dock::Inspector), layers);
     layers->hide(); // for whoever wants it
+    QDockWidget* messages = add("messagesDock", tr("Messages"), panels().messages, kArea);
+    window().tabifyDockWidget(dock(Dock::Events), messages);
+    messages->hide();
     dock(Dock::Plan)->raise();
 }
 
@@ -196,6 +201,7 @@ void Docks::noteDefault()
 void Docks::reset()
 {
     arrange(m_layout);
+    fitScreen();
 }
 
 /** By itself. */
@@ -219,9 +225,21 @@ void Docks::arrange(Layout layout) const
     dock(Dock::Plan)->raise();
 }
 
+/** Where the panels on the right are higher together than the screen, they share one place. */
+void Docks::fitScreen() const
+{
+    if (window().minimumSizeHint().height() <= window().screen()->availableSize().height())
+        return;
+    for (const Dock other :
+         {Dock::Plan, Dock::Inspector, Dock::Pareto, Dock::History, Dock::Layers})
+        window().tabifyDockWidget(dock(Dock::Tradeoff), dock(other));
+    dock(Dock::Tradeoff)->raise();
+}
+
 void Docks::begin(Layout layout)
 {
     arrange(layout);
+    fitScreen();
     setLayout(layout);
 }
 
@@ -230,6 +248,7 @@ void Docks::showLayout(Layout layout)
     settings().setValue(keyOf(m_layout), window().saveState(kLayoutVersion));
     if (!window().restoreState(settings().value(keyOf(layout)).toByteArray(), kLayoutVersion))
         arrange(layout);
+    fitScreen();
     setLayout(layout);
 }
 
@@ -254,6 +273,7 @@ void Docks::restore()
     emit layoutChanged(m_layout);
     window().restoreGeometry(settings().value("window/geometry").toByteArray());
     window().restoreState(settings().value("window/state").toByteArray(), kLayoutVersion);
+    fitScreen();
 }
 
 } // namespace berg

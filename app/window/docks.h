@@ -28,7 +28,8 @@ enum class Dock
     Study,
     Comparison,
     Icebergs,
-    Layers
+    Layers,
+    Messages
 };
 
 /** Arrangements of the docks for one kind of work each. */
@@ -79,6 +80,7 @@ private:
     void addBottom();
     void addStudies();
     void arrange(Layout layout) const;
+    void fitScreen() const;
     void setLayout(Layout layout);
 
     Layout m_layout = Layout::Analyse;

@@ -11,6 +11,7 @@
 #include "widgets/panels/inspector/check_panel.h"
 #include "widgets/panels/plan/plan_panel.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
+#include "widgets/theme/announcer.h"
 #include "widgets/words/event_text.h"
 
 #include <algorithm>
@@ -145,12 +146,15 @@ void FlightPanels::showEvents()
         panels().playback->setMarks({});
     }
     if (events.size() > m_markedEvents) {
+        const bool isNews = workspace().isPlaying() && m_markedEvents > 0;
         for (; m_markedEvents < events.size(); ++m_markedEvents) {
             const MissionEvent& event = events[m_markedEvents];
             m_marks.push_back(
                 {.time_s = event.time_s,
                  .kind = event.kind,
                  .text = eventText(event, record.now.icebergs, record.scenario.uavs, locale())});
+            if (isNews)
+                panels().announcer->say(m_marks.back().text);
         }
         panels().playback->setMarks(m_marks);
     }

@@ -14,6 +14,7 @@
 #include "widgets/panels/inspector/inspector_panel.h"
 #include "widgets/panels/plan/plan_panel.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
+#include "widgets/theme/announcer.h"
 
 #include <QSettings>
 #include <QUndoView>
@@ -58,6 +59,10 @@ FlightView::FlightView(WindowContext& context, FlightPanels& flightPanels, Statu
     connect(&workspace(), &Workspace::inFlightChanged, this, &FlightView::setInFlight);
     connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
             &FlightView::showFlight);
+    connect(panels().alarms, &AlarmStrip::raised, this, [this](const QString& text) {
+        if (!workspace().lookedAt_s())
+            announce(text);
+    });
     connect(&workspace().runs(), &RunList::comparisonChanged, this, &FlightView::showFlight);
 }
 
@@ -91,8 +96,20 @@ void FlightView::showFlight()
         record.instant ? std::optional(record.shown().time_s) : workspace().lookedAt_s();
     panels().alarms->showState(record.inFlight(), lookBack_s, fault);
     panels().alarms->showNotices(flightNotices(record, locale()));
-    m_status.showState(phaseText(record.now.phase, fault));
+    showPhase(record.now.phase, fault);
     m_flightPanels.showSoon();
+}
+
+/** Take-off, a pause and the end are heard, too; planning comes and goes with every edit. */
+void FlightView::showPhase(RunPhase phase, const QString& fault)
+{
+    const QString text = phaseText(phase, fault);
+    m_status.showState(text);
+    if (text == m_phase)
+        return;
+    m_phase = text;
+    if (phase != RunPhase::Planning && phase != RunPhase::Ready)
+        panels().announcer->say(text);
 }
 
 void FlightView::setInFlight(bool inFlight)

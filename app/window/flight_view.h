@@ -23,9 +23,12 @@ public:
     void setTruthShown(bool shown);
 
 private:
+    void showPhase(RunPhase phase, const QString& fault);
+
     FlightPanels& m_flightPanels;
     StatusLine& m_status;
     SweptPaths m_swept;
+    QString m_phase; ///< as it was told last
     bool m_truthShown;
 };
 

@@ -29,6 +29,7 @@
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/chart_panel.h"
+#include "widgets/panels/flight/message_list.h"
 #include "widgets/panels/flight/playback_bar.h"
 #include "widgets/panels/study/solve_time_panel.h"
 
@@ -207,6 +208,7 @@ void MainWindow::takeOver(MainWindow& other)
     m_parts->studyFlights.takeOver(other.m_parts->studyFlights);
     m_parts->safety.takeOver(other.m_parts->safety);
     const Panels& shown = other.m_panels;
+    m_panels.messages->takeOver(*shown.messages);
     m_panels.solveTime->showSpec(shown.solveTime->spec());
     m_panels.map->showAs(*shown.map);
     m_panels.playback->setRate(shown.playback->rate());

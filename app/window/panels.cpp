@@ -11,6 +11,7 @@
 #include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/event_panel.h"
+#include "widgets/panels/flight/message_list.h"
 #include "widgets/panels/flight/playback_bar.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/inspector/check_panel.h"
@@ -20,6 +21,7 @@
 #include "widgets/panels/study/comparison_panel.h"
 #include "widgets/panels/study/solve_time_panel.h"
 #include "widgets/panels/study/study_panel.h"
+#include "widgets/theme/announcer.h"
 #include "widgets/theme/icons.h"
 
 #include <QCoreApplication>
@@ -58,11 +60,14 @@ Panels::Panels(Workspace& workspace, const Theme& theme)
     , placeMark(new PlaceMark(*map))
     , findBox(new FindBox(map))
     , layers(new LayersPanel)
+    , messages(new MessageList)
+    , announcer(new Announcer)
 {
     ChartPanel::linkTimes(*charts.front(), *charts.back());
     overview->hide();
     pareto->setTitleShown(false);
     comparisonChart->setTitleShown(false);
+    history->setAccessibleName(PanelText::tr("History of edits"));
     history->setEmptyLabel(PanelText::tr("As opened"));
     history->setToolTip(
         PanelText::tr("Click a line to go back or forth to it; the disk marks what is "
@@ -90,6 +95,7 @@ void Panels::setTheme(const Theme& theme) const
     events->setTheme(theme);
     checks->setTheme(theme);
     icebergs->setTheme(theme);
+    messages->setTheme(theme);
     history->setCleanIcon(icon(IconName::Save, theme));
 }
 

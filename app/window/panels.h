@@ -8,6 +8,7 @@ class QWidget;
 namespace berg {
 
 class AlarmStrip;
+class Announcer;
 class ChartPanel;
 class CheckPanel;
 class ComparisonChart;
@@ -18,6 +19,7 @@ class LayersPanel;
 class IcebergTable;
 class InspectorPanel;
 class MapView;
+class MessageList;
 class OverviewInset;
 class ParetoChart;
 class PlaceMark;
@@ -60,6 +62,8 @@ struct Panels
     PlaceMark* placeMark;
     FindBox* findBox;
     LayersPanel* layers;
+    MessageList* messages;
+    Announcer* announcer;
 };
 
 } // namespace berg

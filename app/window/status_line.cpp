@@ -52,8 +52,8 @@ StatusLine::StatusLine(WindowContext& context)
         label->setContentsMargins(kLabelMargin_px, 0, kLabelMargin_px, 0);
     QStatusBar& bar = *window().statusBar();
     bar.addWidget(m_hint, 1);
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_findings, m_state, m_cursor, m_autosaved})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_findings, m_state, m_cursor,
+                                                           m_autosaved, panels().announcer})
         bar.addPermanentWidget(widget);
 
     connect(m_findings, &QToolButton::clicked, this, &StatusLine::findingsRequested);
@@ -72,11 +72,13 @@ void StatusLine::showCursor(const Point& position_m)
     m_cursor->setText(tr("%1   %2 E  %3 N", "place, east and north of the origin")
                           .arg(placeText(place, 2, locale()), offsetText(position_m.x(), locale()),
                                offsetText(position_m.y(), locale())));
+    m_cursor->setAccessibleName(tr("Cursor: %1").arg(m_cursor->text()));
 }
 
 void StatusLine::showState(const QString& text)
 {
     m_state->setText(m_state->fontMetrics().elidedText(text, Qt::ElideRight, kLongestState_px));
+    m_state->setAccessibleName(tr("State: %1").arg(text));
     m_state->setToolTip(text == m_state->text() ? QString() : text);
 }
 

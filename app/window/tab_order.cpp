@@ -5,11 +5,17 @@
 namespace berg {
 namespace {
 
+/** Tab bars that Qt keeps for later are visible, but beyond the edges of the window. */
+bool isInside(const QWidget& widget, const QWidget& window)
+{
+    return widget.parentWidget() != &window || window.rect().intersects(widget.geometry());
+}
+
 bool takesTab(const QWidget& widget, const QWidget& window)
 {
     return (widget.focusPolicy() & Qt::TabFocus) != 0 && widget.focusProxy() == nullptr &&
            widget.isEnabled() && widget.window() == &window && widget.isVisibleTo(&window) &&
-           !isBehindATab(widget);
+           isInside(widget, window) && !isBehindATab(widget);
 }
 
 } // namespace

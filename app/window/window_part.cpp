@@ -1,5 +1,9 @@
 #include "app/window/window_part.h"
 
+#include "app/window/panels.h"
+#include "widgets/panels/flight/message_list.h"
+#include "widgets/theme/announcer.h"
+
 #include <QMainWindow>
 #include <QStatusBar>
 
@@ -13,6 +17,13 @@ QLocale WindowPart::locale() const
 void WindowPart::showMessage(const QString& text, int duration_ms) const
 {
     window().statusBar()->showMessage(text, duration_ms);
+    announce(text);
+}
+
+void WindowPart::announce(const QString& text) const
+{
+    panels().messages->add(text);
+    panels().announcer->say(text);
 }
 
 } // namespace berg

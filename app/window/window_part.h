@@ -42,8 +42,10 @@ protected:
     [[nodiscard]] const Panels& panels() const { return m_context.panels; }
     [[nodiscard]] const Theme& theme() const { return m_context.theme; }
     [[nodiscard]] QLocale locale() const;
-    /** In the status bar. */
+    /** In the status bar, and announced. */
     void showMessage(const QString& text, int duration_ms) const;
+    /** In the list of messages, and to screen readers. */
+    void announce(const QString& text) const;
 
 private:
     WindowContext& m_context;

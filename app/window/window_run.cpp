@@ -7,6 +7,7 @@
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "widgets/map/view/map_view.h"
+#include "widgets/theme/accessible_roles.h"
 #include "widgets/theme/language.h"
 #include "widgets/words/error_text.h"
 
@@ -161,6 +162,7 @@ int runWindow(const WindowOptions& options)
     if (const QString language = settings.value("view/language").toString(); !language.isEmpty())
         installLanguage(language);
 
+    installAccessibleRoles();
     Workspace workspace;
     DialogInteraction interaction(&settings);
     workspace.document().reset(defaultScenario());

@@ -4,6 +4,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QToolButton>
 
@@ -65,6 +66,20 @@ private slots:
             QVERIFY(w.map().rect().contains(w.pixelOf(place_m)));
             QVERIFY(w.map().childAt(w.pixelOf(place_m)) == nullptr);
         }
+    }
+
+    /** What is raised can be read again when it is over, and is heard. */
+    void alarmsAreKept()
+    {
+        WindowFixture w(threatened());
+        const auto& list = test::child<QListWidget>(w.window(), u"messageList"_s);
+        const auto& announcer = test::child<QWidget>(w.window(), u"announcer"_s);
+        QVERIFY(flyTo(w, 5));
+        QTRY_COMPARE(list.count(), 1);
+        QVERIFY(list.item(0)->text().contains(u"berg-1 enters the inner ring"_s));
+        QTRY_VERIFY(announcer.accessibleName().contains(u"berg-1 enters the inner ring"_s));
+        QVERIFY(flyTo(w, 10)); // goes on, and is told once
+        QCOMPARE(list.count(), 1);
     }
 
     void clickBringsItOntoTheMap()

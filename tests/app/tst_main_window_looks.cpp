@@ -1,3 +1,4 @@
+#include "app/window/run_settings.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/paint/overview_inset.h"
@@ -5,13 +6,16 @@
 #include "widgets/theme/language.h"
 #include "widgets/theme/theme.h"
 
+#include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTextDocument>
 #include <QToolButton>
@@ -372,6 +376,64 @@ private slots:
         QVERIFY(next.findChild<QAction*>(u"view/appearance-2"_s)->isChecked());
         QVERIFY(relativeLuminance(next.palette().color(QPalette::Window)) < 0.2);
         w.trigger(u"view/appearance-1"_s);
+    }
+
+    void highContrastIsChosen_data()
+    {
+        QTest::addColumn<int>("appearance");
+        QTest::addColumn<bool>("isDark");
+        QTest::newRow("light") << 3 << false;
+        QTest::newRow("dark") << 4 << true;
+    }
+
+    void highContrastIsChosen()
+    {
+        QFETCH(int, appearance);
+        QFETCH(bool, isDark);
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.trigger(u"view/appearance-%1"_s.arg(appearance));
+        QCOMPARE(w.window().palette().color(QPalette::Base), isDark ? Qt::black : Qt::white);
+        QCOMPARE(w.window().palette().color(QPalette::Text), isDark ? Qt::white : Qt::black);
+        w.trigger(u"view/appearance-1"_s);
+    }
+
+    /** What the next start takes, and that it does. */
+    void textSizeIsChosenAndKept()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QVERIFY(w.action(u"view/scale-100"_s).isChecked());
+        w.trigger(u"view/scale-150"_s);
+        w.settings.sync();
+        QCOMPARE(RunSettings::savedScale_percent(w.settings.fileName()), 150);
+        QVERIFY(w.window().statusBar()->currentMessage().contains(u"started again"_s));
+        w.settings.setValue(kScaleKey, 5000); // no file makes a window of which nothing is seen
+        w.settings.sync();
+        QCOMPARE(RunSettings::savedScale_percent(w.settings.fileName()), 200);
+        QCOMPARE(RunSettings::savedScale_percent(w.file(u"none.ini"_s)), 100);
+    }
+
+    /** The status bar forgets; another language, which makes another window, does not. */
+    void messagesAreKept()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        auto* list = &test::child<QListWidget>(w.window(), u"messageList"_s);
+        QCOMPARE(list->count(), 0);
+        w.trigger(u"recoverAction"_s);
+        w.trigger(u"copyPictureAction"_s); // takes the place of the first one in the status bar
+        QCOMPARE(list->count(), 2);
+        QVERIFY(list->item(0)->text().endsWith(u"No unsaved work is left to recover"_s));
+        QVERIFY(list->item(1)->text().endsWith(u"Picture of the map copied"_s));
+        const QString first = list->item(0)->text();
+        const MainWindow* before = &w.window();
+        w.trigger(u"view/language-en"_s);
+        QTRY_VERIFY(&w.window() != before);
+        list = &test::child<QListWidget>(w.window(), u"messageList"_s);
+        QCOMPARE(list->count(), 2);
+        QCOMPARE(list->item(0)->text(), first);
+        list->selectAll();
+        QTest::keyClick(list, Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QGuiApplication::clipboard()->text().count(u'\n'), 1);
+        QVERIFY(QGuiApplication::clipboard()->text().startsWith(first));
     }
 
     void fitsTheDesignSize_data()

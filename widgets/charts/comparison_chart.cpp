@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kPlain = 0.16;    // part of the reference's colour in its shade
 constexpr double kAtMargin = 0.9;  // part of the time axis from which a line ends at the margin
+constexpr int kItems = 20;         // that can be read one after the other
 constexpr int kColumns = 1500;     // worth having points for
 constexpr double kSimplify = 2e-4; // of the largest zeta
 
@@ -69,6 +70,28 @@ QList<QPointF> lineOf(const ComparedRun& run)
     return simplified(
         decimate(points, {.from = 0, .to = std::max(1.0, run.flown_s), .columns = kColumns}),
         kSimplify * run.metrics.zeta_m2s);
+}
+
+/** What can be read: zeta of both at even times, and at the instant up to which both have flown. */
+void addItems(Figure& figure, const RunComparison& comparison, const QList<QPointF>& reference,
+              const QList<QPointF>& other, const QLocale& locale)
+{
+    constexpr int kDigits = 4;
+    if (reference.isEmpty() || other.isEmpty())
+        return;
+    const auto text = [&](const ComparedRun& run, double zeta_m2s) {
+        return u"%1: %2 m² s"_s.arg(runName(run, locale),
+                                    significantText(zeta_m2s, kDigits, locale));
+    };
+    for (int i = 0; i <= kItems; ++i) {
+        const double time_s = comparison.until_s * i / kItems;
+        const double zeta_m2s = ordinateAt(reference, time_s);
+        figure.items.push_back(
+            {.id = static_cast<std::size_t>(i),
+             .at = {time_s, zeta_m2s},
+             .readout = utf8(QStringList{clockText(time_s), text(*comparison.reference, zeta_m2s),
+                                         text(*comparison.other, ordinateAt(other, time_s))})});
+    }
 }
 
 /** Shades the difference up to `until_s`: stretches in which one and the same run has less. */
@@ -143,13 +166,14 @@ QString verdictText(const RunComparison& comparison, const QLocale& locale)
 
 ComparisonChart::ComparisonChart(const Theme& theme, QWidget* parent) : FigureView(theme, parent)
 {
-    setFocusPolicy(Qt::NoFocus); // there is nothing to choose
     setTitleShown(true);
 }
 
 void ComparisonChart::setComparison(const std::optional<RunComparison>& comparison)
 {
     m_comparison = comparison;
+    if (!comparison)
+        forgetItems(0);
     setToolTip(!comparison ? QString()
                            : tr("%1.\nLess ζ is better. Plain shade: A, %2, has less. Hatched: B, "
                                 "%3, has less.")
@@ -194,6 +218,7 @@ Figure ComparisonChart::figure() const
     addDifference(figure, a, b, m_comparison->until_s);
     addRun(figure, other, b, InkOf::Comparison);
     addRun(figure, reference, a, InkOf::Accumulated);
+    addItems(figure, *m_comparison, a, b, locale());
     std::reverse(figure.labels.begin(), figure.labels.end());
     if (m_cursor_s && *m_cursor_s <= duration_s)
         figure.lines.push_back({.points = {{*m_cursor_s, -kPlotEdge}, {*m_cursor_s, kPlotEdge}},

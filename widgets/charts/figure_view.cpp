@@ -1,7 +1,12 @@
 #include "widgets/charts/figure_view.h"
 
+#include "widgets/charts/value_table.h"
+#include "widgets/theme/accessible_roles.h"
+
+#include <QContextMenuEvent>
 #include <QFontMetricsF>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 
 #include <algorithm>
@@ -20,6 +25,7 @@ constexpr double kLine_px = 16;
 
 FigureView::FigureView(const Theme& theme, QWidget* parent) : QWidget(parent), m_theme(theme)
 {
+    setAccessibleRole(*this, QAccessible::Chart);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -159,6 +165,39 @@ void FigureView::keyPressEvent(QKeyEvent* event)
     default:
         QWidget::keyPressEvent(event);
     }
+}
+
+void FigureView::contextMenuEvent(QContextMenuEvent* event)
+{
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("figureMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Show values as a table"), this, &FigureView::showValues)
+        ->setEnabled(!m_drawing.items.empty());
+    menu->popup(event->globalPos());
+}
+
+/** What is read at each of its items, in the order of the arrow keys. */
+void FigureView::showValues()
+{
+    std::vector<std::pair<QString, QString>> rows;
+    for (const DrawnItem& item : m_drawing.items) {
+        QStringList lines;
+        for (const std::string& line : item.of.readout)
+            lines << QString::fromStdString(line);
+        const QString first = lines.isEmpty() ? QString() : lines.takeFirst();
+        rows.emplace_back(first, lines.join(QStringLiteral(", ")));
+    }
+    const int count = static_cast<int>(rows.size());
+    ValueTable::open({.title = accessibleName(),
+                      .columns = {tr("Point"), tr("Values")},
+                      .rows = count,
+                      .text =
+                          [rows = std::move(rows)](int row, int column) {
+                              const auto& [point, values] = rows[static_cast<std::size_t>(row)];
+                              return column == 0 ? point : values;
+                          }},
+                     this);
 }
 
 /** Beside the point, on the side where there is room. */

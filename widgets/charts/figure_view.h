@@ -49,6 +49,7 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
     /** After anything that the figure depends on has changed. */
     void refresh();
@@ -60,6 +61,7 @@ private:
     void setHovered(std::optional<std::size_t> item);
     [[nodiscard]] const DrawnItem* itemOf(std::optional<std::size_t> id) const;
     [[nodiscard]] std::optional<std::size_t> itemNear(const QPointF& at) const;
+    void showValues();
     void paintReadout(QPainter& painter, const DrawnItem& item) const;
 
     Theme m_theme;

@@ -2,12 +2,30 @@
 
 #include "core/base/number_text.h"
 #include "core/io/results/result_csv.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 
 using namespace Qt::StringLiterals;
 
 namespace berg {
+namespace {
+
+struct MissionSeriesText
+{
+    Q_DECLARE_TR_FUNCTIONS(MissionSeriesText)
+};
+
+/** What a column is called where its line cannot be seen. */
+QString headerOf(const TimeLine& line)
+{
+    const QString name = line.name.isEmpty() ? line.label : line.name;
+    return line.unit.isEmpty() ? name : u"%1, %2"_s.arg(name, line.unit);
+}
+
+} // namespace
 
 bool MissionSeries::isContinuedBy(const FlightRecord& record) const
 {
@@ -70,6 +88,33 @@ std::string MissionSeries::csv(const TimeChartContent& content) const
         text += '\n';
     }
     return text;
+}
+
+ChartValues MissionSeries::values(const TimeChartContent& content, const QLocale& locale) const
+{
+    constexpr int kDigits = 4;
+    ChartValues values{.title = content.title,
+                       .columns = {MissionSeriesText::tr("Time")},
+                       .rows = static_cast<int>(m_times_s.size()),
+                       .text = {}};
+    std::vector<std::vector<QPointF>> lines;
+    for (std::size_t i = 0; i < content.lines.size(); ++i) {
+        values.columns << headerOf(content.lines[i]);
+        const QList<QPointF>& own = content.lines[i].points;
+        lines.push_back(own.isEmpty() ? m_lines[i].points()
+                                      : std::vector<QPointF>(own.begin(), own.end()));
+    }
+    values.text = [times_s = m_times_s, lines = std::move(lines), locale](int row, int column) {
+        const double time_s = times_s[static_cast<std::size_t>(row)];
+        if (column == 0)
+            return clockText(time_s);
+        const std::vector<QPointF>& line = lines[static_cast<std::size_t>(column - 1)];
+        const auto at = std::lower_bound(line.begin(), line.end(), time_s,
+                                         [](const QPointF& p, double x_s) { return p.x() < x_s; });
+        return at != line.end() && at->x() == time_s ? significantText(at->y(), kDigits, locale)
+                                                     : QString();
+    };
+    return values;
 }
 
 } // namespace berg

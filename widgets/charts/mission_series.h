@@ -2,6 +2,7 @@
 
 #include "widgets/charts/mission_charts.h"
 #include "widgets/charts/time_series.h"
+#include "widgets/charts/value_table.h"
 
 #include <string>
 
@@ -32,6 +33,9 @@ public:
      * first; no value: an empty field. `content` names the columns.
      */
     [[nodiscard]] std::string csv(const TimeChartContent& content) const;
+
+    /** The same to be read on screen. */
+    [[nodiscard]] ChartValues values(const TimeChartContent& content, const QLocale& locale) const;
 
 private:
     ChartKind m_kind;

@@ -2,6 +2,7 @@
 
 #include "widgets/charts/figure_painter.h"
 #include "widgets/charts/line_look.h"
+#include "widgets/theme/accessible_roles.h"
 
 #include <QAreaSeries>
 #include <QChart>
@@ -34,6 +35,7 @@ QValueAxis* makeAxis(QChart& chart, Qt::Alignment alignment)
 
 TimeChart::TimeChart(const Theme& theme, QWidget* parent) : QChartView(parent), m_theme(theme)
 {
+    setAccessibleRole(*this, QAccessible::Chart);
     chart()->setAnimationOptions(QChart::NoAnimation);
     chart()->setBackgroundVisible(false);
     chart()->setMargins(QMargins());

@@ -37,6 +37,7 @@ inline constexpr std::array kManualPlaces{
     ManualPlace{"comparisonDock", "window#comparison"},
     ManualPlace{"icebergsDock", "window#icebergs"},
     ManualPlace{"layersDock", "window#layers"},
+    ManualPlace{"messagesDock", "window#messages"},
     ManualPlace{"startPage", "start#start-page"},
     ManualPlace{"tour", "start#first-flight"},
     ManualPlace{"berg::ExportDialog", "window#export"},

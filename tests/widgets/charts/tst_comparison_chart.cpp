@@ -3,6 +3,10 @@
 #include "tests/support/panel_test.h"
 #include "widgets/charts/comparison_chart.h"
 
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QTableView>
+
 using namespace berg;
 using namespace Qt::StringLiterals;
 
@@ -57,6 +61,28 @@ private slots:
         QVERIFY(chart.drawing().rightTitle.empty());
         QVERIFY(!chart.accessibleDescription().isEmpty());
         QCOMPARE(chart.grab().toImage().pixelColor(1, 1).rgb(), Theme::dark().chart.rgb());
+    }
+
+    /** With the arrow keys, and as a table. */
+    void valuesAreRead()
+    {
+        Fixture f(test::comparisonOf({0, 40, 80, 100}, {0, 50, 100, 120}));
+        f.chart.setFocus();
+        QTest::keyClick(&f.chart, Qt::Key_End);
+        QCOMPARE(f.chart.accessibleDescription(), u"00:03, τ 1.00: 100 m² s, Tour: 120 m² s"_s);
+        QTest::keyClick(&f.chart, Qt::Key_Home);
+        QCOMPARE(f.chart.accessibleDescription(), u"00:00, τ 1.00: 0 m² s, Tour: 0 m² s"_s);
+        QContextMenuEvent event(QContextMenuEvent::Keyboard, f.chart.rect().center());
+        QCoreApplication::sendEvent(&f.chart, &event);
+        test::child<QMenu>(f.chart, u"figureMenu"_s).actions().front()->trigger();
+        const QAbstractItemModel& values = *test::child<QTableView>(f.chart, u"values"_s).model();
+        QCOMPARE(values.rowCount(), static_cast<int>(f.chart.drawing().items.size()));
+        QCOMPARE(values.index(0, 0).data().toString(), u"00:00"_s);
+        QCOMPARE(values.index(values.rowCount() - 1, 1).data().toString(),
+                 u"τ 1.00: 100 m² s, Tour: 120 m² s"_s);
+        f.chart.setComparison(std::nullopt);
+        QTest::keyClick(&f.chart, Qt::Key_End); // there is nothing to read any more
+        QVERIFY(!f.chart.accessibleDescription().contains(u"Tour"_s));
     }
 
     void linesEndWithTheirNames()

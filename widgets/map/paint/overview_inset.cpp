@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "widgets/map/paint/map_overlays.h"
+#include "widgets/theme/accessible_roles.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QApplication>
@@ -151,6 +152,7 @@ void OverviewInset::setView(const MapViewTransform& view)
 
 void OverviewInset::updateTexts()
 {
+    setAccessibleRole(*this, QAccessible::Canvas);
     setAccessibleName(tr("Overview"));
     setAccessibleDescription(
         tr("Polar chart of where the map is. A click picks a place for the map."));

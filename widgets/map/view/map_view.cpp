@@ -3,6 +3,7 @@
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/model/scenario_edits.h"
+#include "widgets/theme/accessible_roles.h"
 
 #include <QEvent>
 #include <QPainter>
@@ -424,10 +425,11 @@ void MapView::updateHover()
 
 void MapView::updateTexts()
 {
+    setAccessibleRole(*this, QAccessible::Canvas);
     setAccessibleName(tr("Map"));
     setAccessibleDescription(
         tr("%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus "
-           "and minus zoom, F fits.",
+           "and minus zoom, F fits. The table of icebergs has them in rows.",
            nullptr, static_cast<int>(m_scene.picture().icebergs.size())));
 }
 

@@ -85,6 +85,12 @@ void setCaptionTheme(QWidget& panel, const Theme& theme)
         caption->setTheme(theme);
 }
 
+void showValue(QLabel& label, const QString& text)
+{
+    label.setText(text);
+    label.setAccessibleName(u"%1: %2"_s.arg(label.accessibleDescription(), text));
+}
+
 QString noFigure()
 {
     return u"–"_s;

@@ -41,6 +41,9 @@ protected:
 /** Gives the theme to every caption below `panel`. */
 void setCaptionTheme(QWidget& panel, const Theme& theme);
 
+/** Shows a value, which screen readers hear after what it is: the accessible description. */
+void showValue(QLabel& label, const QString& text);
+
 /** What stands for a number that there is none of. */
 [[nodiscard]] QString noFigure();
 

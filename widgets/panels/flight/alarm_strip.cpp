@@ -11,6 +11,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -244,7 +245,7 @@ void AlarmStrip::showNotices(const std::vector<FlightNotice>& notices)
 {
     if (notices == m_notices)
         return;
-    m_notices = notices;
+    const std::vector<FlightNotice> before = std::exchange(m_notices, notices);
     // What is over is forgotten, so that it is told when it happens again.
     for (auto& [kind, ids] : m_acknowledged) {
         std::set<std::string> still;
@@ -256,6 +257,12 @@ void AlarmStrip::showNotices(const std::vector<FlightNotice>& notices)
     fillNotices();
     fillState();
     showOrHide();
+    for (const FlightNotice& notice : notices)
+        if (rankOf(notice.kind) != NoticeRank::Note &&
+            std::ranges::none_of(before, [&](const FlightNotice& known) {
+                return known.kind == notice.kind && known.about == notice.about;
+            }))
+            emit raised(notice.text);
 }
 
 void AlarmStrip::acknowledge(std::size_t line)

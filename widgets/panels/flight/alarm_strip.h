@@ -45,6 +45,8 @@ public:
 signals:
     /** Ids of what a notice is about. */
     void noticeChosen(const std::vector<std::string>& about);
+    /** An alarm or warning that was not there before. */
+    void raised(const QString& text);
     void bringBackRequested();
     /** Give up what came after the instant shown and fly on from it. */
     void flyOnRequested();

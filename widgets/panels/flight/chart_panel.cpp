@@ -124,6 +124,8 @@ void ChartPanel::showMenu(const QPoint& globalPos)
     menu->setObjectName(u"chartMenu"_s);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const bool hasLines = !m_empty.lines.empty();
+    menu->addAction(tr("Show values as a table"), this, &ChartPanel::showValues)
+        ->setEnabled(hasLines);
     menu->addAction(tr("Copy picture"), this, &ChartPanel::copyPicture);
     menu->addAction(tr("Copy numbers"), this, &ChartPanel::copyNumbers)->setEnabled(hasLines);
     menu->addAction(tr("Save picture or numbers..."), this, &ChartPanel::exportRequested)
@@ -147,6 +149,11 @@ void ChartPanel::copyPicture() const
 void ChartPanel::copyNumbers() const
 {
     QApplication::clipboard()->setText(QString::fromStdString(m_series.csv(m_empty)));
+}
+
+void ChartPanel::showValues()
+{
+    ValueTable::open(m_series.values(m_empty, locale()), this);
 }
 
 void ChartPanel::setTheme(const Theme& theme)

@@ -72,6 +72,7 @@ private:
     void showMenu(const QPoint& globalPos);
     void copyPicture() const;
     void copyNumbers() const;
+    void showValues();
     void applyLines(TimeChartContent& content) const;
     void setShown(const QString& key, bool shown);
     void showAllLines();

@@ -145,18 +145,19 @@ void FlightCard::showSummary(const FlightSummary& summary)
     const auto zeta = [&](double zeta_m2s) {
         return tr("%1 m² s").arg(significantText(zeta_m2s, 4, locale()));
     };
-    m_zeta->setText(u"ζ "_s + zeta(summary.zeta_m2s));
-    m_predicted->setText(
+    showValue(*m_zeta, u"ζ "_s + zeta(summary.zeta_m2s));
+    showValue(
+        *m_predicted,
         summary.predicted_m2s && *summary.predicted_m2s > 0
             ? u"%1 (%2)"_s.arg(changeText(summary.zeta_m2s / *summary.predicted_m2s - 1, locale()),
                                zeta(*summary.predicted_m2s))
             : noFigure());
-    m_bound->setText(summary.bound_m2s ? zeta(*summary.bound_m2s) : noFigure());
-    m_visits->setText(fixedText(summary.visits, 0, locale()));
-    m_unseen->setText(
-        summary.longestUnseen.isEmpty()
-            ? noFigure()
-            : u"%1, %2"_s.arg(summary.longestUnseen, clockText(summary.longestUnseen_s)));
+    showValue(*m_bound, summary.bound_m2s ? zeta(*summary.bound_m2s) : noFigure());
+    showValue(*m_visits, fixedText(summary.visits, 0, locale()));
+    showValue(*m_unseen,
+              summary.longestUnseen.isEmpty()
+                  ? noFigure()
+                  : u"%1, %2"_s.arg(summary.longestUnseen, clockText(summary.longestUnseen_s)));
     place();
     show();
     raise();

@@ -63,6 +63,7 @@ PlaybackBar::PlaybackBar(QWidget* parent) : QWidget(parent)
     m_length = new FigureLabel(this);
     m_length->setObjectName(u"runLength"_s);
     m_length->setToolTip(tr("Length of the run"));
+    m_length->setAccessibleDescription(m_length->toolTip());
     row->addWidget(m_length);
 
     connect(m_play, &QToolButton::clicked, this, [this] {
@@ -197,7 +198,7 @@ void PlaybackBar::showState(RunPhase phase, double time_s, double duration_s,
         m_time->setText(m_timeText);
     const QString length = u"/ %1"_s.arg(clockText(duration_s));
     if (length != m_length->text())
-        m_length->setText(length);
+        showValue(*m_length, length);
     if (phase == m_phase)
         return;
     m_phase = phase;

@@ -388,7 +388,9 @@ void InspectorForm::add(const InfoRow& row)
                                                       const std::string& id) {
                                     return row.text(scenario, id, locale());
                                 };
-                                text->setText(common(read).value_or(tr("mixed")));
+                                const QString words = common(read).value_or(tr("mixed"));
+                                text->setText(words);
+                                m_form->setRowVisible(text, !words.isEmpty());
                             },
                         .lock = [](bool) {}});
 }

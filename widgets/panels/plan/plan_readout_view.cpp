@@ -20,7 +20,7 @@ constexpr int kRowGap_px = 6; ///< between a caption and the figure of the next 
 template <class Text>
 void showFigure(FigureLabel& label, const std::optional<double>& value, const Text& text)
 {
-    label.setText(value ? text(*value) : noFigure());
+    showValue(label, value ? text(*value) : noFigure());
 }
 
 } // namespace
@@ -47,7 +47,6 @@ PlanReadoutView::PlanReadoutView(QWidget* parent) : QWidget(parent)
     m_mark->setFixedSize(kMark_px, kMark_px);
     m_state = new QLabel(this);
     m_state->setObjectName(u"planState"_s);
-    m_state->setAccessibleName(tr("State of the plan"));
     m_state->setWordWrap(true);
     m_state->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     connect(m_state, &QLabel::linkActivated, this, &PlanReadoutView::checksRequested);
@@ -163,6 +162,7 @@ void PlanReadoutView::showPlan(const PlanReadout& readout, PolicyKind policy)
                                                                tr("Show the checks")));
     else
         m_state->setText(state.text);
+    m_state->setAccessibleName(tr("State of the plan: %1").arg(state.text));
     m_state->setToolTip(state.details);
     m_mark->setToolTip(state.details);
     if (state.verdict != m_verdict) {

@@ -1,6 +1,7 @@
 #include "widgets/panels/plan/tau_strip.h"
 
 #include "widgets/model/curve_choice.h"
+#include "widgets/theme/accessible_roles.h"
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -42,6 +43,7 @@ void hatch(QPainter& painter, const QRectF& area, const QColor& colour)
 TauStrip::TauStrip(QWidget* parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAccessibleRole(*this, QAccessible::Chart);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAccessibleName(tr("Plans along the trade-off τ"));

@@ -162,6 +162,7 @@ void StudyRunBar::showState()
     showProgress();
     if (!m_failure.isEmpty())
         m_state->setText(m_failure);
+    m_state->setVisible(!m_state->text().isEmpty());
 }
 
 void StudyRunBar::showEnd(const QString& failure)

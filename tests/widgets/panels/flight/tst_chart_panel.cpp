@@ -4,6 +4,7 @@
 #include "tests/support/chart_panel_fixture.h"
 #include "widgets/charts/figure_painter.h"
 #include "widgets/theme/palette.h"
+#include "widgets/theme/quantity_text.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -12,8 +13,10 @@
 #include <QImage>
 #include <QMenu>
 #include <QPainter>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSvgRenderer>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QToolButton>
 
@@ -435,6 +438,32 @@ private slots:
         QTest::mouseMove(shown.chart.viewport(), middle + QPoint(30, 0));
         QTest::mouseRelease(shown.chart.viewport(), Qt::RightButton, {}, middle + QPoint(30, 0));
         QVERIFY(shown.panel.findChild<QMenu*>(u"chartMenu"_s) == nullptr); // it was panned
+    }
+
+    /** Every sample, as it is read. */
+    void valuesAreATable()
+    {
+        test::Shown shown(ChartKind::Zeta);
+        QContextMenuEvent key(QContextMenuEvent::Keyboard, {}, {});
+        QApplication::sendEvent(shown.chart.viewport(), &key);
+        test::child<QMenu>(shown.panel, u"chartMenu"_s).actions().front()->trigger();
+        const QAbstractItemModel& values =
+            *test::child<QTableView>(shown.panel, u"values"_s).model();
+        const std::vector<Sample>& samples = shown.record.history.samples;
+        QCOMPARE(values.rowCount(), static_cast<int>(samples.size()));
+        QVERIFY(values.columnCount() >= 3);
+        QCOMPARE(values.headerData(0, Qt::Horizontal).toString(), u"Time"_s);
+        QVERIFY(values.headerData(1, Qt::Horizontal).toString().contains(u"m²"_s));
+        constexpr int kRow = 500;
+        QCOMPARE(values.index(kRow, 0).data().toString(), clockText(samples[kRow].time_s));
+        QStringList cells;
+        for (int column = 1; column < values.columnCount(); ++column)
+            cells << values.index(kRow, column).data().toString();
+        QVERIFY(cells.contains(significantText(samples[kRow].zeta_m2s, 4, shown.panel.locale())));
+        test::child<QPushButton>(shown.panel, u"copyValues"_s).click();
+        const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
+        QCOMPARE(lines.size(), values.rowCount() + 1);
+        QCOMPARE(lines[kRow + 1].split(u'\t').front(), clockText(samples[kRow].time_s));
     }
 
     /** A hand is never quite still. */
