@@ -10,8 +10,6 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include <algorithm>
-
 using namespace Qt::StringLiterals;
 
 namespace berg {
@@ -20,19 +18,23 @@ namespace {
 /** Device-independent pixels for each unit of the layout: the small picture of a larger map. */
 constexpr double kReduction = 0.5;
 
-RecentFile readRecentFile(const QString& path)
+QImage painted(const MapPicture& picture, const Theme& theme, const QSize& size_px,
+               double pixelRatio)
 {
-    const QFileInfo file(path);
-    RecentFile recent{.path = path, .exists = file.exists(), .changed = file.lastModified()};
-    if (recent.exists && file.suffix() == u"berg"_s) {
-        // Opening it tells why not.
-        static_cast<void>(failureOf([&] {
-            recent.icebergs = static_cast<int>(
-                loadScenario(QFile::encodeName(path).toStdString(), ScenarioUse::Editing)
-                    .icebergs.size());
-        }));
-    }
-    return recent;
+    const MapStyle style{.theme = theme, .locale = QLocale()};
+    const QRectF rect(QPointF(0, 0), QSizeF(size_px) / kReduction);
+    const MapLayout layout = arrangeMap(picture, style, rect);
+    const Graticule graticule = graticuleOf(LocalFrame(picture.origin), layout.view, layout.rect);
+    const MapFrame frame{
+        .picture = picture, .style = style, .layout = layout, .graticule = graticule};
+
+    QImage image(size_px * pixelRatio, QImage::Format_RGB32);
+    image.setDevicePixelRatio(pixelRatio);
+    QPainter painter(&image);
+    painter.scale(kReduction, kReduction);
+    paintMapGround(painter, frame);
+    paintMapContent(painter, frame);
+    return image;
 }
 
 /** The map of a planned scenario without its words; unplanned when stopped. */
@@ -43,20 +45,25 @@ QImage pictureOf(const Scenario& scenario, const Theme& theme, double pixelRatio
     const PlanAnswer answer = planFromStart(scenario, {.stop = stop});
     for (std::size_t uav = 0; uav < answer.uavs.size(); ++uav)
         picture.routes[uav].plan = answer.uavs[uav].order;
-    const MapStyle style{.theme = theme, .locale = QLocale()};
-    const QRectF rect(QPointF(0, 0), QSizeF(kExamplePicture_px) / kReduction);
-    const MapLayout layout = arrangeMap(picture, style, rect);
-    const Graticule graticule = graticuleOf(LocalFrame(picture.origin), layout.view, layout.rect);
-    const MapFrame frame{
-        .picture = picture, .style = style, .layout = layout, .graticule = graticule};
+    return painted(picture, theme, kExamplePicture_px, pixelRatio);
+}
 
-    QImage image(kExamplePicture_px * pixelRatio, QImage::Format_RGB32);
-    image.setDevicePixelRatio(pixelRatio);
-    QPainter painter(&image);
-    painter.scale(kReduction, kReduction);
-    paintMapGround(painter, frame);
-    paintMapContent(painter, frame);
-    return image;
+/** Its picture has no plan: that of a large scenario takes its time. */
+RecentFile readRecentFile(const QString& path, const Theme& theme, double pixelRatio)
+{
+    const QFileInfo file(path);
+    RecentFile recent{.path = path, .exists = file.exists(), .changed = file.lastModified()};
+    if (recent.exists && file.suffix() == u"berg"_s) {
+        // Opening it tells why not.
+        static_cast<void>(failureOf([&] {
+            const Scenario scenario =
+                loadScenario(QFile::encodeName(path).toStdString(), ScenarioUse::Editing);
+            recent.icebergs = static_cast<int>(scenario.icebergs.size());
+            recent.picture =
+                painted(withScenario({}, scenario), theme, kRecentPicture_px, pixelRatio);
+        }));
+    }
+    return recent;
 }
 
 Example paintedExample(const QString& path, const Theme& theme, double pixelRatio,
@@ -124,11 +131,12 @@ void StartContent::finish()
         [this] { QMetaObject::invokeMethod(this, &QObject::deleteLater, Qt::QueuedConnection); });
 }
 
-void StartContent::readRecent(const QStringList& paths)
+void StartContent::readRecent(const QStringList& paths, const Theme& theme, double pixelRatio)
 {
-    m_reader.start([this, paths] {
+    m_reader.start([this, paths, theme, pixelRatio] {
         QList<RecentFile> files;
-        std::transform(paths.begin(), paths.end(), std::back_inserter(files), readRecentFile);
+        for (const QString& path : paths)
+            files << readRecentFile(path, theme, pixelRatio);
         emit recentRead(files);
     });
 }

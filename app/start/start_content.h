@@ -21,6 +21,7 @@ struct RecentFile
     bool exists = false;
     QDateTime changed;
     std::optional<int> icebergs; ///< none: cannot be read
+    QImage picture;              ///< of `kRecentPicture_px`; null: of no scenario
 };
 
 /** A scenario that comes with the program. */
@@ -34,6 +35,7 @@ struct Example
 };
 
 inline constexpr QSize kExamplePicture_px(252, 148);
+inline constexpr QSize kRecentPicture_px(76, 54);
 
 /** Paths of the examples, few icebergs first. */
 [[nodiscard]] QStringList examplePaths();
@@ -56,7 +58,8 @@ public:
 
     /** Nothing more is wanted: deletes itself once nothing is under way, without waiting. */
     void finish();
-    void readRecent(const QStringList& paths);
+    /** With their pictures. */
+    void readRecent(const QStringList& paths, const Theme& theme, double pixelRatio);
     /** In place of what is being painted. */
     void paintExamples(const Theme& theme, double pixelRatio,
                        const QStringList& paths = examplePaths());

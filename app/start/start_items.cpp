@@ -21,6 +21,15 @@ QString countText(int icebergs)
     return ExampleCard::tr("%n icebergs", nullptr, icebergs);
 }
 
+/** Of a file, with "~" for the home folder. */
+QString folderText(const QFileInfo& file)
+{
+    const QString folder = file.absolutePath();
+    const QString home = QDir::homePath();
+    const bool isAtHome = folder == home || folder.startsWith(home + u'/');
+    return QDir::toNativeSeparators(isAtHome ? u'~' + folder.sliced(home.size()) : folder);
+}
+
 /** Ground and edge of something to be clicked. */
 void paintGround(QPainter& painter, const QAbstractButton& button, const Theme& theme)
 {
@@ -35,12 +44,12 @@ void paintGround(QPainter& painter, const QAbstractButton& button, const Theme& 
 }
 
 void paintLine(QPainter& painter, const QRect& rect, const QFont& font, const QColor& colour,
-               const QString& text)
+               const QString& text, Qt::TextElideMode elide = Qt::ElideRight)
 {
     painter.setFont(font);
     painter.setPen(colour);
     painter.drawText(rect, Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetrics(font).elidedText(text, Qt::ElideRight, rect.width()));
+                     QFontMetrics(font).elidedText(text, elide, rect.width()));
 }
 
 } // namespace
@@ -98,10 +107,11 @@ void ExampleCard::paintEvent(QPaintEvent* /*event*/)
 }
 
 RecentRow::RecentRow(const RecentFile& file, const Theme& theme, QWidget* parent)
-    : QAbstractButton(parent), m_theme(theme)
+    : QAbstractButton(parent), m_theme(theme), m_picture(file.picture)
 {
     const QFileInfo info(file.path);
     setText(info.fileName());
+    m_folder = folderText(info);
     setToolTip(QDir::toNativeSeparators(file.path));
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
@@ -120,12 +130,12 @@ RecentRow::RecentRow(const RecentFile& file, const Theme& theme, QWidget* parent
         setFocusPolicy(Qt::NoFocus); // there is nothing to open
     }
     setAccessibleName(text());
-    setAccessibleDescription(m_caption);
+    setAccessibleDescription(m_folder + u", "_s + m_caption);
 }
 
 QSize RecentRow::sizeHint() const
 {
-    return {200, kTitle_px + kCaption_px + 2 * kEdge_px - 4};
+    return {200, kRecentPicture_px.height() + kEdge_px};
 }
 
 void RecentRow::resizeEvent(QResizeEvent* event)
@@ -144,11 +154,21 @@ void RecentRow::paintEvent(QPaintEvent* /*event*/)
     const bool gone = m_remove != nullptr;
     if (!gone)
         paintGround(painter, *this, m_theme);
-    const int right = gone ? m_remove->width() + kEdge_px : 0;
-    const QRect title(kEdge_px + 2, kEdge_px - 2, width() - 2 * kEdge_px - 4 - right, kTitle_px);
-    paintLine(painter, title, m_theme.strong(), gone ? m_theme.mutedText : m_theme.text, text());
-    paintLine(painter, title.translated(0, kTitle_px), m_theme.small(), m_theme.mutedText,
-              m_caption);
+    const QRect picture(QPoint(kEdge_px / 2, kEdge_px / 2), kRecentPicture_px);
+    if (!m_picture.isNull())
+        painter.drawImage(picture, m_picture);
+    else if (!gone)
+        painter.fillRect(picture, m_theme.sea);
+    const int left = picture.right() + kEdge_px;
+    const int right = gone ? m_remove->width() + kEdge_px : kEdge_px;
+    QRect line(left, (height() - kTitle_px - 2 * kCaption_px) / 2, width() - left - right,
+               kTitle_px);
+    paintLine(painter, line, m_theme.strong(), gone ? m_theme.mutedText : m_theme.text, text(),
+              Qt::ElideMiddle);
+    line.translate(0, kTitle_px);
+    paintLine(painter, line, m_theme.small(), m_theme.mutedText, m_folder, Qt::ElideMiddle);
+    line.translate(0, kCaption_px);
+    paintLine(painter, line, m_theme.small(), m_theme.mutedText, m_caption);
 }
 
 } // namespace berg

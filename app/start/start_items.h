@@ -29,7 +29,8 @@ private:
     Example m_example;
 };
 
-/** A file opened before: name, when it was changed, how many icebergs; grey when it is gone. */
+/** A file opened before: picture, name, folder, when it was changed, how many icebergs; grey when
+ * gone. */
 class RecentRow : public QAbstractButton
 {
     Q_OBJECT
@@ -49,6 +50,8 @@ protected:
 
 private:
     Theme m_theme;
+    QImage m_picture; ///< null: none
+    QString m_folder;
     QString m_caption;
     QToolButton* m_remove = nullptr; ///< only when the file is gone
 };

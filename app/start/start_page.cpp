@@ -149,12 +149,15 @@ void StartPage::setTheme(const Theme& theme)
     for (ExampleCard* card : m_cards)
         card->setTheme(theme);
     m_content->paintExamples(theme, devicePixelRatioF());
+    if (!m_recentPaths.isEmpty())
+        setRecent(m_recentPaths); // their pictures
     update();
 }
 
 void StartPage::setRecent(const QStringList& paths)
 {
-    m_content->readRecent(paths);
+    m_recentPaths = paths;
+    m_content->readRecent(paths, m_theme, devicePixelRatioF());
 }
 
 void StartPage::showRecent(const QList<RecentFile>& files)

@@ -74,6 +74,7 @@ private:
     std::vector<QLabel*> m_captions;
     QPushButton* m_continue = nullptr;
     QVBoxLayout* m_recent = nullptr;
+    QStringList m_recentPaths;
     QScrollArea* m_examples = nullptr;
     QGridLayout* m_grid = nullptr;
     std::vector<ExampleCard*> m_cards;

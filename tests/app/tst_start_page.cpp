@@ -8,6 +8,7 @@
 #include "widgets/map/view/map_view.h"
 
 #include <QCheckBox>
+#include <QDir>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
@@ -133,6 +134,8 @@ private slots:
         QVERIFY(w.until([&] { return rows().size() == 3; }));
         QCOMPARE(rows()[0]->text(), u"here.berg"_s);
         QVERIFY(rows()[0]->accessibleDescription().contains(u"3 iceberg"_s));
+        QVERIFY(rows()[0]->accessibleDescription().contains(QDir::toNativeSeparators(
+            QFileInfo(here).absolutePath()))); // two files of one name are told apart
         QVERIFY(!rows()[1]->accessibleDescription().contains(u"iceberg"_s));
         QVERIFY(rows()[2]->accessibleDescription().contains(u"gone"_s));
 
@@ -224,9 +227,10 @@ private slots:
         connect(content.get(), &StartContent::recentRead, this,
                 [&](const QList<RecentFile>& files) { recent = files; });
         content->paintExamples(Theme::light(), 1, {path, path});
-        content->readRecent({path});
+        content->readRecent({path}, Theme::light(), 1);
         QTRY_COMPARE_WITH_TIMEOUT(recent.size(), 1, 60000);
         QCOMPARE(recent.front().icebergs.value_or(0), 120);
+        QCOMPARE(recent.front().picture.size(), kRecentPicture_px);
         content.reset();
         QCOMPARE(painted.load(), 0); // stopped: a picture without its plan is not shown
     }
