@@ -148,7 +148,14 @@ QWidget* ImportDialog::makeResults()
     m_summary->setFont(m_offer.theme.strong());
     m_legend = new CaptionLabel(tr("+ new   * updated"));
     auto* line = new QHBoxLayout;
-    line->addWidget(m_summary, 1);
+    line->addWidget(m_summary);
+    m_intoNew = new QPushButton(tr("Import into a &new scenario"));
+    m_intoNew->setObjectName(u"importNewButton"_s);
+    m_intoNew->setAutoDefault(false);
+    m_intoNew->setVisible(false);
+    connect(m_intoNew, &QPushButton::clicked, this, [this] { m_options->chooseNew(); });
+    line->addWidget(m_intoNew);
+    line->addStretch(1);
     line->addWidget(m_legend);
     column->addLayout(line);
     m_scene = new CaptionLabel;
@@ -230,6 +237,8 @@ void ImportDialog::take(const PreviewPointer& preview)
     showTables();
     if (preview->error && !preview->file && !preview->head.columns.isEmpty())
         m_tabs->setCurrentWidget(m_columns); // naming them may help
+    else if (!preview->error && preview->rows.empty())
+        m_tabs->setCurrentWidget(m_rejectedTable); // which tells why
     showState();
 }
 
@@ -282,6 +291,10 @@ void ImportDialog::showState()
     m_rejectedTable->setEnabled(!busy);
     m_import->setEnabled(usable);
     m_legend->setVisible(usable);
+    // Sightings that do not fit to the scenario that is shown do to one of their own.
+    const bool isOffered =
+        !busy && !usable && m_preview && m_preview->file && !m_options->intoNew();
+    m_intoNew->setVisible(isOffered);
     QStringList lines;
     if (usable && !m_preview->file->guessedDate.empty())
         lines << guessedDateText(m_preview->file->guessedDate, m_preview->file->guessedLine);

@@ -78,6 +78,7 @@ private:
     QTableView* m_rejectedTable = nullptr;
     QProgressBar* m_progress = nullptr;
     QPushButton* m_import = nullptr;
+    QPushButton* m_intoNew = nullptr;
 };
 
 } // namespace berg

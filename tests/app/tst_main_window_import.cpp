@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QMimeData>
 #include <QStatusBar>
+#include <QTabWidget>
 #include <QUndoStack>
 
 #include <algorithm>
@@ -101,6 +102,37 @@ private slots:
             QVERIFY(w.scenario() == before);
             QCOMPARE(w.document().undoStack()->count(), 1);
         }
+    }
+
+    /** None of the sightings is near: one press makes a scenario of them. */
+    void sightingsThatFitNowhereAreOfferedAScenario()
+    {
+        Scenario far = randomScenario(31, {.icebergs = 3});
+        far.origin = {.latitude_deg = -40, .longitude_deg = 100};
+        WindowFixture w(far);
+        w.interaction.path = fixturePath("iip.csv");
+        QString before;
+        w.interaction.importAnswer = [&](ImportRunner& runner, const ImportOffer& offer) {
+            ImportDialog dialog(runner, offer);
+            dialog.show();
+            const auto settles = [&] {
+                return QTest::qWaitFor([&] { return !runner.isBusy(); }, 60000);
+            };
+            auto& offered = test::child<QPushButton>(dialog, u"importNewButton"_s);
+            if (!settles() || dialog.choice() || !offered.isVisible())
+                qFatal("nothing is offered");
+            before = test::child<QLabel>(dialog, u"importSummary"_s).text();
+            auto& tabs = test::child<QTabWidget>(dialog, u"importTabs"_s);
+            if (tabs.currentIndex() != 1)
+                qFatal("the reasons are not shown");
+            offered.click();
+            if (!settles() || offered.isVisible())
+                qFatal("no preview");
+            return dialog.choice();
+        };
+        w.trigger(u"importAction"_s);
+        QVERIFY(before.contains(u"rejected"_s));
+        QVERIFY(w.scenario() == direct("iip.csv", newScenarioForImport("iip")).scenario);
     }
 
     void cancelLeavesAllAsItWas()

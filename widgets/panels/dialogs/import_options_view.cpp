@@ -272,6 +272,11 @@ bool ImportOptionsView::intoNew() const
     return m_target->currentIndex() == 1;
 }
 
+void ImportOptionsView::chooseNew()
+{
+    m_target->setCurrentIndex(1);
+}
+
 std::optional<DateOrder> ImportOptionsView::dates() const
 {
     const QVariant chosen = m_dates->currentData();

@@ -31,6 +31,8 @@ public:
 
     [[nodiscard]] ImportOptions options() const;
     [[nodiscard]] bool intoNew() const;
+    /** As by hand. */
+    void chooseNew();
     /** None: as the file suggests. */
     [[nodiscard]] std::optional<bool> oneIceberg() const { return m_oneChosen; }
     /** How 05/02/2021 is meant; none: as the file suggests. */
