@@ -20,6 +20,8 @@ namespace {
 constexpr double kFlagHeight_px = 17;
 constexpr double kFlagSpacing_px = 19;
 constexpr double kFlagGap_px = 10;      // between the line of the instant and the flags
+constexpr double kColumnGap_px = 4;     // between the flags and the edge of the plot
+constexpr double kFarthestJoin_px = 60; // from the value, of a flag that a line joins to it
 constexpr double kFarthestFlag_px = 48; // from the value
 constexpr std::size_t kMostFlags = 8;
 
@@ -123,14 +125,18 @@ ReadoutFlag TimeChart::flagOf(std::size_t index, const QPointF& value, double mi
     return flag;
 }
 
+/** In a column at the right, or at the left where the instant is in its way. */
 void TimeChart::alignFlags(ChartReadout& readout, double at_px) const
 {
     double widest_px = 0;
     for (const ReadoutFlag& flag : readout.flags)
         widest_px = std::max(widest_px, flag.rect.width());
-    const bool isRight = at_px + kFlagGap_px + widest_px <= viewport()->width() - 2;
+    const bool hasRightAxis = m_figure.figure.right.has_value(); // whose numbers stay in sight
+    const double right = hasRightAxis ? plot().right() - kColumnGap_px : viewport()->width() - 2;
+    const bool isRight = at_px + kFlagGap_px <= right - widest_px;
+    const double left = isRight ? right - widest_px : plot().left() + kColumnGap_px;
     for (ReadoutFlag& flag : readout.flags)
-        flag.rect.moveLeft(isRight ? at_px + kFlagGap_px : at_px - kFlagGap_px - flag.rect.width());
+        flag.rect = QRectF(left, flag.rect.top(), widest_px, flag.rect.height());
 }
 
 void TimeChart::paintReadout(QPainter& painter) const
@@ -158,8 +164,10 @@ void TimeChart::paintReadout(QPainter& painter) const
     for (const ReadoutFlag& one : readout.flags) {
         const bool isRight = one.rect.left() > one.at.x();
         painter.setPen(QPen(one.colour, 1));
-        painter.drawLine(
-            one.at, QPointF(isRight ? one.rect.left() : one.rect.right(), one.rect.center().y()));
+        const QPointF edge(isRight ? one.rect.left() : one.rect.right(), one.rect.center().y());
+        if (std::abs(edge.x() - one.at.x()) <=
+            kFarthestJoin_px) // others are told by colour and name
+            painter.drawLine(one.at, edge);
         painter.setBrush(one.colour);
         painter.drawEllipse(one.at, 3, 3);
         flag(one.rect, one.text, one.colour);

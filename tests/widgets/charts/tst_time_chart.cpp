@@ -351,6 +351,9 @@ private slots:
                 COMPARE_NEAR(flag.at.x(), *readout.hover_px, 1e-6);
             }
             QVERIFY(!readout.flags[0].rect.intersects(readout.flags[1].rect));
+            QCOMPARE(readout.flags[0].rect.left(), readout.flags[1].rect.left()); // a column
+            // At the right, but where the pointer is there.
+            QCOMPARE(readout.flags[0].rect.left() > plot.center().x(), time_s < 900);
         }
         moveMouse(chart, at(500), Qt::NoButton);
         const ChartReadout middle = chart.readout();
