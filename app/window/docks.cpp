@@ -74,7 +74,13 @@ Docks::Docks(WindowContext& context) : WindowPart(context)
     resize({Dock::Tradeoff}, {310}, Qt::Horizontal);
     resize({Dock::Zeta}, {230}, Qt::Vertical);
     resize({Dock::Zeta, Dock::Sigma}, {470, 490}, Qt::Horizontal);
-    resize({Dock::Tradeoff, Dock::Plan}, {300, 400}, Qt::Vertical);
+    shareRight();
+}
+
+/** Between the trade-off, which needs so much, and the plan, which has use for all there is. */
+void Docks::shareRight() const
+{
+    window().resizeDocks({dock(Dock::Tradeoff), dock(Dock::Plan)}, {300, 400}, Qt::Vertical);
 }
 
 QDockWidget* Docks::add(const char* name, const QString& title, QWidget* content,
@@ -213,6 +219,7 @@ void Docks::arrange(Layout layout) const
     for (const Dock bottom : {Dock::Zeta, Dock::Sigma, Dock::Events, Dock::ComparisonChart,
                               Dock::Checks, Dock::Comparison, Dock::Icebergs})
         dock(bottom)->hide(); // the map is as wide as it is in all layouts, and higher
+    shareRight();
     if (layout == Layout::Plan)
         return;
     dock(Dock::Tradeoff)->hide();

@@ -81,6 +81,7 @@ private:
     void addStudies();
     void arrange(Layout layout) const;
     void fitScreen() const;
+    void shareRight() const;
     void setLayout(Layout layout);
 
     Layout m_layout = Layout::Analyse;

@@ -156,6 +156,7 @@ private slots:
         w.trigger(u"shortcutsAction"_s);
         const QString shortcuts = w.interaction.informations.back();
         QVERIFY(shortcuts.contains(u"Save"_s) && !shortcuts.contains(u"Zeppelin"_s));
+        QVERIFY(shortcuts.contains(u"Layouts: Fly<"_s)); // beside Fly, which flies
     }
 
     void newScenarioWhereOneLooks()

@@ -200,7 +200,7 @@ void MissionWorker::intervene()
     if (!waiting || !m_mission)
         return;
     if (m_phase == RunPhase::Finished || m_phase == RunPhase::Failed) {
-        emit refused(tr("The run has ended. Reset it to fly it in another way."));
+        emit refused(tr("The run has ended. Stop and edit to fly it differently."));
         return;
     }
     for (const Intervention& intervention : *waiting) {

@@ -115,21 +115,27 @@ void PlanDelegate::paintUav(QPainter& painter, const QStyleOptionViewItem& optio
         if (const QString text = index.siblingAtColumn(column).data().toString();
             text != noFigure())
             parts << text;
-    const QString figures = parts.join(u", "_s);
     const QRect cell = option.rect.adjusted(kMargin_px, 0, -kMargin_px, 0);
+    QFont bold = option.font;
+    bold.setBold(true);
+    const QString name = index.data().toString();
+    const auto roomFor = [&](const QString& figures) {
+        return cell.width() - QFontMetrics(option.font).horizontalAdvance(figures) - kGap_px;
+    };
+    // The name comes first, then how many visits and when the last one is.
+    while (parts.size() > 1 &&
+           QFontMetrics(bold).horizontalAdvance(name) > roomFor(parts.join(u", "_s)))
+        parts.removeAt(1);
+    const QString figures = parts.join(u", "_s);
     const bool isChosen = option.state.testFlag(QStyle::State_Selected);
     painter.save();
     painter.setPen(isChosen ? m_theme.planText : m_theme.text);
     painter.setFont(option.font);
     painter.drawText(cell, Qt::AlignRight | Qt::AlignVCenter, figures);
-    const int room_px =
-        cell.width() - QFontMetrics(option.font).horizontalAdvance(figures) - kGap_px;
-    QFont bold = option.font;
-    bold.setBold(true);
     painter.setFont(bold);
-    painter.drawText(cell, Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetrics(bold).elidedText(index.data().toString(), Qt::ElideRight,
-                                                   std::max(0, room_px)));
+    painter.drawText(
+        cell, Qt::AlignLeft | Qt::AlignVCenter,
+        QFontMetrics(bold).elidedText(name, Qt::ElideRight, std::max(0, roomFor(figures))));
     painter.restore();
 }
 
