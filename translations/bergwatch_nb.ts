@@ -4884,8 +4884,8 @@ Tilstøtende område %4</translation>
         <translation>Sikkerhetsavstand</translation>
     </message>
     <message>
-        <source>Icebergs close together: dots, or how many</source>
-        <translation>Isfjell tett sammen: prikker, eller hvor mange</translation>
+        <source>Close together: dot, or how many</source>
+        <translation>Tett sammen: prikk, eller hvor mange</translation>
     </message>
     <message>
         <source>Close together</source>
@@ -4938,6 +4938,14 @@ Tilstøtende område %4</translation>
     <message>
         <source>Adjacent area</source>
         <translation>Tilstøtende område</translation>
+    </message>
+    <message>
+        <source>Later visit in the plan</source>
+        <translation>Senere besøk i planen</translation>
+    </message>
+    <message>
+        <source>Later visit</source>
+        <translation>Senere besøk</translation>
     </message>
 </context>
 <context>
@@ -6245,10 +6253,29 @@ mot %2</translation>
     </message>
 </context>
 <context>
+    <name>berg::BackdropFile</name>
+    <message>
+        <source>Maps (*.geojson *.json *.kml *.kmz);;All files (*)</source>
+        <translation>Kart (*.geojson *.json *.kml *.kmz);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>%1 holds no places, lines or polygons</source>
+        <translation>%1 inneholder ingen steder, linjer eller polygoner</translation>
+    </message>
+    <message>
+        <source>The background %1 cannot be read</source>
+        <translation>Bakgrunnen %1 kan ikke leses</translation>
+    </message>
+    <message>
+        <source>%1 is neither GeoJSON nor KML. Convert it with a map program, such as QGIS, and choose it again.</source>
+        <translation>%1 er verken GeoJSON eller KML. Konverter filen med et kartprogram, for eksempel QGIS, og velg den på nytt.</translation>
+    </message>
+</context>
+<context>
     <name>berg::ChartPanel</name>
     <message>
         <source>Chart</source>
-        <translation>Kurver</translation>
+        <translation>Diagram</translation>
     </message>
     <message>
         <source>What is shown over time</source>
@@ -6649,7 +6676,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Chart</source>
-        <translation>Kurver</translation>
+        <translation>Diagram</translation>
     </message>
     <message>
         <source>Chart 2</source>
@@ -7409,6 +7436,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Velocities are not known exactly, so the observer becomes the Kalman filter.</source>
         <translation>Hastighetene er ikke nøyaktig kjent, så observatøren blir Kalman-filteret.</translation>
     </message>
+    <message>
+        <source>Import into a &amp;new scenario</source>
+        <translation>Importer til et &amp;nytt scenario</translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportOptionsView</name>
@@ -7694,6 +7725,30 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Airspace and operation volume</source>
         <translation>Luftrom og operasjonsvolum</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Bakgrunn</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>Shows no background any more</source>
+        <translation>Viser ikke lenger noen bakgrunn</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Velg en fil …</translation>
+    </message>
+    <message>
+        <source>A map of your own below everything: GeoJSON, KML or KMZ, such as an ice chart</source>
+        <translation>Et eget kart under alt annet: GeoJSON, KML eller KMZ, for eksempel et iskart</translation>
+    </message>
+    <message>
+        <source>Background file: %1</source>
+        <translation>Bakgrunnsfil: %1</translation>
     </message>
 </context>
 <context>
@@ -8226,6 +8281,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Flight &amp;log...</source>
         <translation>Flyge&amp;logg …</translation>
     </message>
+    <message>
+        <source>&amp;Background map…</source>
+        <translation>Eget kart so&amp;m bakgrunn …</translation>
+    </message>
 </context>
 <context>
     <name>berg::MessageList</name>
@@ -8244,8 +8303,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 <context>
     <name>berg::MissionWorker</name>
     <message>
-        <source>The run has ended. Reset it to fly it in another way.</source>
-        <translation>Flygingen er slutt. Tilbakestill den for å fly på en annen måte.</translation>
+        <source>The run has ended. Stop and edit to fly it differently.</source>
+        <translation>Flygingen er slutt. Stopp og rediger for å fly den annerledes.</translation>
     </message>
     <message>
         <source>There is no run to save: the scenario cannot be planned.</source>

@@ -1,6 +1,7 @@
 #include "app/window/main_window.h"
 
 #include "app/window/appearance_choice.h"
+#include "app/window/backdrop_file.h"
 #include "app/window/checks_view.h"
 #include "app/window/comparison_view.h"
 #include "app/window/context_menus.h"
@@ -69,6 +70,7 @@ struct MainWindow::Parts
     FlightControls flight;
     RunEnd runEnd;
     MapLinks mapLinks;
+    BackdropFile backdrop;
     AppearanceChoice appearance;
     PreferenceMenus preferences;
     ManualHelp manual;
@@ -96,6 +98,7 @@ MainWindow::Parts::Parts(WindowContext& context)
     , flight(context)
     , runEnd(context, docks, results)
     , mapLinks(context, docks)
+    , backdrop(context, mapLinks)
     , appearance(context)
     , preferences(context, appearance)
     , manual(context)
@@ -107,6 +110,7 @@ MainWindow::Parts::Parts(WindowContext& context)
                       .dialogs = dialogs,
                       .docks = docks,
                       .mapLinks = mapLinks,
+                      .backdrop = backdrop,
                       .checks = checks,
                       .study = study,
                       .solveTimes = solveTimes,

@@ -115,6 +115,14 @@ void MapLinks::setSweptShown(bool shown)
     showLayers(layers);
 }
 
+void MapLinks::setBackdrop(const BackdropPointer& backdrop)
+{
+    MapLayers layers = panels().layers->layers();
+    layers.backdrop = backdrop;
+    panels().layers->showLayers(layers);
+    panels().map->setLayers(layers);
+}
+
 bool MapLinks::panelIsShown(MapPanel panel) const
 {
     return !panels().map->panels()[static_cast<std::size_t>(panel)].isHidden;

@@ -23,6 +23,8 @@ public:
     [[nodiscard]] bool sweptIsShown() const;
     /** The layer of the water seen so far, wholly or not at all. */
     void setSweptShown(bool shown);
+    /** Below the map; null: none. */
+    void setBackdrop(const BackdropPointer& backdrop);
 
 signals:
     /** Whether the layer of the water seen so far is shown now. */

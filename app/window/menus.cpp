@@ -1,6 +1,7 @@
 #include "app/window/menus.h"
 
 #include "app/dialogs/interaction.h"
+#include "app/window/backdrop_file.h"
 #include "app/window/checks_view.h"
 #include "app/window/docks.h"
 #include "app/window/flight_controls.h"
@@ -233,6 +234,8 @@ void Menus::buildMapActions(QMenu& menu)
               m_targets.mapLinks.overviewIsShown(),
               [this](bool on) { m_targets.mapLinks.setOverviewShown(on); });
     addPanelMenu(*menu.addMenu(tr("Panels on the map")));
+    add(menu, {"backdropAction", tr("&Background map…"), {}, std::nullopt},
+        [this] { m_targets.backdrop.choose(); });
     FlightView& flight = m_targets.flightView;
     MapLinks& links = m_targets.mapLinks;
     const QAction* swept =
@@ -462,9 +465,12 @@ void Menus::showShortcuts()
         cells << u"<td>%1</td><td style='padding-left:16px; padding-right:32px'><b>%2</b></td>"_s
                      .arg(what.toHtmlEscaped(), how.toHtmlEscaped());
     };
-    for (const MenuCommand& command : menuCommands(*window().menuBar()))
-        if (!command.action->shortcut().isEmpty())
-            add(command.text, command.action->shortcut().toString(QKeySequence::NativeText));
+    for (const auto& [action, text, path] : menuCommands(*window().menuBar())) {
+        const QString group = path.section(u", "_s, 1); // "Layouts: Fly" is not "Fly"
+        if (!action->shortcut().isEmpty())
+            add(group.isEmpty() ? text : group + u": "_s + text,
+                action->shortcut().toString(QKeySequence::NativeText));
+    }
     add(tr("Zoom at the cursor"), tr("wheel"));
     add(tr("Pan"), tr("middle button, or arrow keys"));
     add(tr("Nudge what is selected"), tr("arrow keys"));

@@ -12,6 +12,7 @@ class QActionGroup;
 
 namespace berg {
 
+class BackdropFile;
 class ChecksView;
 class Docks;
 class FlightControls;
@@ -39,6 +40,7 @@ struct MenuTargets
     ScenarioDialogs& dialogs;
     Docks& docks;
     MapLinks& mapLinks;
+    BackdropFile& backdrop;
     ChecksView& checks;
     StudyDesk& study;
     SolveTimeDesk& solveTimes;

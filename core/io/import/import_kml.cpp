@@ -1,7 +1,6 @@
 #include "core/io/import/import_xml.h"
 #include "core/scenario/operation.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace berg {
@@ -9,7 +8,6 @@ namespace berg {
 namespace {
 
 constexpr std::string_view kExterior = "outerBoundaryIs";
-constexpr std::string_view kBlanks = " \t\r\n";
 
 /** Longitude, latitude and perhaps a height, set apart by any of `separators`. */
 void setPlace(FieldTexts& texts, std::string_view tuple, std::string_view separators)
@@ -21,27 +19,6 @@ void setPlace(FieldTexts& texts, std::string_view tuple, std::string_view separa
     const std::string_view rest = whole.substr(first + 1);
     texts.set(SightingField::Longitude, whole.substr(0, first));
     texts.set(SightingField::Latitude, rest.substr(0, rest.find_first_of(separators)));
-}
-
-/** Places of the tuples, set apart by blanks; none when one of them is no place. */
-std::optional<std::vector<LatLon>> ringOf(std::string_view tuples)
-{
-    std::vector<LatLon> ring;
-    for (std::string_view rest = trimmed(tuples); !rest.empty(); rest = trimmed(rest)) {
-        const std::string_view tuple = rest.substr(0, rest.find_first_of(kBlanks));
-        const std::size_t comma = std::min(tuple.find(','), tuple.size() - 1);
-        const std::string_view second = tuple.substr(comma + 1);
-        const std::optional<double> longitude_deg = decimalOf(tuple.substr(0, comma));
-        const std::optional<double> latitude_deg = decimalOf(second.substr(0, second.find(',')));
-        const std::optional<LatLon> place = longitude_deg && latitude_deg
-                                                ? scenePlace(*latitude_deg, *longitude_deg)
-                                                : std::nullopt;
-        if (!place)
-            return std::nullopt;
-        ring.push_back(*place);
-        rest.remove_prefix(tuple.size());
-    }
-    return ring;
 }
 
 bool isOwnKml(std::string_view text)
@@ -207,7 +184,7 @@ private:
     {
         SceneArea area = ownArea(m_data, m_style == "#no-fly");
         for (const std::string& text : m_rings) {
-            std::optional<std::vector<LatLon>> ring = ringOf(text);
+            std::optional<std::vector<LatLon>> ring = placesOfTuples(text);
             if (ring)
                 area.rings.push_back(std::move(*ring));
         }

@@ -1,5 +1,7 @@
 #include "core/io/import/import_xml.h"
 
+#include <algorithm>
+
 namespace berg {
 
 namespace {
@@ -38,6 +40,26 @@ std::optional<LatLon> placeOf(const FieldTexts& texts)
     const std::variant<Sighting, RejectedRow> row = sightingOf(place, {}, 0);
     const auto* const sighting = std::get_if<Sighting>(&row);
     return sighting == nullptr ? std::nullopt : std::optional(sighting->place);
+}
+
+std::optional<std::vector<LatLon>> placesOfTuples(std::string_view tuples)
+{
+    std::vector<LatLon> places;
+    for (std::string_view rest = trimmed(tuples); !rest.empty(); rest = trimmed(rest)) {
+        const std::string_view tuple = rest.substr(0, rest.find_first_of(" \t\r\n"));
+        const std::size_t comma = std::min(tuple.find(','), tuple.size() - 1);
+        const std::string_view second = tuple.substr(comma + 1);
+        const std::optional<double> longitude_deg = decimalOf(tuple.substr(0, comma));
+        const std::optional<double> latitude_deg = decimalOf(second.substr(0, second.find(',')));
+        const std::optional<LatLon> place = longitude_deg && latitude_deg
+                                                ? scenePlace(*latitude_deg, *longitude_deg)
+                                                : std::nullopt;
+        if (!place)
+            return std::nullopt;
+        places.push_back(*place);
+        rest.remove_prefix(tuple.size());
+    }
+    return places;
 }
 
 void setData(Sighting& sighting, const OwnData& data)

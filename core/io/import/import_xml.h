@@ -37,6 +37,11 @@ namespace berg {
 void setName(FieldTexts& texts, const std::string& name);
 /** None when the texts are no place. */
 [[nodiscard]] std::optional<LatLon> placeOf(const FieldTexts& texts);
+/**
+ * Of the `coordinates` of KML: longitude, latitude and perhaps a height, tuples set apart by
+ * blanks. None when one of them is no place.
+ */
+[[nodiscard]] std::optional<std::vector<LatLon>> placesOfTuples(std::string_view tuples);
 
 /** Values that an export of our own has for programs, by their names. */
 using OwnData = std::map<std::string, std::string, std::less<>>;

@@ -17,6 +17,17 @@ constexpr int kRest_ms = 120;
 
 } // namespace
 
+void paintGroundOf(QPainter& painter, const LandRequest& request)
+{
+    paintLand(painter, request.plane, request.view, request.rect, request.look);
+    if (request.backdrop == nullptr || request.backdropOpacity <= 0)
+        return;
+    const PainterState saved(painter);
+    painter.setOpacity(request.backdropOpacity);
+    BackdropDrawing(request.backdrop, request.plane)
+        .paint(painter, request.view, request.rect, request.backdropLook);
+}
+
 LandLayer::LandLayer(QObject* parent) : QObject(parent), m_thread(u"land"_s)
 {
     m_rest.setSingleShot(true);
@@ -116,10 +127,24 @@ LandLayer::Shown LandLayer::drawn(const LandRequest& request)
         if (!drawing)
             drawing.emplace(landData(detail), m_plane);
         drawing->paint(painter, request.view, rect, request.look);
+        paintBackdrop(painter, request, rect);
     });
     if (failure)
         painter.fillRect(rect, request.look.sea); // a map without land can still be worked with
     return shown;
+}
+
+void LandLayer::paintBackdrop(QPainter& painter, const LandRequest& request, const QRectF& rect)
+{
+    if (request.backdrop == nullptr || request.backdropOpacity <= 0) {
+        m_backdrop.reset();
+        return;
+    }
+    if (!m_backdrop || !m_backdrop->isOf(request.backdrop, request.plane))
+        m_backdrop.emplace(request.backdrop, request.plane);
+    painter.setOpacity(request.backdropOpacity);
+    m_backdrop->paint(painter, request.view, rect, request.backdropLook);
+    painter.setOpacity(1);
 }
 
 } // namespace berg

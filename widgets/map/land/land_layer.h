@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/map/land/backdrop.h"
 #include "widgets/map/land/land_drawing.h"
 #include "widgets/model/latest_task.h"
 
@@ -19,8 +20,14 @@ struct LandRequest
     QRectF rect;
     double ratio = 1; ///< device pixels for each unit of `rect`
     LandLook look;
+    BackdropPointer backdrop = {}; ///< above the land; null: none
+    double backdropOpacity = 1;
+    BackdropLook backdropLook = {};
     bool operator==(const LandRequest&) const = default;
 };
+
+/** Draws all of it here and now. */
+void paintGroundOf(QPainter& painter, const LandRequest& request);
 
 /**
  * Land and sea below a map that moves: drawn on a thread of its own into an image a little larger
@@ -59,6 +66,7 @@ private:
     // On the thread of the layer:
     void drawNewest();
     [[nodiscard]] Shown drawn(const LandRequest& request);
+    void paintBackdrop(QPainter& painter, const LandRequest& request, const QRectF& rect);
 
     LandRequest m_wanted;
     std::optional<Shown> m_shown;
@@ -68,6 +76,7 @@ private:
 
     std::array<std::optional<LandDrawing>, 2> m_drawings; ///< by detail, of `m_plane`
     MapPlane m_plane = LocalFrame({});
+    std::optional<BackdropDrawing> m_backdrop;
 
     WorkThread m_thread; ///< last: it ends, with the image under way, before the rest
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "widgets/map/land/backdrop.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -16,16 +18,18 @@ enum class MapLayer : std::uint8_t
     Graticule,
     FormerPlan,
     Swept,
-    Permit ///< airspace and operation volume
+    Permit, ///< airspace and operation volume
+    Backdrop
 };
-inline constexpr std::size_t kMapLayers = 7;
+inline constexpr std::size_t kMapLayers = 8;
 
-/** How strongly each layer is painted, and how far drift arrows look ahead. */
+/** How strongly each layer is painted, a file of the user below all, how far drift arrows look. */
 struct MapLayers
 {
-    std::array<double, kMapLayers> opacities{1, 1, 1, 1,
-                                             1, 1, 1}; ///< by `MapLayer`, 0: hidden, to 1
-    double horizon_s = 0; ///< of drift arrows; 0: what makes them of a length to be seen
+    /** By `MapLayer`, 0: hidden, to 1. */
+    std::array<double, kMapLayers> opacities{1, 1, 1, 1, 1, 1, 1, 1};
+    BackdropPointer backdrop; ///< null: none
+    double horizon_s = 0;     ///< of drift arrows; 0: what makes them of a length to be seen
     bool operator==(const MapLayers&) const = default;
 
     [[nodiscard]] double opacity(MapLayer layer) const

@@ -4,7 +4,11 @@
 #include "widgets/theme/quantity_text.h"
 
 #include <QComboBox>
+#include <QDir>
+#include <QFileInfo>
 #include <QFormLayout>
+#include <QHBoxLayout>
+#include <QPushButton>
 #include <QSlider>
 
 #include <cmath>
@@ -30,7 +34,8 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
          {"graticule", tr("Graticule")},
          {"formerPlan", tr("Former plan")},
          {"swept", tr("Swept area")},
-         {"permit", tr("Airspace and operation volume")}}};
+         {"permit", tr("Airspace and operation volume")},
+         {"backdrop", tr("Background")}}};
     auto* form = new QFormLayout(this);
     form->setContentsMargins(kMargin_px, kMargin_px, kMargin_px, kMargin_px);
     for (std::size_t i = 0; i < kMapLayers; ++i) {
@@ -51,6 +56,7 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
             edit(layers);
         });
     }
+    addBackdropRow(*form);
     m_horizon = new QComboBox;
     m_horizon->setObjectName(u"driftHorizon"_s);
     m_horizon->setToolTip(tr("How far ahead drift arrows look; those too long for the map are cut "
@@ -65,6 +71,39 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
         layers.horizon_s = m_horizon->currentData().toDouble();
         edit(layers);
     });
+}
+
+/** Below the slider of the background: its file, and what chooses and removes it. */
+void LayersPanel::addBackdropRow(QFormLayout& form)
+{
+    auto* row = new QHBoxLayout;
+    m_open = new QPushButton;
+    m_open->setObjectName(u"backdropButton"_s);
+    m_open->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // as wide as there is room
+    m_open->setAutoDefault(false);
+    m_remove = new QPushButton(tr("Remove"));
+    m_remove->setObjectName(u"backdropRemoveButton"_s);
+    m_remove->setAutoDefault(false);
+    m_remove->setToolTip(tr("Shows no background any more"));
+    connect(m_open, &QPushButton::clicked, this, &LayersPanel::backdropRequested);
+    connect(m_remove, &QPushButton::clicked, this, &LayersPanel::backdropRemoved);
+    row->addWidget(m_open, 1);
+    row->addWidget(m_remove);
+    form.addRow(QString(), row);
+    showBackdrop({});
+}
+
+void LayersPanel::showBackdrop(const QString& path)
+{
+    const QString name = path.isEmpty() ? tr("Choose a file…") : QFileInfo(path).fileName();
+    m_open->setText(QString(name).replace(u'&', u"&&"_s)); // else the next letter is a mnemonic
+    m_open->setToolTip(
+        path.isEmpty()
+            ? tr("A map of your own below everything: GeoJSON, KML or KMZ, such as an ice chart")
+            : QDir::toNativeSeparators(path));
+    m_open->setAccessibleName(tr("Background file: %1").arg(name));
+    m_remove->setVisible(!path.isEmpty());
+    m_opacities[static_cast<std::size_t>(MapLayer::Backdrop)]->setEnabled(!path.isEmpty());
 }
 
 void LayersPanel::showLayers(const MapLayers& layers)

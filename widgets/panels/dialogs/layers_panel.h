@@ -5,6 +5,8 @@
 #include <QWidget>
 
 class QComboBox;
+class QFormLayout;
+class QPushButton;
 class QSlider;
 
 namespace berg {
@@ -19,16 +21,23 @@ public:
 
     void showLayers(const MapLayers& layers);
     [[nodiscard]] const MapLayers& layers() const { return m_layers; }
+    /** The file of the background; empty: none. */
+    void showBackdrop(const QString& path);
 
 signals:
     void layersEdited(const berg::MapLayers& layers);
+    void backdropRequested();
+    void backdropRemoved();
 
 private:
+    void addBackdropRow(QFormLayout& form);
     void edit(const MapLayers& layers);
 
     MapLayers m_layers;
     std::array<QSlider*, kMapLayers> m_opacities{};
     QComboBox* m_horizon = nullptr;
+    QPushButton* m_open = nullptr;
+    QPushButton* m_remove = nullptr;
 };
 
 } // namespace berg

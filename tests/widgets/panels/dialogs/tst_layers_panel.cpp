@@ -8,6 +8,7 @@
 
 #include <QComboBox>
 #include <QPainter>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 
@@ -50,8 +51,8 @@ private slots:
     void eachLayerIsMadeFaintAndHidden_data()
     {
         QTest::addColumn<int>("layer");
-        const std::array<const char*, kMapLayers> names{"labels",    "drift",      "rings",
-                                                        "graticule", "formerPlan", "swept"};
+        const std::array<const char*, kMapLayers> names{
+            "labels", "drift", "rings", "graticule", "formerPlan", "swept", "backdrop"};
         for (std::size_t i = 0; i < kMapLayers; ++i)
             QTest::newRow(names[i]) << static_cast<int>(i);
     }
@@ -59,15 +60,18 @@ private slots:
     void eachLayerIsMadeFaintAndHidden()
     {
         QFETCH(int, layer);
-        MapLayers faint;
+        MapLayers all;
+        all.backdrop = std::make_shared<const Backdrop>(
+            Backdrop{{.kind = MapShape::Kind::Polygon, .parts = {{{-1, -1}, {-1, 1}, {1, 0}}}}});
+        MapLayers faint = all;
         faint.set(static_cast<MapLayer>(layer), 0.5);
-        MapLayers hidden;
+        MapLayers hidden = all;
         hidden.set(static_cast<MapLayer>(layer), 0);
-        const QImage full = painted({});
+        const QImage full = painted(all);
         QVERIFY(painted(faint) != full);
         QVERIFY(painted(hidden) != full);
         QVERIFY(painted(hidden) != painted(faint));
-        QVERIFY(painted(MapLayers()) == full);
+        QVERIFY(painted(all) == full);
     }
 
     /** Arrows that would cross the whole map are cut short. */
@@ -148,6 +152,24 @@ private slots:
         QCOMPARE(panel.layers().opacity(MapLayer::Rings), 0.3);
         test::child<QComboBox>(panel, u"driftHorizon"_s).setCurrentIndex(0);
         QCOMPARE(panel.layers().horizon_s, 0.0);
+    }
+
+    void panelNamesTheBackground()
+    {
+        LayersPanel panel;
+        panel.show();
+        auto& button = test::child<QPushButton>(panel, u"backdropButton"_s);
+        const auto& remove = test::child<QPushButton>(panel, u"backdropRemoveButton"_s);
+        const auto& opacity = test::child<QSlider>(panel, u"backdropLayer"_s);
+        QVERIFY(!remove.isVisible() && !opacity.isEnabled());
+        panel.showBackdrop(u"/charts/sea & ice.kml"_s);
+        QCOMPARE(button.text(), u"sea && ice.kml"_s);
+        QVERIFY(remove.isVisible() && opacity.isEnabled());
+        QSignalSpy asked(&panel, &LayersPanel::backdropRequested);
+        button.click();
+        QCOMPARE(asked.count(), 1);
+        panel.showBackdrop({});
+        QVERIFY(!remove.isVisible() && !opacity.isEnabled());
     }
 };
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/window/window_part.h"
+#include "widgets/map/land/backdrop.h"
+#include "widgets/model/latest_task.h"
+
+namespace berg {
+
+class MapLinks;
+
+/** The file that is drawn below the map: chosen, read on a thread, remembered. */
+class BackdropFile : public WindowPart
+{
+    Q_OBJECT
+
+public:
+    BackdropFile(WindowContext& context, MapLinks& map);
+
+    void choose();
+
+private:
+    void open(const QString& path, bool isAsked);
+    void remove();
+    void show(const BackdropPointer& backdrop);
+    void tell(const WorkFailure& failure);
+
+    MapLinks& m_map;
+    QString m_path;                              ///< that is being read, or shown
+    bool m_isAsked = false;                      ///< by the user, who is told why it cannot be read
+    LatestTask<QString, BackdropPointer> m_task; ///< last: it ends before the rest
+};
+
+} // namespace berg

@@ -1,0 +1,173 @@
+#include "core/base/error.h"
+#include "core/base/stopped.h"
+#include "core/io/import/map_shapes.h"
+#include "core/io/text/zip_file.h"
+
+#include <QtTest>
+
+using namespace berg;
+using Kind = MapShape::Kind;
+
+namespace {
+
+std::vector<MapShape> shapesOf(std::string_view text)
+{
+    return readMapShapes(text, "chart");
+}
+
+std::string feature(const std::string& geometry, const std::string& properties = "{}")
+{
+    return R"({"type": "Feature", "properties": )" + properties + R"(, "geometry": )" + geometry +
+           "}";
+}
+
+std::string collection(const std::string& features)
+{
+    return R"({"type": "FeatureCollection", "features": [)" + features + "]}";
+}
+
+constexpr const char* kSquare =
+    R"({"type": "Polygon", "coordinates": [[[-50, 60], [-49, 60], [-49, 61], [-50, 60]]]})";
+
+std::string kml(const std::string& content)
+{
+    return R"(<?xml version="1.0"?><kml xmlns="http://www.opengis.net/kml/2.2"><Document>)" +
+           content + "</Document></kml>";
+}
+
+constexpr const char* kRing = "<Polygon><outerBoundaryIs><LinearRing><coordinates>"
+                              "-50,60,0 -49,60,0 -49,61,0 -50,60,0"
+                              "</coordinates></LinearRing></outerBoundaryIs>"
+                              "<innerBoundaryIs><LinearRing><coordinates>"
+                              "-49.5,60.1 -49.4,60.1 -49.4,60.2 -49.5,60.1"
+                              "</coordinates></LinearRing></innerBoundaryIs></Polygon>";
+
+} // namespace
+
+/** What files of map programs draw. */
+class TestMapShapes : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyGeometryOfGeoJson()
+    {
+        const auto shapes = shapesOf(collection(
+            feature(R"({"type": "Point", "coordinates": [-50, 60]})", R"({"name": "Nuuk"})") + "," +
+            feature(R"({"type": "MultiPoint", "coordinates": [[-50, 60], [-51, 61]]})") + "," +
+            feature(R"({"type": "LineString", "coordinates": [[-50, 60], [-51, 61]]})") + "," +
+            feature(
+                R"({"type": "MultiLineString", "coordinates": [[[1, 2], [3, 4]], [[5, 6], [7, 8]]]})") +
+            "," + feature(kSquare) + "," +
+            feature(
+                R"({"type": "MultiPolygon", "coordinates": [[[[1, 2], [3, 4], [5, 6], [1, 2]]]]})") +
+            "," +
+            feature(R"({"type": "GeometryCollection", "geometries": [)" + std::string(kSquare) +
+                    "]}")));
+        QCOMPARE(shapes.size(), std::size_t{9});
+        QVERIFY(shapes[0].kind == Kind::Place);
+        QCOMPARE(shapes[0].name, std::string("Nuuk"));
+        QVERIFY((shapes[0].parts.front().front() == LatLon{60, -50}));
+        QVERIFY(shapes[3].kind == Kind::Line);
+        QVERIFY(shapes[6].kind == Kind::Polygon);
+        QCOMPARE(shapes[6].parts.front().size(), std::size_t{4});
+        QVERIFY(shapes[8].kind == Kind::Polygon);
+        QCOMPARE(shapesOf(kSquare).size(), std::size_t{1}); // a geometry by itself
+    }
+
+    /** One bad place spoils its shape, not the file. */
+    void whatIsNoPlaceIsLeftOut()
+    {
+        const auto shapes = shapesOf(
+            collection(feature(R"({"type": "LineString", "coordinates": [[-50, 60], [-51, 95]]})") +
+                       "," + feature(R"({"type": "LineString", "coordinates": [["a"], 3]})") + "," +
+                       feature("null") + ", 7, " + feature(kSquare)));
+        QCOMPARE(shapes.size(), std::size_t{1});
+    }
+
+    void coloursOfIceAndSimplestyle_data()
+    {
+        QTest::addColumn<QByteArray>("properties");
+        QTest::addColumn<quint32>("fill");
+        QTest::newRow("simplestyle")
+            << QByteArray(R"({"fill": "#102030", "fill-opacity": 0.5})") << 0x80102030U;
+        QTest::newRow("ice free") << QByteArray(R"({"CT": "00"})") << 0x990064FFU;
+        QTest::newRow("open water") << QByteArray(R"({"CT": "01"})") << 0x9996C8FFU;
+        QTest::newRow("1 to 3 tenths") << QByteArray(R"({"CT": 13})") << 0x998CFFA0U;
+        QTest::newRow("5 tenths") << QByteArray(R"({"CT": 50})") << 0x99FFFF00U;
+        QTest::newRow("7 to 8 tenths") << QByteArray(R"({"CT": "78"})") << 0x99FF7D07U;
+        QTest::newRow("10 tenths") << QByteArray(R"({"CT": "92"})") << 0x99FF0000U;
+        QTest::newRow("fast ice") << QByteArray(R"({"CT": "92", "FA": "08"})") << 0x99969696U;
+    }
+
+    void coloursOfIceAndSimplestyle()
+    {
+        QFETCH(QByteArray, properties);
+        QFETCH(quint32, fill);
+        const auto shapes = shapesOf(feature(kSquare, properties.toStdString()));
+        QVERIFY(shapes.size() == 1 && shapes.front().fill.has_value());
+        QCOMPARE(*shapes.front().fill, fill);
+    }
+
+    void codesThatSayNothingHaveNoColour()
+    {
+        for (const char* properties : {R"({"CT": "99"})", R"({"CT": "-9"})", R"({"CT": ""})",
+                                       R"({"fill": "red"})", R"({"fill": "#12345g"})", "{}"})
+            QVERIFY(!shapesOf(feature(kSquare, properties)).front().fill);
+    }
+
+    /** Of the Placemark, by its url, by way of a style map, and after what has it. */
+    void stylesOfKml()
+    {
+        const std::string placemark = "<Placemark><name>a</name><styleUrl>#%</styleUrl>";
+        const auto with = [&](const std::string& url) {
+            std::string text = placemark;
+            return text.replace(text.find('%'), 1, url) + kRing + "</Placemark>";
+        };
+        const auto shapes = shapesOf(
+            kml(with("ice") + with("map") + with("none") +
+                "<Placemark><Style><PolyStyle><fill>0</fill></PolyStyle></Style>" + kRing +
+                "</Placemark><Style id=\"ice\"><LineStyle><color>ff0000ff</color></LineStyle>"
+                "<PolyStyle><color>7f00ff00</color></PolyStyle></Style>"
+                "<StyleMap id=\"map\"><Pair><key>normal</key><styleUrl>#ice</styleUrl></Pair>"
+                "<Pair><key>highlight</key><styleUrl>#none</styleUrl></Pair></StyleMap>"));
+        QCOMPARE(shapes.size(), std::size_t{4});
+        for (const std::size_t i : {0, 1}) {
+            QCOMPARE(shapes[i].fill.value_or(1), 0x7F00FF00U);
+            QCOMPARE(shapes[i].line.value_or(1), 0xFFFF0000U); // aabbggrr
+            QCOMPARE(shapes[i].parts.size(), std::size_t{2});
+        }
+        QVERIFY(!shapes[2].fill && !shapes[2].line);
+        QCOMPARE(shapes[3].fill.value_or(1), 0U);
+    }
+
+    void linesAndPlacesOfKml()
+    {
+        const std::string text =
+            kml("<Placemark><name>St. John's</name><Point><coordinates>-52.7,47.5</coordinates>"
+                "</Point></Placemark><Placemark><LineString><coordinates>1,2 3,4\n5,6,7"
+                "</coordinates></LineString></Placemark><Placemark><Track><coord>1 2 3</coord>"
+                "<coord>4 5 6</coord></Track></Placemark>");
+        for (const auto& shapes : {shapesOf(text), shapesOf(zipFile("doc.kml", text))}) {
+            QCOMPARE(shapes.size(), std::size_t{3});
+            QVERIFY(shapes[0].kind == Kind::Place);
+            QCOMPARE(shapes[0].name, std::string("St. John's"));
+            QCOMPARE(shapes[1].parts.front().size(), std::size_t{3});
+            QVERIFY((shapes[2].parts.front().back() == LatLon{5, 4}));
+        }
+    }
+
+    void otherFilesAreRefused()
+    {
+        for (const std::string text : {"", "a,b\n1,2\n", "{\"x\": 1}", "<gpx></gpx>", "\xFF\xFE"})
+            QVERIFY_EXCEPTION_THROWN(static_cast<void>(shapesOf(text)), Error);
+        QVERIFY_EXCEPTION_THROWN(static_cast<void>(shapesOf("{\"coordinates\": [")), Error);
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY_EXCEPTION_THROWN(
+            static_cast<void>(readMapShapes(feature(kSquare), "chart", stop.get_token())), Stopped);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMapShapes)
+#include "tst_map_shapes.moc"
