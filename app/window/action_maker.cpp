@@ -28,6 +28,12 @@ std::vector<MenuCommand> menuCommands(const QMenuBar& bar)
     return commands;
 }
 
+QString nameInGroup(const MenuCommand& command)
+{
+    const QString group = command.path.section(u", "_s, 1);
+    return group.isEmpty() ? command.text : group + u": "_s + command.text;
+}
+
 void ActionMaker::refreshIcons(const Theme& theme) const
 {
     for (const auto& [action, name] : m_icons)

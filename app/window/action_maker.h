@@ -33,6 +33,8 @@ struct MenuCommand
 
 /** In the order of the menus. What other parts of a window keep as actions is none. */
 [[nodiscard]] std::vector<MenuCommand> menuCommands(const QMenuBar& bar);
+/** With the submenu that it is in: "Layouts: Fly" is not "Fly". */
+[[nodiscard]] QString nameInGroup(const MenuCommand& command);
 
 /** Makes the actions of menus and tool bar, and keeps their icons in the colours of the theme. */
 class ActionMaker

@@ -465,12 +465,10 @@ void Menus::showShortcuts()
         cells << u"<td>%1</td><td style='padding-left:16px; padding-right:32px'><b>%2</b></td>"_s
                      .arg(what.toHtmlEscaped(), how.toHtmlEscaped());
     };
-    for (const auto& [action, text, path] : menuCommands(*window().menuBar())) {
-        const QString group = path.section(u", "_s, 1); // "Layouts: Fly" is not "Fly"
-        if (!action->shortcut().isEmpty())
-            add(group.isEmpty() ? text : group + u": "_s + text,
-                action->shortcut().toString(QKeySequence::NativeText));
-    }
+    for (const MenuCommand& command : menuCommands(*window().menuBar()))
+        if (!command.action->shortcut().isEmpty())
+            add(nameInGroup(command),
+                command.action->shortcut().toString(QKeySequence::NativeText));
     add(tr("Zoom at the cursor"), tr("wheel"));
     add(tr("Pan"), tr("middle button, or arrow keys"));
     add(tr("Nudge what is selected"), tr("arrow keys"));

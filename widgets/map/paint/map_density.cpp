@@ -123,6 +123,8 @@ std::vector<MapStop> stopsOf(const MapPicture& picture)
             ++order;
             if (stop.order == 0 || order < stop.order)
                 stop = {.order = order, .uav = uav};
+            else if (stop.uav == uav)
+                stop.later.push_back(order);
         }
     }
     return stops;

@@ -12,6 +12,7 @@ struct MapStop
 {
     int order = 0; ///< 1-based; 0: not planned
     std::size_t uav = 0;
+    std::vector<int> later{}; ///< places of further visits in the same plan
 };
 
 /** By iceberg. Where two plans have one, one of them being old, the sooner visit counts. */

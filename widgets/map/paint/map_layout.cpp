@@ -129,7 +129,9 @@ void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle&
     if (!title.isEmpty() && title.width() >= 120 && title.height() <= 0.4 * layout.rect.height())
         layout.title = QRectF(inner.topLeft(), title);
     layout.isLegendCompact = layout.rect.height() < kLowMap_px;
-    const QSizeF legend = legendSize(picture, style, layout.symbols, layout.isLegendCompact);
+    QSizeF legend = legendSize(picture, style, layout.symbols, layout.isLegendCompact);
+    if (!legend.isEmpty())
+        legend = legend.expandedTo(layout.leastLegend_px);
     const bool roomBelowTitle =
         layout.title.bottom() + kMargin_px <= inner.bottom() - legend.height();
     if (fits(legend, layout.rect) && roomBelowTitle)
@@ -150,9 +152,14 @@ void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle&
     rearrange(layout, style.panels);
 }
 
-SymbolScale symbolScale(const MapPicture& picture, const MapViewTransform& view)
+SymbolScale symbolScale(const MapPicture& picture, const MapStyle& style,
+                        const MapViewTransform& view)
 {
     SymbolScale scale{.ring_pxpm = kRingAtFull_px / std::sqrt(picture.sigmaFull_m2)};
+    if (!style.layers.shows(MapLayer::Drift) || style.layers.horizon_s > 0) {
+        scale.driftTime_s = style.layers.shows(MapLayer::Drift) ? style.layers.horizon_s : 0;
+        return scale;
+    }
     double fastest_mps = 0;
     for (const MapIceberg& iceberg : picture.icebergs)
         fastest_mps = std::max(fastest_mps, iceberg.velocity_mps.norm());
@@ -302,8 +309,11 @@ MapViewTransform fittedView(MapLayout layout, const MapPicture& picture, const M
     const QRectF inner = layout.rect.adjusted(margin_px, margin_px, -margin_px, -margin_px);
     layout.view = MapViewTransform::fitted(
         boundsOf(contentPoints(picture, 0, std::numeric_limits<double>::infinity())), inner);
+    const std::vector<MapStop> stops = stopsOf(picture);
     for (int round = 0; round < kRounds; ++round) {
-        layout.symbols = symbolScale(picture, layout.view);
+        layout.symbols = symbolScale(picture, style, layout.view);
+        layout.symbols.showsDots = // which have a row of the legend
+            densityOf(picture, layout.view, layout.rect, stops, false).isDense;
         placeOverlays(layout, picture, style);
         layout.view = bestView(layout, picture, inner);
     }
@@ -381,6 +391,8 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
         double width_px = std::ceil(metrics.horizontalAdvance(labelText(picture.icebergs[i]))) + 2;
         if (layout.stops[i].order > 0)
             width_px += 2 * kOrderDisk_px + kOrderGap_px;
+        width_px += static_cast<double>(std::min(layout.stops[i].later.size(), kMostLater)) *
+                    (2 * kLaterDisk_px + kLaterGap_px);
         request.size_px = QSizeF(width_px, kLabelHeight_px);
         requests.push_back(request);
         asking.push_back(i);
@@ -440,7 +452,10 @@ QString labelText(const MapIceberg& iceberg)
 
 MapContinuity continuityOf(const MapPicture& picture, const MapLayout& layout)
 {
-    MapContinuity continuity{.labels = {}, .isDense = layout.density.isDense};
+    MapContinuity continuity{.labels = {},
+                             .isDense = layout.density.isDense,
+                             .legend_px = layout.legend.size(),
+                             .isLegendCompact = layout.isLegendCompact};
     for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
         PlacedLabel label = layout.labels[i];
         if (!label.rect.isNull())
@@ -455,12 +470,12 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
 {
     MapLayout layout;
     layout.rect = rect;
+    const bool hasFlown =
+        picture.anyRoute([](const MapRoute& route) { return route.track.size() > 1; });
+    if (hasFlown && continuity.isLegendCompact == (rect.height() < kLowMap_px))
+        layout.leastLegend_px = continuity.legend_px;
     layout.view = view ? *view : fittedView(layout, picture, style);
-    layout.symbols = symbolScale(picture, layout.view);
-    if (!style.layers.shows(MapLayer::Drift))
-        layout.symbols.driftTime_s = 0;
-    else if (style.layers.horizon_s > 0)
-        layout.symbols.driftTime_s = style.layers.horizon_s;
+    layout.symbols = symbolScale(picture, style, layout.view);
     if (continuity.driftTime_s)
         layout.symbols.driftTime_s = *continuity.driftTime_s;
     layout.stops = stopsOf(picture);

@@ -19,6 +19,7 @@ struct MapLayout
     SymbolScale symbols;
     QRectF title; ///< overlays; a null rectangle is not shown
     QRectF legend;
+    QSizeF leastLegend_px; ///< as large as it was
     bool isLegendCompact = false;
     QRectF scaleBar;
     QRectF north;
@@ -47,6 +48,9 @@ inline constexpr std::array<MapPanel, 3> kFoldingPanels{MapPanel::Title, MapPane
 /** Sizes inside an iceberg's label: number in its disk, then the id. */
 inline constexpr double kOrderDisk_px = 9; ///< radius
 inline constexpr double kOrderGap_px = 4;
+inline constexpr double kLaterDisk_px = 7; ///< radius, of later visits, behind the name
+inline constexpr double kLaterGap_px = 2;
+inline constexpr std::size_t kMostLater = 3;
 [[nodiscard]] QFont labelFont(const Theme& theme);
 /** Id of the iceberg; of one still to come with the time when it will, and whether it is lost. */
 [[nodiscard]] QString labelText(const MapIceberg& iceberg);
@@ -68,6 +72,8 @@ struct MapContinuity
     /** Drift arrows of this time instead of the one that suits the fastest iceberg. */
     std::optional<double> driftTime_s;
     bool isDense = false; ///< icebergs are dots
+    QSizeF legend_px;     ///< that of a flight does not shrink: what comes and goes moves nothing
+    bool isLegendCompact = false;
 };
 
 /** The part of a layout that the next frame starts from. */

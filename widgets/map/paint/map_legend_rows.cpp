@@ -1,6 +1,8 @@
 #include "widgets/map/paint/map_legend_rows.h"
 
 #include "widgets/map/paint/map_dots.h"
+#include "widgets/map/paint/map_layout.h"
+#include "widgets/map/paint/map_marks.h"
 #include "widgets/map/paint/map_surroundings.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/map/picture/route_colours.h"
@@ -22,6 +24,13 @@ struct MapLegend
 {
     Q_DECLARE_TR_FUNCTIONS(MapLegend)
 };
+
+bool visitsOneAgain(const MapRoute& route)
+{
+    std::vector<int> sorted = route.plan;
+    std::ranges::sort(sorted);
+    return std::ranges::adjacent_find(sorted) != sorted.end();
+}
 
 void drawPlanSwatch(QPainter& painter, const QRectF& swatch, const RouteColours& colours,
                     const Theme& theme)
@@ -146,12 +155,16 @@ private:
     std::vector<LegendRow> m_rows;
 };
 
-void addIcebergRows(RowList& rows, const MapPicture& picture, const Theme& theme)
+void addIcebergRows(RowList& rows, const MapPicture& picture, const MapStyle& style)
 {
+    const Theme& theme = style.theme;
     const bool isCertain =
         !rows.any([](const MapIceberg& iceberg) { return iceberg.inView && iceberg.sigma_m2 > 0; });
+    const bool stays = // while the others stand still
+        style.isLive &&
+        picture.anyRoute([](const MapRoute& route) { return route.track.size() > 1; });
     rows.addIceberg(
-        [](const MapIceberg& iceberg) { return iceberg.inView; },
+        [stays](const MapIceberg& iceberg) { return iceberg.inView || stays; },
         isCertain ? MapLegend::tr("In view now: σ is 0") : MapLegend::tr("In view now"),
         MapLegend::tr("In view"),
         {.radius_px = 6, .sigma = {}, .inView = true, .bracket = routeColours(picture, theme).uav});
@@ -196,6 +209,10 @@ void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme,
         picture.anyRoute([](const MapRoute& route) { return !route.plan.empty(); }),
         MapLegend::tr("Plan, next leg thicker"), MapLegend::tr("Plan"),
         [&theme, colours](QPainter& p, const QRectF& r) { drawPlanSwatch(p, r, colours, theme); });
+    rows.add(picture.anyRoute(visitsOneAgain), MapLegend::tr("Later visit in the plan"),
+             MapLegend::tr("Later visit"), [&theme, colours](QPainter& p, const QRectF& r) {
+                 paintLaterDisk(p, r.center(), 9, colours.plan, theme);
+             });
     rows.add(
         picture.anyRoute([](const MapRoute& route) { return !route.search_m.empty(); }),
         MapLegend::tr("Search pattern"), MapLegend::tr("Search"),
@@ -306,11 +323,11 @@ std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& sty
 {
     const Theme& theme = style.theme;
     RowList rows(picture, theme);
-    addIcebergRows(rows, picture, theme);
+    addIcebergRows(rows, picture, style);
     addFleetRows(rows, picture, theme);
     addPathRows(rows, picture, theme, style.layers);
     addPlaceRows(rows, picture, theme, style.layers);
-    rows.add(scale.showsDots, MapLegend::tr("Icebergs close together: dots, or how many"),
+    rows.add(scale.showsDots, MapLegend::tr("Close together: dot, or how many"),
              MapLegend::tr("Close together"), [&theme](QPainter& p, const QRectF& r) {
                  drawIcebergDot(p, r.center() - QPointF(11, 0), theme.sigma.at(0.4), false, theme);
                  drawIcebergCount(p, r.center() + QPointF(7, 0), 4, theme.sigma.at(0.4), theme);

@@ -1,5 +1,6 @@
 #include "widgets/map/paint/map_marks.h"
 
+#include "widgets/map/paint/map_layout.h"
 #include "widgets/map/paint/map_overlays.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/theme/painter_state.h"
@@ -42,6 +43,21 @@ void paintSelectionMark(QPainter& painter, const LabelDisk& symbol, const Theme&
         painter.drawRect(
             QRectF(at.x() - kHandle_px / 2, at.y() - kHandle_px / 2, kHandle_px, kHandle_px));
     }
+}
+
+void paintLaterDisk(QPainter& painter, const QPointF& centre, int number, const QColor& colour,
+                    const Theme& theme)
+{
+    const PainterState saved(painter);
+    painter.setPen(QPen(colour, 1.2));
+    painter.setBrush(theme.sea);
+    painter.drawEllipse(centre, kLaterDisk_px, kLaterDisk_px);
+    QFont font = theme.small();
+    font.setPixelSize(number > 99 ? 7 : 9); // all of it on the disk
+    painter.setFont(font);
+    painter.setPen(theme.text);
+    const QRectF box(centre - QPointF(2, 1) * kLaterDisk_px, QSizeF(4, 2) * kLaterDisk_px);
+    painter.drawText(box, Qt::AlignCenter, QString::number(number));
 }
 
 void paintHoverMark(QPainter& painter, const LabelDisk& symbol, const Theme& theme)

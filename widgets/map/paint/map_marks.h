@@ -16,6 +16,9 @@ inline constexpr double kDirectionStep_deg = 15;
 /** Selected: a ring with four handles round the symbol. */
 void paintSelectionMark(QPainter& painter, const LabelDisk& symbol, const Theme& theme);
 
+/** The place of a later visit in a plan of this colour: like that of the first, and fainter. */
+void paintLaterDisk(QPainter& painter, const QPointF& centre, int number, const QColor& colour,
+                    const Theme& theme);
 /** Under the cursor or meant by a row of a list: a thin ring. */
 void paintHoverMark(QPainter& painter, const LabelDisk& symbol, const Theme& theme);
 

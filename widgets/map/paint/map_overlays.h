@@ -41,7 +41,9 @@ struct MapStyle
     QSizeF inset_px = {}; ///< kept free below the north arrow; empty: nothing
     MapPanelStates panels = {};
     MapLayers layers = {};
-    bool offersWind = false; ///< the panel of the wind is there in calm, too, to be used
+    /** Of the window: the panel of the wind is there in calm, too, to be used, and rows of the
+     * legend for what comes and goes in flight. */
+    bool isLive = false;
 };
 
 /** How symbols are scaled in one view; the legend explains it. */

@@ -5,6 +5,7 @@
 #include "widgets/map/paint/map_dots.h"
 #include "widgets/map/paint/map_drift.h"
 #include "widgets/map/paint/map_legend_rows.h"
+#include "widgets/map/paint/map_marks.h"
 #include "widgets/map/paint/map_paint.h"
 #include "widgets/map/paint/map_paths.h"
 #include "widgets/map/paint/map_sprites.h"
@@ -149,15 +150,25 @@ void paintLabel(const MapPaint& p, std::size_t i)
                           p.theme, ground);
             box.setLeft(2 * kOrderDisk_px + kOrderGap_px);
         }
+        for (std::size_t k = 0; k < std::min(stop.later.size(), kMostLater); ++k) {
+            const double right = size.width() - kLaterDisk_px;
+            const double step_px = 2 * kLaterDisk_px + kLaterGap_px;
+            const auto behind =
+                static_cast<double>(std::min(stop.later.size(), kMostLater) - 1 - k);
+            paintLaterDisk(painter, {right - behind * step_px, box.center().y()}, stop.later[k],
+                           ground, p.theme);
+        }
         if (opacity <= 0)
-            return; // the number in the order is of the plan
+            return; // the numbers in the order are of the plan
         painter.setOpacity(painter.opacity() * opacity);
         painter.setFont(labelFont(p.theme));
         drawHaloText(painter, box, Qt::AlignLeft | Qt::AlignVCenter, text, p.theme.text,
                      p.theme.sea);
     };
-    paintKept(p, u"label %1 %2 %3 "_s.arg(stop.order).arg(ground.rgb()).arg(opacity) + text,
-              QRectF(QPointF(-3, -3), size + QSizeF(8, 6)), label.rect.topLeft(), draw);
+    QString key = u"label %1 %2 %3 "_s.arg(stop.order).arg(ground.rgb()).arg(opacity) + text;
+    for (const int later : stop.later)
+        key += u" %1"_s.arg(later);
+    paintKept(p, key, QRectF(QPointF(-3, -3), size + QSizeF(8, 6)), label.rect.topLeft(), draw);
 }
 
 /** Below handles, which are dragged in the direction that they are on. */
@@ -291,11 +302,14 @@ void paintMapGround(QPainter& painter, const MapFrame& frame)
                            .view = p.layout.view,
                            .rect = p.layout.rect,
                            .ratio = painter.device()->devicePixelRatioF(),
-                           .look = landLookOf(p.theme)};
+                           .look = landLookOf(p.theme),
+                           .backdrop = p.style.layers.backdrop,
+                           .backdropOpacity = p.style.layers.opacity(MapLayer::Backdrop),
+                           .backdropLook = backdropLookOf(p.theme)};
     if (frame.land != nullptr)
         frame.land->paint(painter, land);
     else
-        paintLand(painter, land.plane, land.view, land.rect, land.look);
+        paintGroundOf(painter, land);
     if (const auto reach = reachIn(land.rect, land.plane, land.view))
         painter.setClipPath(*reach, Qt::IntersectClip);
     painter.setPen(QPen(p.theme.graticule, 1));

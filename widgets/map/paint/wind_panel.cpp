@@ -108,7 +108,7 @@ void paintArrow(QPainter& painter, const QPointF& centre, const MapAir& air, con
 {
     const QPointF path = onDial(air.wind_mps, air);
     const double length_px = QLineF({0, 0}, path).length();
-    const double short_px = style.offersWind ? kGrip_px : 0;
+    const double short_px = style.isLive ? kGrip_px : 0;
     if (length_px <= short_px / 2)
         return;
     const QColor ink = isStrong(air) ? style.theme.uav : style.theme.ink;
@@ -126,7 +126,7 @@ bool isStrong(const MapAir& air)
 QSizeF windPanelSize(const MapAir& air, const MapStyle& style)
 {
     const bool isStill = air.wind_mps.isZero(0) && air.current_mps.isZero(0);
-    if (air.limit_mps <= 0 || (isStill && !style.offersWind))
+    if (air.limit_mps <= 0 || (isStill && !style.isLive))
         return {};
     const QFontMetricsF metrics(style.theme.small());
     // The longest words: the panel keeps its size while the wind is dragged.

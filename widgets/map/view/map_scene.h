@@ -109,7 +109,7 @@ private:
                 .inset_px = m_inset_px,
                 .panels = m_panels,
                 .layers = m_layers,
-                .offersWind = true};
+                .isLive = true};
     }
     [[nodiscard]] std::optional<LabelTurn> nextTurn(std::size_t inSight);
     void paintGround(QPainter& painter, const MapFrame& frame);

@@ -2,6 +2,7 @@
 #include "tests/support/panel_test.h"
 #include "widgets/map/paint/map_drift.h"
 #include "widgets/map/paint/map_layout.h"
+#include "widgets/map/paint/map_legend_rows.h"
 #include "widgets/map/picture/scenario_picture.h"
 
 #include <algorithm>
@@ -47,6 +48,31 @@ class TestMapDensity : public QObject
 
 private slots:
     void init() { test::failOnWarnings(); }
+
+    /** A plan of coverage comes back to some; the sooner of two plans counts. */
+    void laterVisitsAreNumbered()
+    {
+        MapPicture picture = field(4);
+        const double once_px = layoutOf(picture).labels[1].rect.width();
+        picture.routes.front().plan = {0, 1, 2, 1, 3, 1};
+        std::vector<MapStop> stops = stopsOf(picture);
+        QCOMPARE(stops[1].order, 2);
+        QCOMPARE(stops[1].later, std::vector<int>({4, 6}));
+        QVERIFY(stops[0].later.empty());
+        QVERIFY(layoutOf(picture).labels[1].rect.width() > once_px + 2 * kLaterDisk_px);
+        const Theme theme = Theme::light();
+        const MapStyle style{.theme = theme, .locale = QLocale::c()};
+        const auto rows = [&] { return legendRows(picture, style, {}).size(); };
+        const std::size_t withLater = rows();
+        picture.routes.front().plan = {0, 1, 2, 3};
+        QCOMPARE(rows(), withLater - 1);
+        picture.routes.front().plan = {0, 2, 1, 1};
+        picture.routes.resize(2);
+        picture.routes.back().plan = {1};
+        stops = stopsOf(picture);
+        QCOMPARE(stops[1].uav, std::size_t{1});
+        QVERIFY(stops[1].later.empty());
+    }
 
     void fieldsWithRoomKeepTheirSymbols()
     {

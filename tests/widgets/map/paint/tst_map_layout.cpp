@@ -2,6 +2,7 @@
 #include "tests/support/map_builder.h"
 #include "tests/support/map_layouts.h"
 #include "widgets/map/paint/map_drift.h"
+#include "widgets/map/paint/map_legend_rows.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/map/paint/map_symbols.h"
@@ -129,7 +130,7 @@ private slots:
         picture.air = {.wind_mps = {6, 8}, .limit_mps = 22};
         const Theme theme = Theme::light();
         const MapStyle style{
-            .theme = theme, .locale = QLocale::c(), .inset_px = {208, 208}, .offersWind = true};
+            .theme = theme, .locale = QLocale::c(), .inset_px = {208, 208}, .isLive = true};
         const MapLayout layout = arrangeMap(picture, style, QRectF(QPointF(0, 0), QSizeF(size_px)));
         QVERIFY(!layout.wind.isNull());
         QVERIFY(size_px.height() < 440 || !layout.inset.isNull());
@@ -137,6 +138,45 @@ private slots:
         for (std::size_t i = 0; i < overlays.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
                 QVERIFY(!overlays[i].intersects(overlays[j]));
+    }
+
+    /** What comes and goes in flight neither shrinks it nor moves its other rows. */
+    void legendOfAFlightStaysAsLargeAsItWas()
+    {
+        MapPicture picture = test::randomPicture(6);
+        picture.routes[0].search_m = {{0, 0}, {100, 100}};
+        const Theme theme = Theme::light();
+        const MapStyle style{.theme = theme, .locale = QLocale::c(), .isLive = true};
+        const QRectF rect(0, 0, 1280, 800);
+        const MapLayout searching = arrangeMap(picture, style, rect);
+        picture.routes[0].search_m.clear();
+        const std::size_t rows = legendRows(picture, style, searching.symbols).size();
+        for (MapIceberg& iceberg : picture.icebergs)
+            iceberg.inView = false;
+        QCOMPARE(legendRows(picture, style, searching.symbols).size(), rows);
+        const auto height = [&] {
+            return arrangeMap(picture, style, rect, searching.view,
+                              continuityOf(picture, searching))
+                .legend.height();
+        };
+        QCOMPARE(height(), searching.legend.height());
+        picture.routes[0].track.clear(); // not in flight
+        QVERIFY(height() < searching.legend.height());
+    }
+
+    /** The row of the legend for dots makes it wider: it is there when the view is chosen. */
+    void fitOfADenseFieldKeepsUavsClear()
+    {
+        MapPicture picture = test::randomPicture(500);
+        picture.routes[0].track.clear();
+        picture.uavs[0].position_m = {-300, -200};
+        for (const QSize& size : {QSize(960, 640), QSize(1050, 600), QSize(1280, 800)}) {
+            const MapLayout layout = layoutOf(picture, size);
+            QVERIFY(layout.density.isDense);
+            const QPointF at = layout.view.toPixel(picture.uavs[0].position_m);
+            for (const QRectF& overlay : layout.overlays())
+                QVERIFY(!overlay.contains(at));
+        }
     }
 
     /** On a low map, as in the window of 1280 x 800, the legend leaves room for the ice. */

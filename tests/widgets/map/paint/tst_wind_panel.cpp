@@ -152,7 +152,7 @@ private slots:
         const Theme theme = Theme::light();
         const QRectF rect(0, 0, 1000, 700);
         const auto isShown = [&](const MapAir& air, bool offers) {
-            const MapStyle style{.theme = theme, .locale = kLocale, .offersWind = offers};
+            const MapStyle style{.theme = theme, .locale = kLocale, .isLive = offers};
             return !arrangeMap(windyPicture(air), style, rect).wind.isNull();
         };
         QVERIFY(!isShown(airOf(0, 0), false));
@@ -161,7 +161,7 @@ private slots:
         QVERIFY(isShown({.current_mps = {0.1, 0}, .limit_mps = kAirspeed_mps}, false));
         QVERIFY(!isShown({}, true)); // nothing flies
         // On a small map there is no room for what blows nothing.
-        const MapStyle style{.theme = theme, .locale = kLocale, .offersWind = true};
+        const MapStyle style{.theme = theme, .locale = kLocale, .isLive = true};
         const QRectF small(0, 0, 560, 400);
         QVERIFY(arrangeMap(windyPicture(airOf(0, 0)), style, small).wind.isNull());
         QVERIFY(!arrangeMap(windyPicture(airOf(8, 250)), style, small).wind.isNull());
@@ -196,7 +196,7 @@ private slots:
     void panelKeepsItsSize()
     {
         const Theme theme = Theme::light();
-        const MapStyle style{.theme = theme, .locale = kLocale, .offersWind = true};
+        const MapStyle style{.theme = theme, .locale = kLocale, .isLive = true};
         const QSizeF calm = windPanelSize(airOf(0, 0), style);
         for (const double speed_mps : {0.5, 8.0, 16.0, 21.5})
             QCOMPARE(windPanelSize(airOf(speed_mps, 123), style), calm);
