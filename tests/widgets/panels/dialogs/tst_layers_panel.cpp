@@ -30,6 +30,7 @@ MapPicture picture()
     shown.routes.front().formerPlan = {5, 4, 3, 2, 1, 0};
     shown.routes.front().swept = std::make_shared<const std::vector<MapPose>>(std::vector<MapPose>{
         {.position_m = {1000, 1000}}, {.position_m = {3000, 1000}, .time_s = 100}});
+    shown.airspace = {{.corners_m = {{500, 500}, {4500, 500}, {2500, 3500}}}};
     return shown;
 }
 
@@ -52,7 +53,7 @@ private slots:
     {
         QTest::addColumn<int>("layer");
         const std::array<const char*, kMapLayers> names{
-            "labels", "drift", "rings", "graticule", "formerPlan", "swept", "backdrop"};
+            "labels", "drift", "rings", "graticule", "formerPlan", "swept", "permit", "backdrop"};
         for (std::size_t i = 0; i < kMapLayers; ++i)
             QTest::newRow(names[i]) << static_cast<int>(i);
     }
@@ -61,8 +62,8 @@ private slots:
     {
         QFETCH(int, layer);
         MapLayers all;
-        all.backdrop = std::make_shared<const Backdrop>(
-            Backdrop{{.kind = MapShape::Kind::Polygon, .parts = {{{-1, -1}, {-1, 1}, {1, 0}}}}});
+        all.backdrop = std::make_shared<const Backdrop>(Backdrop{
+            {.kind = MapShape::Kind::Polygon, .parts = {{{46, -49}, {46, -47}, {48, -48}}}}});
         MapLayers faint = all;
         faint.set(static_cast<MapLayer>(layer), 0.5);
         MapLayers hidden = all;
