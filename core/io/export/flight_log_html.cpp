@@ -1,9 +1,11 @@
+#include "core/base/number_text.h"
 #include "core/io/export/flight_log.h"
 #include "core/io/figure/figure_svg.h"
 #include "core/io/results/result_csv.h"
 #include "core/io/study/report_style.h"
 #include "core/io/text/html_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
