@@ -13,6 +13,7 @@
 #include <QLinearGradient>
 
 #include <algorithm>
+#include <functional>
 
 namespace berg {
 namespace {
@@ -128,8 +129,8 @@ public:
     }
 
     /** With the drawing of such an iceberg. */
-    void addIceberg(bool (*isSuch)(const MapIceberg&), const QString& text, const QString& word,
-                    const IcebergLook& look)
+    void addIceberg(const std::function<bool(const MapIceberg&)>& isSuch, const QString& text,
+                    const QString& word, const IcebergLook& look)
     {
         if (!any(isSuch))
             return;
