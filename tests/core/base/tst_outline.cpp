@@ -98,9 +98,11 @@ private slots:
         QVERIFY(polygonsMeet(square, moved(5, 5, 1)));
         QVERIFY(polygonsMeet(square, moved(2, 2, 0.1)));
         QVERIFY(polygonsMeet(moved(2, 2, 0.1), square));
-        QVERIFY(polygonsMeet(square, {{-5, 4}, {15, 4}, {15, 6}, {-5, 6}})); // no corner inside
+        const std::vector<Point> across{{-5, 4}, {15, 4}, {15, 6}, {-5, 6}};
+        QVERIFY(polygonsMeet(square, across)); // no corner inside
         QVERIFY(!polygonsMeet(square, moved(11, 0, 1)));
-        QVERIFY(!polygonsMeet(square, {{9, 20}, {20, 9}, {20, 20}})); // the boxes alone meet
+        const std::vector<Point> beside{{9, 20}, {20, 9}, {20, 20}};
+        QVERIFY(!polygonsMeet(square, beside)); // the boxes alone meet
     }
 };
 
