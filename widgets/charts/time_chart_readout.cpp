@@ -20,7 +20,7 @@ namespace {
 constexpr double kFlagHeight_px = 17;
 constexpr double kFlagSpacing_px = 19;
 constexpr double kFlagGap_px = 10;      // between the line of the instant and the flags
-constexpr double kColumnGap_px = 4;     // between the flags and the edge of the plot
+constexpr double kFlagEdge_px = 4;      // between the flags and the edge of the plot
 constexpr double kFarthestJoin_px = 60; // from the value, of a flag that a line joins to it
 constexpr double kFarthestFlag_px = 48; // from the value
 constexpr std::size_t kMostFlags = 8;
@@ -132,9 +132,9 @@ void TimeChart::alignFlags(ChartReadout& readout, double at_px) const
     for (const ReadoutFlag& flag : readout.flags)
         widest_px = std::max(widest_px, flag.rect.width());
     const bool hasRightAxis = m_figure.figure.right.has_value(); // whose numbers stay in sight
-    const double right = hasRightAxis ? plot().right() - kColumnGap_px : viewport()->width() - 2;
+    const double right = hasRightAxis ? plot().right() - kFlagEdge_px : viewport()->width() - 2;
     const bool isRight = at_px + kFlagGap_px <= right - widest_px;
-    const double left = isRight ? right - widest_px : plot().left() + kColumnGap_px;
+    const double left = isRight ? right - widest_px : plot().left() + kFlagEdge_px;
     for (ReadoutFlag& flag : readout.flags)
         flag.rect = QRectF(left, flag.rect.top(), widest_px, flag.rect.height());
 }
