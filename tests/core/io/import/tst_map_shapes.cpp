@@ -132,7 +132,7 @@ private slots:
                 "<StyleMap id=\"map\"><Pair><key>normal</key><styleUrl>#ice</styleUrl></Pair>"
                 "<Pair><key>highlight</key><styleUrl>#none</styleUrl></Pair></StyleMap>"));
         QCOMPARE(shapes.size(), std::size_t{4});
-        for (const std::size_t i : {0, 1}) {
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
             QCOMPARE(shapes[i].fill.value_or(1), 0x7F00FF00U);
             QCOMPARE(shapes[i].line.value_or(1), 0xFFFF0000U); // aabbggrr
             QCOMPARE(shapes[i].parts.size(), std::size_t{2});
