@@ -4,6 +4,7 @@
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/fields/panel_labels.h"
+#include "widgets/theme/announcer.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/issue_text.h"
