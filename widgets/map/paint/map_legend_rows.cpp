@@ -165,8 +165,7 @@ void addIcebergRows(RowList& rows, const MapPicture& picture, const MapStyle& st
         style.isLive &&
         picture.anyRoute([](const MapRoute& route) { return route.track.size() > 1; });
     rows.addIceberg(
-        stays ? +[](const MapIceberg&) { return true; }
-              : +[](const MapIceberg& iceberg) { return iceberg.inView; },
+        [stays](const MapIceberg& iceberg) { return iceberg.inView || stays; },
         isCertain ? MapLegend::tr("In view now: σ is 0") : MapLegend::tr("In view now"),
         MapLegend::tr("In view"),
         {.radius_px = 6, .sigma = {}, .inView = true, .bracket = routeColours(picture, theme).uav});
