@@ -813,6 +813,22 @@
         <source>What</source>
         <translation>Hvad</translation>
     </message>
+    <message>
+        <source>Flight log</source>
+        <translation>Flyvelog</translation>
+    </message>
+    <message>
+        <source>Browsers</source>
+        <translation>Browsere</translation>
+    </message>
+    <message>
+        <source>Page with planned and flown, zeta against prediction, all sightings and deviations, in English.</source>
+        <translation>Side med planlagt og fløjet, zeta mod forudsigelsen, alle observationer og afvigelser, på engelsk.</translation>
+    </message>
+    <message>
+        <source>Two or three pages: planned and flown, map, zeta against prediction, sightings, deviations.</source>
+        <translation>To eller tre sider: planlagt og fløjet, kort, zeta mod forudsigelsen, observationer, afvigelser.</translation>
+    </message>
 </context>
 <context>
     <name>FieldNames</name>
@@ -867,6 +883,22 @@
     <message>
         <source>Origin</source>
         <translation>Origo</translation>
+    </message>
+    <message>
+        <source>Airspace</source>
+        <translation>Luftrum</translation>
+    </message>
+    <message>
+        <source>Corner of the airspace</source>
+        <translation>Hjørne af luftrummet</translation>
+    </message>
+    <message>
+        <source>Start of the airspace</source>
+        <translation>Luftrummets starttidspunkt</translation>
+    </message>
+    <message>
+        <source>End of the airspace</source>
+        <translation>Luftrummets sluttidspunkt</translation>
     </message>
 </context>
 <context>
@@ -3228,6 +3260,202 @@
         <source>Pattern that finds an iceberg which was not where it was believed to be.</source>
         <translation>Mønster til at finde et isbjerg, der ikke var, hvor det ventedes.</translation>
     </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Round all places that a plan may lead to, for turns and changes of the plan. With a geofence it is not used.</source>
+        <translation>Omkring alle steder, som en plan kan føre til, af hensyn til drej og ændringer af planen. Med geohegn bruges den ikke.</translation>
+    </message>
+    <message>
+        <source>UAV size</source>
+        <translation>Dronens størrelse</translation>
+    </message>
+    <message>
+        <source>Largest dimension of a UAV, half of it widens the ground-risk buffer.</source>
+        <translation>Største mål på en drone; halvdelen af det gør jordrisikobufferen bredere.</translation>
+    </message>
+    <message>
+        <source>Satellite position error</source>
+        <translation>Fejl i satellitposition</translation>
+    </message>
+    <message>
+        <source>Part of the width of the contingency volume. Source: Digisky 3.3.0, after the guide of the Swiss FOCA: 3 m.</source>
+        <translation>Del af beredskabsvolumenets bredde. Kilde: Digisky 3.3.0, efter vejledningen fra schweiziske FOCA: 3 m.</translation>
+    </message>
+    <message>
+        <source>Path-keeping error</source>
+        <translation>Fejl i banefølgning</translation>
+    </message>
+    <message>
+        <source>Of the autopilot, likewise. Same source: 3 m.</source>
+        <translation>Autopilotens, ligeledes. Samme kilde: 3 m.</translation>
+    </message>
+    <message>
+        <source>Map error</source>
+        <translation>Kortfejl</translation>
+    </message>
+    <message>
+        <source>Likewise. Same source: 1 m.</source>
+        <translation>Ligeledes. Samme kilde: 1 m.</translation>
+    </message>
+    <message>
+        <source>Reaction time</source>
+        <translation>Reaktionstid</translation>
+    </message>
+    <message>
+        <source>At full speed until something is done. Same source: 1 s.</source>
+        <translation>Ved fuld fart, indtil der gøres noget. Samme kilde: 1 s.</translation>
+    </message>
+    <message>
+        <source>Bank of the turn back</source>
+        <translation>Krængning i drejet tilbage</translation>
+    </message>
+    <message>
+        <source>Radius v²/(g tan bank). Same source: 30°.</source>
+        <translation>Radius v²/(g tan krængning). Samme kilde: 30°.</translation>
+    </message>
+    <message>
+        <source>Height error</source>
+        <translation>Højdefejl</translation>
+    </message>
+    <message>
+        <source>Part of the height of the contingency volume. Same source: 4 m.</source>
+        <translation>Del af beredskabsvolumenets højde. Samme kilde: 4 m.</translation>
+    </message>
+    <message>
+        <source>Climb part</source>
+        <translation>Stigeandel</translation>
+    </message>
+    <message>
+        <source>Part of the speed that leads upwards during the reaction time. Same source: 0.707, a climb of 45°.</source>
+        <translation>Den del af farten, der fører opad i reaktionstiden. Samme kilde: 0,707, en stigning på 45°.</translation>
+    </message>
+    <message>
+        <source>Pull-up part</source>
+        <translation>Udretningsandel</translation>
+    </message>
+    <message>
+        <source>Part of v²/g that levelling out takes. Same source: 0.3.</source>
+        <translation>Den del af v²/g, som udretning til vandret flyvning kræver. Samme kilde: 0,3.</translation>
+    </message>
+    <message>
+        <source>Buffer ratio</source>
+        <translation>Bufferforhold</translation>
+    </message>
+    <message>
+        <source>Width of the ground-risk buffer by the height of the contingency volume. Same source: 1, the rule 1:1.</source>
+        <translation>Jordrisikobufferens bredde divideret med beredskabsvolumenets højde. Samme kilde: 1, reglen 1:1.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, time</source>
+        <translation>Tilstødende område, tid</translation>
+    </message>
+    <message>
+        <source>Of flight at full speed. Same source: 180 s.</source>
+        <translation>Flyvetid ved fuld fart. Samme kilde: 180 s.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, least</source>
+        <translation>Tilstødende område, mindst</translation>
+    </message>
+    <message>
+        <source>Same source: 5 km.</source>
+        <translation>Samme kilde: 5 km.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, most</source>
+        <translation>Tilstødende område, højst</translation>
+    </message>
+    <message>
+        <source>Same source: 35 km.</source>
+        <translation>Samme kilde: 35 km.</translation>
+    </message>
+    <message>
+        <source>Crew</source>
+        <translation>Besætning</translation>
+    </message>
+    <message>
+        <source>Who flies, printed in the flight brief; empty: a blank line.</source>
+        <translation>Hvem der flyver; udskrives i flyvebriefingen; tomt: en blank linje.</translation>
+    </message>
+    <message>
+        <source>Call sign</source>
+        <translation>Kaldesignal</translation>
+    </message>
+    <message>
+        <source>Likewise.</source>
+        <translation>Ligeledes.</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakter</translation>
+    </message>
+    <message>
+        <source>Ship, air traffic service, rescue: names, numbers, frequencies.</source>
+        <translation>Skib, lufttrafiktjeneste, redningstjeneste: navne, numre, frekvenser.</translation>
+    </message>
+    <message>
+        <source>Command link</source>
+        <translation>Kommandoforbindelse</translation>
+    </message>
+    <message>
+        <source>How the UAVs are commanded, and what they do without it.</source>
+        <translation>Hvordan dronerne styres, og hvad de gør uden den.</translation>
+    </message>
+    <message>
+        <source>Checklist</source>
+        <translation>Tjekliste</translation>
+    </message>
+    <message>
+        <source>One line for each item, printed with a box to tick.</source>
+        <translation>Én linje pr. punkt; udskrives med et felt til afkrydsning.</translation>
+    </message>
+    <message>
+        <source>Change operation</source>
+        <translation>Ændr operation</translation>
+    </message>
+    <message>
+        <source>Airspace that the operation may enter becomes no-fly areas: then the UAVs keep out of it.</source>
+        <translation>Luftrum, som operationen kan komme ind i, bliver til flyveforbudsområder: så holder dronerne sig uden for det.</translation>
+    </message>
+    <message>
+        <source>Make entered airspace no-fly areas</source>
+        <translation>Gør berørt luftrum til flyveforbudsområder</translation>
+    </message>
+    <message>
+        <source>All of it; undo brings it back.</source>
+        <translation>Det hele; Fortryd henter det tilbage.</translation>
+    </message>
+    <message>
+        <source>Remove airspace</source>
+        <translation>Fjern luftrum</translation>
+    </message>
+    <message>
+        <source>Operation volume</source>
+        <translation>Operationsvolumen</translation>
+    </message>
+    <message>
+        <source>Proposal for an application for a permit, to be checked with your authority: on the map, in KML and GeoJSON, and as a second page of the flight brief.</source>
+        <translation>Forslag til en ansøgning om tilladelse, som skal afklares med myndigheden: på kortet, i KML og GeoJSON og som side to i flyvebriefingen.</translation>
+    </message>
+    <message>
+        <source>Contingency volume %1 wide, %2 high
+Ground-risk buffer %3
+Adjacent area %4</source>
+        <translation>Beredskabsvolumen %1 bredt, %2 højt
+Jordrisikobuffer %3
+Tilstødende område %4</translation>
+    </message>
+    <message>
+        <source>Airspace %1: %2</source>
+        <translation>Luftrum %1: %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>og %1 til</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -4060,6 +4288,161 @@
         <source>names an iceberg, but the run holds none</source>
         <translation>angiver et isbjerg, men flyvningen har ingen</translation>
     </message>
+    <message>
+        <source>A scenario holds at most %2 airspace areas, not %3.</source>
+        <translation>Et scenarie rummer højst %2 luftrumsområder, ikke %3.</translation>
+    </message>
+    <message>
+        <source>The operation may enter the airspace &quot;%2&quot;, which begins at %3.</source>
+        <translation>Operationen kan komme ind i luftrummet »%2«, som begynder i %3 højde.</translation>
+    </message>
+    <message>
+        <source>is no airspace: neither OpenAir nor GeoJSON</source>
+        <translation>er ikke luftrum: hverken OpenAir eller GeoJSON</translation>
+    </message>
+    <message>
+        <source>holds no airspace</source>
+        <translation>indeholder intet luftrum</translation>
+    </message>
+    <message>
+        <source>airspace left out: a place or an arc cannot be read</source>
+        <translation>luftrum udeladt: et sted eller en bue kan ikke læses</translation>
+    </message>
+    <message>
+        <source>airspace left out: its outline touches or crosses itself, has too many corners, or the ceiling is not above the floor</source>
+        <translation>luftrum udeladt: omridset rører eller krydser sig selv, har for mange hjørner, eller den øvre højdegrænse er ikke over den nedre</translation>
+    </message>
+</context>
+<context>
+    <name>LogText</name>
+    <message>
+        <source>never</source>
+        <translation>aldrig</translation>
+    </message>
+    <message>
+        <source>Start, UTC</source>
+        <translation>Start, UTC</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Until, UTC</source>
+        <translation>Til, UTC</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Til</translation>
+    </message>
+    <message>
+        <source>Zeta flown</source>
+        <translation>Zeta fløjet</translation>
+    </message>
+    <message>
+        <source>Predicted before take-off</source>
+        <translation>Forudsagt før start</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøg</translation>
+    </message>
+    <message>
+        <source>Plans made</source>
+        <translation>Lagte planer</translation>
+    </message>
+    <message>
+        <source>Planned by</source>
+        <translation>Planlagt efter</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startværdi</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Program</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Visits planned</source>
+        <translation>Besøg planlagt</translation>
+    </message>
+    <message>
+        <source>flown</source>
+        <translation>fløjet</translation>
+    </message>
+    <message>
+        <source>Distance planned</source>
+        <translation>Distance planlagt</translation>
+    </message>
+    <message>
+        <source>Time planned</source>
+        <translation>Tid planlagt</translation>
+    </message>
+    <message>
+        <source>aloft</source>
+        <translation>i luften</translation>
+    </message>
+    <message>
+        <source>Outside the geography</source>
+        <translation>Uden for geografien</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isbjerg</translation>
+    </message>
+    <message>
+        <source>First seen</source>
+        <translation>Først set</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Sidst set</translation>
+    </message>
+    <message>
+        <source>Longest unseen</source>
+        <translation>Længst uset</translation>
+    </message>
+    <message>
+        <source>σ at the end, m²</source>
+        <translation>σ ved slutningen, m²</translation>
+    </message>
+    <message>
+        <source>Something was changed in flight: the prediction was for another flight.</source>
+        <translation>Noget blev ændret under flyvningen: forudsigelsen gjaldt en anden flyvning.</translation>
+    </message>
+    <message>
+        <source>None on record.</source>
+        <translation>Ingen er registreret.</translation>
+    </message>
+    <message>
+        <source>Flight log: %1</source>
+        <translation>Flyvelog: %1</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>Observationer</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Afvigelser</translation>
+    </message>
+    <message>
+        <source>and %1 more; all of them: export log-html</source>
+        <translation>og %1 til; alle: eksportér log-html</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the first plan as a file of the format wpl</source>
+        <translation>SHA-256 af den første plan som fil i formatet wpl</translation>
+    </message>
+    <message>
+        <source>Nothing was flown</source>
+        <translation>Intet blev fløjet</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -4501,10 +4884,6 @@
         <translation>Sikkerhedsafstand</translation>
     </message>
     <message>
-        <source>Icebergs close together: dots, or how many</source>
-        <translation>Isbjerge tæt sammen: prikker, eller hvor mange</translation>
-    </message>
-    <message>
         <source>Close together</source>
         <translation>Tæt sammen</translation>
     </message>
@@ -4515,6 +4894,58 @@
     <message>
         <source>Place to search</source>
         <translation>Sted at eftersøge</translation>
+    </message>
+    <message>
+        <source>Later visit in the plan</source>
+        <translation>Senere besøg i planen</translation>
+    </message>
+    <message>
+        <source>Later visit</source>
+        <translation>Senere besøg</translation>
+    </message>
+    <message>
+        <source>Airspace, for information</source>
+        <translation>Luftrum, til orientering</translation>
+    </message>
+    <message>
+        <source>Airspace</source>
+        <translation>Luftrum</translation>
+    </message>
+    <message>
+        <source>Flight geography, proposal</source>
+        <translation>Flyvegeografi, forslag</translation>
+    </message>
+    <message>
+        <source>Flight geography</source>
+        <translation>Flyvegeografi</translation>
+    </message>
+    <message>
+        <source>Contingency volume, proposal</source>
+        <translation>Beredskabsvolumen, forslag</translation>
+    </message>
+    <message>
+        <source>Contingency</source>
+        <translation>Beredskab</translation>
+    </message>
+    <message>
+        <source>Ground-risk buffer, proposal</source>
+        <translation>Jordrisikobuffer, forslag</translation>
+    </message>
+    <message>
+        <source>Risk buffer</source>
+        <translation>Risikobuffer</translation>
+    </message>
+    <message>
+        <source>Adjacent area, proposal</source>
+        <translation>Tilstødende område, forslag</translation>
+    </message>
+    <message>
+        <source>Adjacent area</source>
+        <translation>Tilstødende område</translation>
+    </message>
+    <message>
+        <source>Close together: dot, or how many</source>
+        <translation>Tæt sammen: prik, eller hvor mange</translation>
     </message>
 </context>
 <context>
@@ -4841,6 +5272,124 @@
     </message>
 </context>
 <context>
+    <name>MissionSeriesText</name>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+</context>
+<context>
+    <name>OperationPage</name>
+    <message>
+        <source>Largest speed over ground</source>
+        <translation>Største fart over grunden</translation>
+    </message>
+    <message>
+        <source>Flight geography, height</source>
+        <translation>Flyvegeografi, højde</translation>
+    </message>
+    <message>
+        <source>Contingency volume, height</source>
+        <translation>Beredskabsvolumen, højde</translation>
+    </message>
+    <message>
+        <source>Contingency volume, width</source>
+        <translation>Beredskabsvolumen, bredde</translation>
+    </message>
+    <message>
+        <source>Ground-risk buffer, width</source>
+        <translation>Jordrisikobuffer, bredde</translation>
+    </message>
+    <message>
+        <source>Adjacent area, width</source>
+        <translation>Tilstødende område, bredde</translation>
+    </message>
+    <message>
+        <source>Flight geography: inside of the geofence.</source>
+        <translation>Flyvegeografi: geohegnets inderside.</translation>
+    </message>
+    <message>
+        <source>Flight geography: all places that a plan may lead to, and %1 m round them.</source>
+        <translation>Flyvegeografi: alle steder, som en plan kan føre til, og %1 m omkring dem.</translation>
+    </message>
+    <message>
+        <source>Formulas and usual constants: calculator of Digisky 3.3.0, after the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
+        <translation>Formler og sædvanlige konstanter: beregneren i Digisky 3.3.0, efter vejledningen fra schweiziske FOCA; ikke en myndigheds egen tekst.</translation>
+    </message>
+    <message>
+        <source>The outlines are in the KML, KMZ and GeoJSON exports.</source>
+        <translation>Omridsene findes i eksporten til KML, KMZ og GeoJSON.</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Udholdenhed</translation>
+    </message>
+    <message>
+        <source>Reserve</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>Wind limit</source>
+        <translation>Vindgrænse</translation>
+    </message>
+    <message>
+        <source>Gust limit</source>
+        <translation>Vindstødsgrænse</translation>
+    </message>
+    <message>
+        <source>Icing conditions</source>
+        <translation>Isningsforhold</translation>
+    </message>
+    <message>
+        <source>flown in</source>
+        <translation>kan flyves</translation>
+    </message>
+    <message>
+        <source>not flown in</source>
+        <translation>flyves ikke</translation>
+    </message>
+    <message>
+        <source>Made by Bergwatch from the scenario. It says nothing about whether the operation may be flown.</source>
+        <translation>Lavet af Bergwatch ud fra scenariet. Det siger intet om, hvorvidt operationen må flyves.</translation>
+    </message>
+    <message>
+        <source>Checklist</source>
+        <translation>Tjekliste</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>og %1 til</translation>
+    </message>
+    <message>
+        <source>Operation volume: proposal, to be checked with your authority</source>
+        <translation>Operationsvolumen: forslag, skal afklares med myndigheden</translation>
+    </message>
+    <message>
+        <source>Crew</source>
+        <translation>Besætning</translation>
+    </message>
+    <message>
+        <source>Call sign</source>
+        <translation>Kaldesignal</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakter</translation>
+    </message>
+    <message>
+        <source>Command link</source>
+        <translation>Kommandoforbindelse</translation>
+    </message>
+    <message>
+        <source>Date and signatures</source>
+        <translation>Dato og underskrifter</translation>
+    </message>
+</context>
+<context>
     <name>PageText</name>
     <message>
         <source>Untitled</source>
@@ -4888,6 +5437,10 @@
     <message>
         <source>Click a line to go back or forth to it; the disk marks what is saved.</source>
         <translation>Klik på en linje for at gå tilbage eller frem til den; disketten viser, hvad der er gemt.</translation>
+    </message>
+    <message>
+        <source>History of edits</source>
+        <translation>Ændringshistorik</translation>
     </message>
 </context>
 <context>
@@ -5700,6 +6253,25 @@ mod %2</translation>
     </message>
 </context>
 <context>
+    <name>berg::BackdropFile</name>
+    <message>
+        <source>Maps (*.geojson *.json *.kml *.kmz);;All files (*)</source>
+        <translation>Kort (*.geojson *.json *.kml *.kmz);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>%1 holds no places, lines or polygons</source>
+        <translation>%1 indeholder ingen steder, linjer eller polygoner</translation>
+    </message>
+    <message>
+        <source>The background %1 cannot be read</source>
+        <translation>Baggrunden %1 kan ikke læses</translation>
+    </message>
+    <message>
+        <source>%1 is neither GeoJSON nor KML. Convert it with a map program, such as QGIS, and choose it again.</source>
+        <translation>%1 er hverken GeoJSON eller KML. Konvertér filen med et kortprogram, f.eks. QGIS, og vælg den igen.</translation>
+    </message>
+</context>
+<context>
     <name>berg::ChartPanel</name>
     <message>
         <source>Chart</source>
@@ -5776,6 +6348,10 @@ mod %2</translation>
     <message>
         <source>Reset zoom</source>
         <translation>Nulstil zoom</translation>
+    </message>
+    <message>
+        <source>Show values as a table</source>
+        <translation>Vis værdier som tabel</translation>
     </message>
 </context>
 <context>
@@ -6138,6 +6714,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Map layers</source>
         <translation>Kortlag</translation>
     </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meddelelser</translation>
+    </message>
 </context>
 <context>
     <name>berg::EventModel</name>
@@ -6357,6 +6937,21 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
 </context>
 <context>
+    <name>berg::FigureView</name>
+    <message>
+        <source>Show values as a table</source>
+        <translation>Vis værdier som tabel</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Værdier</translation>
+    </message>
+</context>
+<context>
     <name>berg::FindBox</name>
     <message>
         <source>Favourite: listed when the box is opened</source>
@@ -6462,12 +7057,12 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>Exports the charts of the run as a page.</source>
-        <translation>Eksporterer flyvningens diagrammer som en side.</translation>
-    </message>
-    <message>
         <source>%1 m² s</source>
         <translation>%1 m² s</translation>
+    </message>
+    <message>
+        <source>Exports the log of the run: planned and flown, sightings, deviations.</source>
+        <translation>Eksporterer flyvningens log: planlagt og fløjet, observationer, afvigelser.</translation>
     </message>
 </context>
 <context>
@@ -6841,6 +7436,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Velocities are not known exactly, so the observer becomes the Kalman filter.</source>
         <translation>Hastighederne er ikke nøjagtigt kendt, så observatøren bliver Kalmanfilteret.</translation>
     </message>
+    <message>
+        <source>Import into a &amp;new scenario</source>
+        <translation>Importér i et &amp;nyt scenarie</translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportOptionsView</name>
@@ -7122,6 +7721,34 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Drift horizon</source>
         <translation>Drifthorisont</translation>
+    </message>
+    <message>
+        <source>Airspace and operation volume</source>
+        <translation>Luftrum og operationsvolumen</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Baggrund</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>Shows no background any more</source>
+        <translation>Viser ikke længere nogen baggrund</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Vælg en fil…</translation>
+    </message>
+    <message>
+        <source>A map of your own below everything: GeoJSON, KML or KMZ, such as an ice chart</source>
+        <translation>Dit eget kort under alt andet: GeoJSON, KML eller KMZ, f.eks. et iskort</translation>
+    </message>
+    <message>
+        <source>Background file: %1</source>
+        <translation>Baggrundsfil: %1</translation>
     </message>
 </context>
 <context>
@@ -7646,6 +8273,25 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Find or &amp;go to…</source>
         <translation>Find eller &amp;gå til…</translation>
     </message>
+    <message>
+        <source>Import airspa&amp;ce...</source>
+        <translation>Importér luft&amp;rum...</translation>
+    </message>
+    <message>
+        <source>Flight &amp;log...</source>
+        <translation>Flyve&amp;log...</translation>
+    </message>
+    <message>
+        <source>&amp;Background map…</source>
+        <translation>&amp;Baggrundskort…</translation>
+    </message>
+</context>
+<context>
+    <name>berg::MessageList</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meddelelser</translation>
+    </message>
 </context>
 <context>
     <name>berg::MissionRunner</name>
@@ -7657,16 +8303,16 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
 <context>
     <name>berg::MissionWorker</name>
     <message>
-        <source>The run has ended. Reset it to fly it in another way.</source>
-        <translation>Flyvningen er slut. Nulstil den for at flyve den på en anden måde.</translation>
-    </message>
-    <message>
         <source>There is no run to save: the scenario cannot be planned.</source>
         <translation>Der er ingen flyvning at gemme: scenariet kan ikke planlægges.</translation>
     </message>
     <message>
         <source>Flown again, this run comes out differently: %1</source>
         <translation>Fløjet igen giver denne flyvning et andet resultat: %1</translation>
+    </message>
+    <message>
+        <source>The run has ended. Stop and edit to fly it differently.</source>
+        <translation>Flyvningen er slut. Stop og redigér for at flyve den på en anden måde.</translation>
     </message>
 </context>
 <context>
@@ -8004,10 +8650,6 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
         <translation>Den usikkerhed, som én meter vej skal være værd; følger af τ.</translation>
     </message>
     <message>
-        <source>State of the plan</source>
-        <translation>Planens tilstand</translation>
-    </message>
-    <message>
         <source>%1 m²/m</source>
         <translation>%1 m²/m</translation>
     </message>
@@ -8022,6 +8664,10 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     <message>
         <source>Objective and distance weight of the plan</source>
         <translation>Planens målfunktion og afstandsvægt</translation>
+    </message>
+    <message>
+        <source>State of the plan: %1</source>
+        <translation>Planens tilstand: %1</translation>
     </message>
 </context>
 <context>
@@ -8288,6 +8934,22 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <source>Drift and &amp;wind</source>
         <translation>Drift og &amp;vind</translation>
     </message>
+    <message>
+        <source>Text si&amp;ze</source>
+        <translation>Tekstst&amp;ørrelse</translation>
+    </message>
+    <message>
+        <source>High contrast, light</source>
+        <translation>Høj kontrast, lyst</translation>
+    </message>
+    <message>
+        <source>High contrast, dark</source>
+        <translation>Høj kontrast, mørkt</translation>
+    </message>
+    <message>
+        <source>The text has this size when Bergwatch is started again.</source>
+        <translation>Teksten får denne størrelse, når Bergwatch startes igen.</translation>
+    </message>
 </context>
 <context>
     <name>berg::RecentRow</name>
@@ -8528,10 +9190,6 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
 <context>
     <name>berg::SightingsImport</name>
     <message>
-        <source>In flight no sightings can be imported. Stop the flight to import them.</source>
-        <translation>Under flyvning kan der ikke importeres observationer. Stop flyvningen for at importere dem.</translation>
-    </message>
-    <message>
         <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;All files (*)</source>
         <translation>Observationer (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
     </message>
@@ -8548,6 +9206,22 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
             <numerusform>Importerede %n isbjerg fra %1</numerusform>
             <numerusform>Importerede %n isbjerge fra %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>In flight nothing can be imported. Stop the flight to import it.</source>
+        <translation>Under flyvning kan der ikke importeres noget. Stop flyvningen for at importere det.</translation>
+    </message>
+    <message>
+        <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;All files (*)</source>
+        <translation>Luftrum: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Import airspace from %1</source>
+        <translation>Importér luftrum fra %1</translation>
+    </message>
+    <message>
+        <source>Airspace of %1: %2 areas added, %3 there already, %4 farther than 100 km, %5 left out</source>
+        <translation>Luftrum fra %1: %2 områder tilføjet, %3 fandtes allerede, %4 længere væk end 100 km, %5 udeladt</translation>
     </message>
 </context>
 <context>
@@ -8786,6 +9460,14 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <source>%1   %2 E  %3 N</source>
         <comment>place, east and north of the origin</comment>
         <translation>%1   %2 Ø  %3 N</translation>
+    </message>
+    <message>
+        <source>Cursor: %1</source>
+        <translation>Markør: %1</translation>
+    </message>
+    <message>
+        <source>State: %1</source>
+        <translation>Tilstand: %1</translation>
     </message>
 </context>
 <context>
@@ -9553,6 +10235,17 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
     <message>
         <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
         <translation>En plan for én vej slutter ved det sidste isbjerg; en rundtur omfatter hjemturen.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ValueTable</name>
+    <message>
+        <source>Values: %1</source>
+        <translation>Værdier: %1</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiér</translation>
     </message>
 </context>
 <context>

@@ -813,6 +813,22 @@
         <source>What</source>
         <translation>Contenu</translation>
     </message>
+    <message>
+        <source>Flight log</source>
+        <translation>Journal de vol</translation>
+    </message>
+    <message>
+        <source>Browsers</source>
+        <translation>Navigateurs</translation>
+    </message>
+    <message>
+        <source>Page with planned and flown, zeta against prediction, all sightings and deviations, in English.</source>
+        <translation>Page avec le vol planifié et le vol effectué, zêta par rapport à la prévision, toutes les observations et les écarts, en anglais.</translation>
+    </message>
+    <message>
+        <source>Two or three pages: planned and flown, map, zeta against prediction, sightings, deviations.</source>
+        <translation>Deux ou trois pages : vol planifié et vol effectué, carte, zêta par rapport à la prévision, observations, écarts.</translation>
+    </message>
 </context>
 <context>
     <name>FieldNames</name>
@@ -867,6 +883,22 @@
     <message>
         <source>Origin</source>
         <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Airspace</source>
+        <translation>Espace aérien</translation>
+    </message>
+    <message>
+        <source>Corner of the airspace</source>
+        <translation>Sommet de l&apos;espace aérien</translation>
+    </message>
+    <message>
+        <source>Start of the airspace</source>
+        <translation>Début de l&apos;espace aérien</translation>
+    </message>
+    <message>
+        <source>End of the airspace</source>
+        <translation>Fin de l&apos;espace aérien</translation>
     </message>
 </context>
 <context>
@@ -3228,6 +3260,202 @@
         <source>Pattern that finds an iceberg which was not where it was believed to be.</source>
         <translation>Parcours qui permet de retrouver un iceberg qui n&apos;était pas là où on le croyait.</translation>
     </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Round all places that a plan may lead to, for turns and changes of the plan. With a geofence it is not used.</source>
+        <translation>Autour de tous les lieux où un plan peut mener, pour les virages et les changements de plan. Avec une barrière virtuelle, elle n&apos;est pas utilisée.</translation>
+    </message>
+    <message>
+        <source>UAV size</source>
+        <translation>Taille du drone</translation>
+    </message>
+    <message>
+        <source>Largest dimension of a UAV, half of it widens the ground-risk buffer.</source>
+        <translation>Plus grande dimension d&apos;un drone ; la moitié élargit la zone tampon de risque au sol.</translation>
+    </message>
+    <message>
+        <source>Satellite position error</source>
+        <translation>Erreur de position par satellite</translation>
+    </message>
+    <message>
+        <source>Part of the width of the contingency volume. Source: Digisky 3.3.0, after the guide of the Swiss FOCA: 3 m.</source>
+        <translation>Partie de la largeur du volume de contingence. Source : Digisky 3.3.0, d&apos;après le guide de l&apos;OFAC suisse : 3 m.</translation>
+    </message>
+    <message>
+        <source>Path-keeping error</source>
+        <translation>Erreur de suivi de trajectoire</translation>
+    </message>
+    <message>
+        <source>Of the autopilot, likewise. Same source: 3 m.</source>
+        <translation>De l&apos;autopilote, de même. Même source : 3 m.</translation>
+    </message>
+    <message>
+        <source>Map error</source>
+        <translation>Erreur de la carte</translation>
+    </message>
+    <message>
+        <source>Likewise. Same source: 1 m.</source>
+        <translation>De même. Même source : 1 m.</translation>
+    </message>
+    <message>
+        <source>Reaction time</source>
+        <translation>Temps de réaction</translation>
+    </message>
+    <message>
+        <source>At full speed until something is done. Same source: 1 s.</source>
+        <translation>À pleine vitesse, jusqu&apos;à ce que quelque chose soit fait. Même source : 1 s.</translation>
+    </message>
+    <message>
+        <source>Bank of the turn back</source>
+        <translation>Inclinaison du demi-tour</translation>
+    </message>
+    <message>
+        <source>Radius v²/(g tan bank). Same source: 30°.</source>
+        <translation>Rayon v²/(g tan inclinaison). Même source : 30°.</translation>
+    </message>
+    <message>
+        <source>Height error</source>
+        <translation>Erreur de hauteur</translation>
+    </message>
+    <message>
+        <source>Part of the height of the contingency volume. Same source: 4 m.</source>
+        <translation>Partie de la hauteur du volume de contingence. Même source : 4 m.</translation>
+    </message>
+    <message>
+        <source>Climb part</source>
+        <translation>Part de montée</translation>
+    </message>
+    <message>
+        <source>Part of the speed that leads upwards during the reaction time. Same source: 0.707, a climb of 45°.</source>
+        <translation>Part de la vitesse dirigée vers le haut pendant le temps de réaction. Même source : 0,707, une montée à 45°.</translation>
+    </message>
+    <message>
+        <source>Pull-up part</source>
+        <translation>Part de mise en palier</translation>
+    </message>
+    <message>
+        <source>Part of v²/g that levelling out takes. Same source: 0.3.</source>
+        <translation>Part de v²/g que demande la mise en palier. Même source : 0,3.</translation>
+    </message>
+    <message>
+        <source>Buffer ratio</source>
+        <translation>Rapport de la zone tampon</translation>
+    </message>
+    <message>
+        <source>Width of the ground-risk buffer by the height of the contingency volume. Same source: 1, the rule 1:1.</source>
+        <translation>Largeur de la zone tampon de risque au sol divisée par la hauteur du volume de contingence. Même source : 1, la règle 1:1.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, time</source>
+        <translation>Zone adjacente, temps</translation>
+    </message>
+    <message>
+        <source>Of flight at full speed. Same source: 180 s.</source>
+        <translation>De vol à pleine vitesse. Même source : 180 s.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, least</source>
+        <translation>Zone adjacente, minimum</translation>
+    </message>
+    <message>
+        <source>Same source: 5 km.</source>
+        <translation>Même source : 5 km.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, most</source>
+        <translation>Zone adjacente, maximum</translation>
+    </message>
+    <message>
+        <source>Same source: 35 km.</source>
+        <translation>Même source : 35 km.</translation>
+    </message>
+    <message>
+        <source>Crew</source>
+        <translation>Équipage</translation>
+    </message>
+    <message>
+        <source>Who flies, printed in the flight brief; empty: a blank line.</source>
+        <translation>Qui effectue le vol, imprimé sur la fiche de vol ; vide : une ligne à remplir.</translation>
+    </message>
+    <message>
+        <source>Call sign</source>
+        <translation>Indicatif d&apos;appel</translation>
+    </message>
+    <message>
+        <source>Likewise.</source>
+        <translation>De même.</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>Ship, air traffic service, rescue: names, numbers, frequencies.</source>
+        <translation>Navire, services de la circulation aérienne, secours : noms, numéros, fréquences.</translation>
+    </message>
+    <message>
+        <source>Command link</source>
+        <translation>Liaison de commande</translation>
+    </message>
+    <message>
+        <source>How the UAVs are commanded, and what they do without it.</source>
+        <translation>Comment les drones sont commandés, et ce qu&apos;ils font sans elle.</translation>
+    </message>
+    <message>
+        <source>Checklist</source>
+        <translation>Liste de vérification</translation>
+    </message>
+    <message>
+        <source>One line for each item, printed with a box to tick.</source>
+        <translation>Une ligne par point, imprimée avec une case à cocher.</translation>
+    </message>
+    <message>
+        <source>Change operation</source>
+        <translation>Modifier l&apos;opération</translation>
+    </message>
+    <message>
+        <source>Airspace that the operation may enter becomes no-fly areas: then the UAVs keep out of it.</source>
+        <translation>L&apos;espace aérien où l&apos;opération peut entrer est converti en zones interdites : les drones s&apos;en tiennent alors à l&apos;écart.</translation>
+    </message>
+    <message>
+        <source>Make entered airspace no-fly areas</source>
+        <translation>Convertir l&apos;espace aérien concerné en zones interdites</translation>
+    </message>
+    <message>
+        <source>All of it; undo brings it back.</source>
+        <translation>Tout l&apos;espace aérien ; annuler le rétablit.</translation>
+    </message>
+    <message>
+        <source>Remove airspace</source>
+        <translation>Retirer l&apos;espace aérien</translation>
+    </message>
+    <message>
+        <source>Operation volume</source>
+        <translation>Volume opérationnel</translation>
+    </message>
+    <message>
+        <source>Proposal for an application for a permit, to be checked with your authority: on the map, in KML and GeoJSON, and as a second page of the flight brief.</source>
+        <translation>Proposition pour une demande d&apos;autorisation, à vérifier avec votre autorité : sur la carte, en KML et GeoJSON, et en deuxième page de la fiche de vol.</translation>
+    </message>
+    <message>
+        <source>Contingency volume %1 wide, %2 high
+Ground-risk buffer %3
+Adjacent area %4</source>
+        <translation>Volume de contingence, largeur %1, hauteur %2
+Zone tampon de risque au sol %3
+Zone adjacente %4</translation>
+    </message>
+    <message>
+        <source>Airspace %1: %2</source>
+        <translation>Espace aérien %1 : %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -4060,6 +4288,161 @@
         <source>names an iceberg, but the run holds none</source>
         <translation>nomme un iceberg, mais le vol n&apos;en contient aucun</translation>
     </message>
+    <message>
+        <source>A scenario holds at most %2 airspace areas, not %3.</source>
+        <translation>Un scénario contient au plus %2 zones d&apos;espace aérien, et non %3.</translation>
+    </message>
+    <message>
+        <source>The operation may enter the airspace &quot;%2&quot;, which begins at %3.</source>
+        <translation>L&apos;opération peut entrer dans l&apos;espace aérien « %2 », qui commence à %3.</translation>
+    </message>
+    <message>
+        <source>is no airspace: neither OpenAir nor GeoJSON</source>
+        <translation>n&apos;est pas un espace aérien : ni OpenAir ni GeoJSON</translation>
+    </message>
+    <message>
+        <source>holds no airspace</source>
+        <translation>ne contient aucun espace aérien</translation>
+    </message>
+    <message>
+        <source>airspace left out: a place or an arc cannot be read</source>
+        <translation>espace aérien omis : une position ou un arc est illisible</translation>
+    </message>
+    <message>
+        <source>airspace left out: its outline touches or crosses itself, has too many corners, or the ceiling is not above the floor</source>
+        <translation>espace aérien omis : son contour se touche ou se croise lui-même, a trop de sommets, ou le plafond n&apos;est pas au-dessus du plancher</translation>
+    </message>
+</context>
+<context>
+    <name>LogText</name>
+    <message>
+        <source>never</source>
+        <translation>jamais</translation>
+    </message>
+    <message>
+        <source>Start, UTC</source>
+        <translation>Début, UTC</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>Until, UTC</source>
+        <translation>Fin, UTC</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Zeta flown</source>
+        <translation>Zêta du vol</translation>
+    </message>
+    <message>
+        <source>Predicted before take-off</source>
+        <translation>Prévu avant le décollage</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Visites</translation>
+    </message>
+    <message>
+        <source>Plans made</source>
+        <translation>Plans établis</translation>
+    </message>
+    <message>
+        <source>Planned by</source>
+        <translation>Planifié par</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Visits planned</source>
+        <translation>Visites planifiées</translation>
+    </message>
+    <message>
+        <source>flown</source>
+        <translation>en vol</translation>
+    </message>
+    <message>
+        <source>Distance planned</source>
+        <translation>Distance planifiée</translation>
+    </message>
+    <message>
+        <source>Time planned</source>
+        <translation>Temps planifié</translation>
+    </message>
+    <message>
+        <source>aloft</source>
+        <translation>en l&apos;air</translation>
+    </message>
+    <message>
+        <source>Outside the geography</source>
+        <translation>Hors de la géographie</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Iceberg</translation>
+    </message>
+    <message>
+        <source>First seen</source>
+        <translation>Première observation</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Dernière observation</translation>
+    </message>
+    <message>
+        <source>Longest unseen</source>
+        <translation>Plus longtemps non vu</translation>
+    </message>
+    <message>
+        <source>σ at the end, m²</source>
+        <translation>σ à la fin, m²</translation>
+    </message>
+    <message>
+        <source>Something was changed in flight: the prediction was for another flight.</source>
+        <translation>Quelque chose a été modifié en vol : la prévision portait sur un autre vol.</translation>
+    </message>
+    <message>
+        <source>None on record.</source>
+        <translation>Aucun écart enregistré.</translation>
+    </message>
+    <message>
+        <source>Flight log: %1</source>
+        <translation>Journal de vol : %1</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>Observations</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Écarts</translation>
+    </message>
+    <message>
+        <source>and %1 more; all of them: export log-html</source>
+        <translation>et %1 de plus ; liste complète : exporter en log-html</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the first plan as a file of the format wpl</source>
+        <translation>SHA-256 du premier plan en tant que fichier au format wpl</translation>
+    </message>
+    <message>
+        <source>Nothing was flown</source>
+        <translation>Aucun vol effectué</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -4501,10 +4884,6 @@
         <translation>Distance de sécurité</translation>
     </message>
     <message>
-        <source>Icebergs close together: dots, or how many</source>
-        <translation>Icebergs rapprochés : points, ou leur nombre</translation>
-    </message>
-    <message>
         <source>Close together</source>
         <translation>Rapprochés</translation>
     </message>
@@ -4515,6 +4894,58 @@
     <message>
         <source>Place to search</source>
         <translation>Lieu à fouiller</translation>
+    </message>
+    <message>
+        <source>Later visit in the plan</source>
+        <translation>Visite ultérieure du plan</translation>
+    </message>
+    <message>
+        <source>Later visit</source>
+        <translation>Visite ultérieure</translation>
+    </message>
+    <message>
+        <source>Airspace, for information</source>
+        <translation>Espace aérien, pour information</translation>
+    </message>
+    <message>
+        <source>Airspace</source>
+        <translation>Espace aérien</translation>
+    </message>
+    <message>
+        <source>Flight geography, proposal</source>
+        <translation>Géographie de vol, proposition</translation>
+    </message>
+    <message>
+        <source>Flight geography</source>
+        <translation>Géographie de vol</translation>
+    </message>
+    <message>
+        <source>Contingency volume, proposal</source>
+        <translation>Volume de contingence, proposition</translation>
+    </message>
+    <message>
+        <source>Contingency</source>
+        <translation>Contingence</translation>
+    </message>
+    <message>
+        <source>Ground-risk buffer, proposal</source>
+        <translation>Zone tampon de risque au sol, proposition</translation>
+    </message>
+    <message>
+        <source>Risk buffer</source>
+        <translation>Zone tampon</translation>
+    </message>
+    <message>
+        <source>Adjacent area, proposal</source>
+        <translation>Zone adjacente, proposition</translation>
+    </message>
+    <message>
+        <source>Adjacent area</source>
+        <translation>Zone adjacente</translation>
+    </message>
+    <message>
+        <source>Close together: dot, or how many</source>
+        <translation>Rapprochés : point, ou leur nombre</translation>
     </message>
 </context>
 <context>
@@ -4841,6 +5272,124 @@
     </message>
 </context>
 <context>
+    <name>MissionSeriesText</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+</context>
+<context>
+    <name>OperationPage</name>
+    <message>
+        <source>Largest speed over ground</source>
+        <translation>Vitesse sol maximale</translation>
+    </message>
+    <message>
+        <source>Flight geography, height</source>
+        <translation>Géographie de vol, hauteur</translation>
+    </message>
+    <message>
+        <source>Contingency volume, height</source>
+        <translation>Volume de contingence, hauteur</translation>
+    </message>
+    <message>
+        <source>Contingency volume, width</source>
+        <translation>Volume de contingence, largeur</translation>
+    </message>
+    <message>
+        <source>Ground-risk buffer, width</source>
+        <translation>Zone tampon de risque au sol, largeur</translation>
+    </message>
+    <message>
+        <source>Adjacent area, width</source>
+        <translation>Zone adjacente, largeur</translation>
+    </message>
+    <message>
+        <source>Flight geography: inside of the geofence.</source>
+        <translation>Géographie de vol : intérieur de la barrière virtuelle.</translation>
+    </message>
+    <message>
+        <source>Flight geography: all places that a plan may lead to, and %1 m round them.</source>
+        <translation>Géographie de vol : tous les lieux où un plan peut mener, et %1 m autour.</translation>
+    </message>
+    <message>
+        <source>Formulas and usual constants: calculator of Digisky 3.3.0, after the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
+        <translation>Formules et constantes usuelles : calculateur Digisky 3.3.0, d&apos;après le guide de l&apos;OFAC suisse ; pas le texte d&apos;une autorité.</translation>
+    </message>
+    <message>
+        <source>The outlines are in the KML, KMZ and GeoJSON exports.</source>
+        <translation>Les contours sont dans les exports KML, KMZ et GeoJSON.</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Autonomie</translation>
+    </message>
+    <message>
+        <source>Reserve</source>
+        <translation>Réserve</translation>
+    </message>
+    <message>
+        <source>Wind limit</source>
+        <translation>Limite de vent</translation>
+    </message>
+    <message>
+        <source>Gust limit</source>
+        <translation>Limite de rafales</translation>
+    </message>
+    <message>
+        <source>Icing conditions</source>
+        <translation>Conditions givrantes</translation>
+    </message>
+    <message>
+        <source>flown in</source>
+        <translation>vol possible</translation>
+    </message>
+    <message>
+        <source>not flown in</source>
+        <translation>pas de vol</translation>
+    </message>
+    <message>
+        <source>Made by Bergwatch from the scenario. It says nothing about whether the operation may be flown.</source>
+        <translation>Établi par Bergwatch à partir du scénario. Cela ne dit pas si l&apos;opération peut être effectuée.</translation>
+    </message>
+    <message>
+        <source>Checklist</source>
+        <translation>Liste de vérification</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
+    </message>
+    <message>
+        <source>Operation volume: proposal, to be checked with your authority</source>
+        <translation>Volume opérationnel : proposition à vérifier avec l&apos;autorité</translation>
+    </message>
+    <message>
+        <source>Crew</source>
+        <translation>Équipage</translation>
+    </message>
+    <message>
+        <source>Call sign</source>
+        <translation>Indicatif d&apos;appel</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>Command link</source>
+        <translation>Liaison de commande</translation>
+    </message>
+    <message>
+        <source>Date and signatures</source>
+        <translation>Date et signatures</translation>
+    </message>
+</context>
+<context>
     <name>PageText</name>
     <message>
         <source>Untitled</source>
@@ -4888,6 +5437,10 @@
     <message>
         <source>Click a line to go back or forth to it; the disk marks what is saved.</source>
         <translation>Cliquez sur une ligne pour y revenir ou y avancer ; la disquette marque ce qui est enregistré.</translation>
+    </message>
+    <message>
+        <source>History of edits</source>
+        <translation>Historique des modifications</translation>
     </message>
 </context>
 <context>
@@ -5700,6 +6253,25 @@ vers le %2</translation>
     </message>
 </context>
 <context>
+    <name>berg::BackdropFile</name>
+    <message>
+        <source>Maps (*.geojson *.json *.kml *.kmz);;All files (*)</source>
+        <translation>Cartes (*.geojson *.json *.kml *.kmz);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>%1 holds no places, lines or polygons</source>
+        <translation>%1 ne contient ni lieux, ni lignes, ni polygones</translation>
+    </message>
+    <message>
+        <source>The background %1 cannot be read</source>
+        <translation>Le fond de carte %1 ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>%1 is neither GeoJSON nor KML. Convert it with a map program, such as QGIS, and choose it again.</source>
+        <translation>%1 n&apos;est ni du GeoJSON ni du KML. Convertissez-le avec un logiciel de cartographie, par exemple QGIS, et choisissez-le de nouveau.</translation>
+    </message>
+</context>
+<context>
     <name>berg::ChartPanel</name>
     <message>
         <source>Chart</source>
@@ -5776,6 +6348,10 @@ vers le %2</translation>
     <message>
         <source>Reset zoom</source>
         <translation>Réinitialiser le zoom</translation>
+    </message>
+    <message>
+        <source>Show values as a table</source>
+        <translation>Afficher les valeurs sous forme de tableau</translation>
     </message>
 </context>
 <context>
@@ -6138,6 +6714,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Map layers</source>
         <translation>Couches de la carte</translation>
     </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
 </context>
 <context>
     <name>berg::EventModel</name>
@@ -6357,6 +6937,21 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
 </context>
 <context>
+    <name>berg::FigureView</name>
+    <message>
+        <source>Show values as a table</source>
+        <translation>Afficher les valeurs sous forme de tableau</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+</context>
+<context>
     <name>berg::FindBox</name>
     <message>
         <source>Favourite: listed when the box is opened</source>
@@ -6462,12 +7057,12 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>Exports the charts of the run as a page.</source>
-        <translation>Exporte les graphiques du vol sous forme de page.</translation>
-    </message>
-    <message>
         <source>%1 m² s</source>
         <translation>%1 m² s</translation>
+    </message>
+    <message>
+        <source>Exports the log of the run: planned and flown, sightings, deviations.</source>
+        <translation>Exporte le journal du vol : planifié et effectué, observations, écarts.</translation>
     </message>
 </context>
 <context>
@@ -6841,6 +7436,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Velocities are not known exactly, so the observer becomes the Kalman filter.</source>
         <translation>Les vitesses ne sont pas connues exactement ; l&apos;observateur devient donc le filtre de Kalman.</translation>
     </message>
+    <message>
+        <source>Import into a &amp;new scenario</source>
+        <translation>Importer dans un no&amp;uveau scénario</translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportOptionsView</name>
@@ -7122,6 +7721,34 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Drift horizon</source>
         <translation>Horizon de dérive</translation>
+    </message>
+    <message>
+        <source>Airspace and operation volume</source>
+        <translation>Espace aérien et volume opérationnel</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Fond de carte</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Shows no background any more</source>
+        <translation>N&apos;affiche plus de fond de carte</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Choisir un fichier…</translation>
+    </message>
+    <message>
+        <source>A map of your own below everything: GeoJSON, KML or KMZ, such as an ice chart</source>
+        <translation>Votre propre carte sous tout le reste : GeoJSON, KML ou KMZ, par exemple une carte des glaces</translation>
+    </message>
+    <message>
+        <source>Background file: %1</source>
+        <translation>Fichier du fond de carte : %1</translation>
     </message>
 </context>
 <context>
@@ -7646,6 +8273,25 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Find or &amp;go to…</source>
         <translation>Rec&amp;hercher ou aller à…</translation>
     </message>
+    <message>
+        <source>Import airspa&amp;ce...</source>
+        <translation>Importer l&apos;espace &amp;aérien…</translation>
+    </message>
+    <message>
+        <source>Flight &amp;log...</source>
+        <translation>&amp;Journal de vol…</translation>
+    </message>
+    <message>
+        <source>&amp;Background map…</source>
+        <translation>Fo&amp;nd de carte…</translation>
+    </message>
+</context>
+<context>
+    <name>berg::MessageList</name>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
 </context>
 <context>
     <name>berg::MissionRunner</name>
@@ -7657,16 +8303,16 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
 <context>
     <name>berg::MissionWorker</name>
     <message>
-        <source>The run has ended. Reset it to fly it in another way.</source>
-        <translation>Le vol est terminé. Réinitialisez-le pour le jouer autrement.</translation>
-    </message>
-    <message>
         <source>There is no run to save: the scenario cannot be planned.</source>
         <translation>Il n&apos;y a aucun vol à enregistrer : le scénario ne peut pas être planifié.</translation>
     </message>
     <message>
         <source>Flown again, this run comes out differently: %1</source>
         <translation>Rejoué, ce vol donne un autre résultat : %1</translation>
+    </message>
+    <message>
+        <source>The run has ended. Stop and edit to fly it differently.</source>
+        <translation>Le vol est terminé. « Arrêter et modifier » permet de le jouer autrement.</translation>
     </message>
 </context>
 <context>
@@ -8004,10 +8650,6 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
         <translation>Incertitude que doit valoir un mètre de trajet ; découle de τ.</translation>
     </message>
     <message>
-        <source>State of the plan</source>
-        <translation>État du plan</translation>
-    </message>
-    <message>
         <source>%1 m²/m</source>
         <translation>%1 m²/m</translation>
     </message>
@@ -8022,6 +8664,10 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     <message>
         <source>Objective and distance weight of the plan</source>
         <translation>Objectif et poids de la distance du plan</translation>
+    </message>
+    <message>
+        <source>State of the plan: %1</source>
+        <translation>État du plan : %1</translation>
     </message>
 </context>
 <context>
@@ -8288,6 +8934,22 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <source>Drift and &amp;wind</source>
         <translation>Dérive et v&amp;ent</translation>
     </message>
+    <message>
+        <source>Text si&amp;ze</source>
+        <translation>Taille du te&amp;xte</translation>
+    </message>
+    <message>
+        <source>High contrast, light</source>
+        <translation>Contraste élevé, clair</translation>
+    </message>
+    <message>
+        <source>High contrast, dark</source>
+        <translation>Contraste élevé, sombre</translation>
+    </message>
+    <message>
+        <source>The text has this size when Bergwatch is started again.</source>
+        <translation>Le texte aura cette taille au prochain démarrage de Bergwatch.</translation>
+    </message>
 </context>
 <context>
     <name>berg::RecentRow</name>
@@ -8528,10 +9190,6 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
 <context>
     <name>berg::SightingsImport</name>
     <message>
-        <source>In flight no sightings can be imported. Stop the flight to import them.</source>
-        <translation>En vol, aucune observation ne peut être importée. Arrêtez le vol pour les importer.</translation>
-    </message>
-    <message>
         <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;All files (*)</source>
         <translation>Observations (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;Tous les fichiers (*)</translation>
     </message>
@@ -8548,6 +9206,22 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
             <numerusform>%n iceberg importé de %1</numerusform>
             <numerusform>%n icebergs importés de %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>In flight nothing can be imported. Stop the flight to import it.</source>
+        <translation>En vol, rien ne peut être importé. Arrêtez le vol pour importer.</translation>
+    </message>
+    <message>
+        <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;All files (*)</source>
+        <translation>Espace aérien : OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Import airspace from %1</source>
+        <translation>Importer l&apos;espace aérien de %1</translation>
+    </message>
+    <message>
+        <source>Airspace of %1: %2 areas added, %3 there already, %4 farther than 100 km, %5 left out</source>
+        <translation>Espace aérien de %1 : %2 zones ajoutées, %3 déjà présentes, %4 à plus de 100 km, %5 omises</translation>
     </message>
 </context>
 <context>
@@ -8786,6 +9460,14 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <source>%1   %2 E  %3 N</source>
         <comment>place, east and north of the origin</comment>
         <translation>%1   %2 E  %3 N</translation>
+    </message>
+    <message>
+        <source>Cursor: %1</source>
+        <translation>Pointeur : %1</translation>
+    </message>
+    <message>
+        <source>State: %1</source>
+        <translation>État : %1</translation>
     </message>
 </context>
 <context>
@@ -9553,6 +10235,17 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
     <message>
         <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
         <translation>Un plan en aller simple se termine au dernier iceberg ; une boucle comprend le retour.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ValueTable</name>
+    <message>
+        <source>Values: %1</source>
+        <translation>Valeurs : %1</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
     </message>
 </context>
 <context>
