@@ -48,10 +48,11 @@ void addExported(FileSet& set, const ExportSource& source, const ExportArguments
                  const ExportFormat& format)
 try {
     const ExportContent content = reading([&] { return exportContent(source, arguments.options); });
-    if (format.pieces != nullptr) {
+    const bool isAdded = format.table != nullptr && source.mission != nullptr; // `rowsInto`
+    if (format.pieces != nullptr && !isAdded) {
         StagedFile& file = set.add(arguments.outputFile);
         format.pieces(content, [&file](std::string_view piece) { file.append(piece); });
-    } else {
+    } else if (!isAdded) {
         for (const ExportFile& file : reading([&] {
                  return exportFiles(format, content, arguments.outputFile, arguments.painter);
              }))
@@ -62,6 +63,18 @@ try {
     if (error.code() != ErrorCode::InvalidInput)
         throw;
     throw UsageError{std::string("--") + error.what()};
+}
+
+/** Adds the rows of each sample, so that memory does not grow with the length of the flight. */
+SampleSink rowsInto(StagedFile& file, const SampleTable& table, SampleTables tables)
+{
+    file.append((tables.*table.header)());
+    return [&file, &table, tables = std::move(tables), rows = std::string()](
+               const Sample& sample, std::span<const IcebergSample> icebergs) mutable {
+        rows.clear();
+        table.addRows(tables, rows, sample, icebergs);
+        file.append(rows);
+    };
 }
 
 /** Before any work: the files that an export of the scenario's UAVs comes to. */
@@ -99,7 +112,11 @@ void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat
     }
     const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
     checkOutputs(arguments, format, run.scenario);
-    const Mission mission = replay(run, stop, {});
+    SampleSink sink;
+    if (format.table != nullptr)
+        sink = rowsInto(set.add(arguments.outputFile), *format.table,
+                        sampleTables(run.scenario, run.interventions));
+    const Mission mission = replay(run, stop, {}, std::move(sink));
     if (stop.stop_requested())
         throw Interrupted{};
     const PlanAnswer plan = planned(run.scenario);

@@ -10,18 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-SampleTables tablesOf(const Scenario& scenario, std::span<const Intervention> changes)
-{
-    std::vector<Iceberg> icebergs = scenario.icebergs;
-    bool weighted = scenario.asset.has_value();
-    for (const Intervention& change : changes) {
-        if (change.appears)
-            icebergs.push_back(*change.appears);
-        weighted = weighted || change.asset;
-    }
-    return {scenario, icebergs, weighted};
-}
-
 } // namespace
 
 OutputFolder::OutputFolder(const std::string& path) : m_path(path)
@@ -46,7 +34,7 @@ OutputFolder::~OutputFolder()
 FlightFiles::FlightFiles(const std::string& folder, const Scenario& scenario,
                          std::span<const Intervention> changes)
     : m_folder(folder)
-    , m_tables(tablesOf(scenario, changes))
+    , m_tables(sampleTables(scenario, changes))
     , m_prefix(folder + '/')
     , m_trajectory(m_set.add(m_prefix + "trajectory.csv"))
     , m_sigma(m_set.add(m_prefix + "sigma.csv"))

@@ -41,6 +41,15 @@ std::string flightTable(const ExportContent& content)
     return text;
 }
 
+constexpr SampleTable kSigmaTable{
+    &SampleTables::sigmaHeader,
+    [](const SampleTables& tables, std::string& text, const Sample& sample,
+       std::span<const IcebergSample> icebergs) { tables.addSigma(text, sample, icebergs); }};
+constexpr SampleTable kZetaTable{
+    &SampleTables::zetaHeader,
+    [](const SampleTables& tables, std::string& text, const Sample& sample,
+       std::span<const IcebergSample> /*icebergs*/) { tables.addZeta(text, sample); }};
+
 constexpr ExportHolds kMissionHolds{.order = true, .mission = true, .radii = true};
 constexpr ExportHolds kMapHolds{
     .order = true, .path = true, .fleet = true, .times = true, .icebergs = true, .fence = true};
@@ -72,11 +81,12 @@ constexpr std::array kFormats{
                  {.order = true, .path = true, .fleet = true},
                  csv},
     ExportFormat{"sigma-csv", "csv", "spreadsheets: sigma of every iceberg over time",
-                 kFlightTableHolds, flightTable<writeSigma>, flightPieces<writeSigma>},
+                 kFlightTableHolds, flightTable<writeSigma>, flightPieces<writeSigma>,
+                 &kSigmaTable},
     ExportFormat{"decisions-csv", "csv", "spreadsheets: plans, visits and what else happened",
                  kFlightTableHolds, flightTable<writeEvents>, flightPieces<writeEvents>},
     ExportFormat{"zeta-csv", "csv", "spreadsheets: zeta over time", kFlightTableHolds,
-                 flightTable<writeZeta>, flightPieces<writeZeta>},
+                 flightTable<writeZeta>, flightPieces<writeZeta>, &kZetaTable},
     ExportFormat{"gpx",
                  "gpx",
                  "chart plotters, Garmin devices, GPSBabel",

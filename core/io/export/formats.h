@@ -34,6 +34,8 @@ struct ExportFormat
     std::string (*text)(const ExportContent&); ///< of one UAV unless it holds a fleet; may be null
     /** The same in pieces, for what may be longer than memory; null: at once. */
     void (*pieces)(const ExportContent&, const TextSink&) = nullptr;
+    /** The table that it is, for who writes it while a run is flown again; null: none. */
+    const SampleTable* table = nullptr;
 
     /**
      * One file of it. Throws as `exportContent`, and `Error{InvalidInput}` when there are more UAVs

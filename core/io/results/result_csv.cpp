@@ -260,6 +260,18 @@ void SampleTables::addZeta(std::string& text, const Sample& sample) const
         add(text, sample.weightedSum_m2, '\n');
 }
 
+SampleTables sampleTables(const Scenario& scenario, std::span<const Intervention> changes)
+{
+    std::vector<Iceberg> icebergs = scenario.icebergs;
+    bool weighted = scenario.asset.has_value();
+    for (const Intervention& change : changes) {
+        if (change.appears)
+            icebergs.push_back(*change.appears);
+        weighted = weighted || change.asset;
+    }
+    return {scenario, icebergs, weighted};
+}
+
 void writeSigma(const Mission& mission, const TextSink& put)
 {
     const SampleTables tables = tablesOf(mission);

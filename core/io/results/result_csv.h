@@ -2,6 +2,7 @@
 
 #include "core/base/geodesy.h"
 #include "core/io/text/text_sink.h"
+#include "core/sim/intervention.h"
 #include "core/sim/visits.h"
 
 #include <span>
@@ -47,6 +48,18 @@ private:
     std::vector<std::string> m_uavs;     ///< ids as CSV fields
     std::vector<std::string> m_icebergs; ///< likewise
     bool m_weighted;
+};
+
+/** Of a flight of the scenario in which these changes will be made. */
+[[nodiscard]] SampleTables sampleTables(const Scenario& scenario,
+                                        std::span<const Intervention> changes);
+
+/** One of these tables: its first line, and the rows of a sample. */
+struct SampleTable
+{
+    std::string (SampleTables::*header)() const;
+    void (*addRows)(const SampleTables& tables, std::string& text, const Sample& sample,
+                    std::span<const IcebergSample> icebergs);
 };
 
 /** Of UAV `row` of the scenario. */
