@@ -257,9 +257,9 @@ void addExamples(CLI::App& app)
     app.footer(
         "Environment:\n  " + std::string(kReadLimitsVariable) + "=N" +
         std::string(kHelpColumn - 25, ' ') +
-        "Every limit of reading (64 MiB, ten times a file and 50 MB of memory, 10 000 000 "
-        "values, 1 000 000 rows) times N, from 1 to 1000. Fixed are what a scenario may hold, "
-        "and the 1 000 000 missions of a study");
+        "Every limit of reading (64 MiB, ten times a file and 50 MB of memory, ten million "
+        "values, a million rows) times N, from 1 to 1000. Fixed are what a scenario or problem "
+        "may hold, and the million missions of a study");
     for (CLI::App* command : app.get_subcommands({}))
         for (const auto& [name, lines] : kExamples)
             if (command->get_name() == name)
