@@ -72,7 +72,8 @@ private slots:
         QCOMPARE(f.chart.accessibleDescription(), u"00:03, τ 1.00: 100 m² s, Tour: 120 m² s"_s);
         QTest::keyClick(&f.chart, Qt::Key_Home);
         QCOMPARE(f.chart.accessibleDescription(), u"00:00, τ 1.00: 0 m² s, Tour: 0 m² s"_s);
-        QContextMenuEvent event(QContextMenuEvent::Keyboard, f.chart.rect().center());
+        const QPoint at = f.chart.rect().center();
+        QContextMenuEvent event(QContextMenuEvent::Keyboard, at, f.chart.mapToGlobal(at));
         QCoreApplication::sendEvent(&f.chart, &event);
         test::child<QMenu>(f.chart, u"figureMenu"_s).actions().front()->trigger();
         const QAbstractItemModel& values = *test::child<QTableView>(f.chart, u"values"_s).model();
