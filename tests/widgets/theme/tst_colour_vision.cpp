@@ -101,7 +101,8 @@ private slots:
         const Theme& shown = themes()[static_cast<std::size_t>(theme)].theme;
         for (const Pair& pair : kPairs) {
             const double apart = colourDifference(shown.*pair.one, shown.*pair.other, vision);
-            QVERIFY2(apart >= kApart, qPrintable(u"%1: %2"_s.arg(QLatin1String(pair.name)).arg(apart)));
+            QVERIFY2(apart >= kApart,
+                     qPrintable(u"%1: %2"_s.arg(QLatin1String(pair.name)).arg(apart)));
         }
     }
 
