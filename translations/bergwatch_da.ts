@@ -6349,10 +6349,6 @@ mod %2</translation>
         <source>Reset zoom</source>
         <translation>Nulstil zoom</translation>
     </message>
-    <message>
-        <source>Show values as a table</source>
-        <translation>Vis værdier som tabel</translation>
-    </message>
 </context>
 <context>
     <name>berg::CheckPanel</name>
@@ -6938,10 +6934,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
 </context>
 <context>
     <name>berg::FigureView</name>
-    <message>
-        <source>Show values as a table</source>
-        <translation>Vis værdier som tabel</translation>
-    </message>
     <message>
         <source>Point</source>
         <translation>Punkt</translation>
@@ -10239,6 +10231,10 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
 </context>
 <context>
     <name>berg::ValueTable</name>
+    <message>
+        <source>Show values as a table</source>
+        <translation>Vis værdier som tabel</translation>
+    </message>
     <message>
         <source>Values: %1</source>
         <translation>Værdier: %1</translation>

@@ -6349,10 +6349,6 @@ vers le %2</translation>
         <source>Reset zoom</source>
         <translation>Réinitialiser le zoom</translation>
     </message>
-    <message>
-        <source>Show values as a table</source>
-        <translation>Afficher les valeurs sous forme de tableau</translation>
-    </message>
 </context>
 <context>
     <name>berg::CheckPanel</name>
@@ -6938,10 +6934,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
 </context>
 <context>
     <name>berg::FigureView</name>
-    <message>
-        <source>Show values as a table</source>
-        <translation>Afficher les valeurs sous forme de tableau</translation>
-    </message>
     <message>
         <source>Point</source>
         <translation>Point</translation>
@@ -10239,6 +10231,10 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
 </context>
 <context>
     <name>berg::ValueTable</name>
+    <message>
+        <source>Show values as a table</source>
+        <translation>Afficher les valeurs sous forme de tableau</translation>
+    </message>
     <message>
         <source>Values: %1</source>
         <translation>Valeurs : %1</translation>

@@ -6349,10 +6349,6 @@ mot %2</translation>
         <source>Reset zoom</source>
         <translation>Tilbakestill zoom</translation>
     </message>
-    <message>
-        <source>Show values as a table</source>
-        <translation>Vis verdiene som tabell</translation>
-    </message>
 </context>
 <context>
     <name>berg::CheckPanel</name>
@@ -6938,10 +6934,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 </context>
 <context>
     <name>berg::FigureView</name>
-    <message>
-        <source>Show values as a table</source>
-        <translation>Vis verdiene som tabell</translation>
-    </message>
     <message>
         <source>Point</source>
         <translation>Punkt</translation>
@@ -10246,6 +10238,10 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>Copy</source>
         <translation>Kopier</translation>
+    </message>
+    <message>
+        <source>Show values as a table</source>
+        <translation>Vis verdiene som tabell</translation>
     </message>
 </context>
 <context>

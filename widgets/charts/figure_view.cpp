@@ -3,6 +3,7 @@
 #include "widgets/charts/value_table.h"
 #include "widgets/theme/accessible_roles.h"
 
+#include <QAction>
 #include <QContextMenuEvent>
 #include <QFontMetricsF>
 #include <QKeyEvent>
@@ -23,8 +24,10 @@ constexpr double kLine_px = 16;
 
 } // namespace
 
-FigureView::FigureView(const Theme& theme, QWidget* parent) : QWidget(parent), m_theme(theme)
+FigureView::FigureView(const Theme& theme, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_values(addValueAction(*this))
 {
+    connect(m_values, &QAction::triggered, this, &FigureView::showValues);
     setAccessibleRole(*this, QAccessible::Chart);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -58,6 +61,7 @@ void FigureView::refresh()
         shown.title.clear();
     m_drawing = layOut(shown, {static_cast<double>(width()), static_cast<double>(height())},
                        figureFonts(m_theme));
+    m_values->setEnabled(!m_drawing.items.empty());
     const DrawnItem* read = itemOf(m_hovered ? m_hovered : m_chosen);
     QStringList lines;
     if (read != nullptr)
@@ -172,8 +176,7 @@ void FigureView::contextMenuEvent(QContextMenuEvent* event)
     auto* menu = new QMenu(this);
     menu->setObjectName(QStringLiteral("figureMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("Show values as a table"), this, &FigureView::showValues)
-        ->setEnabled(!m_drawing.items.empty());
+    menu->addAction(m_values);
     menu->popup(event->globalPos());
 }
 

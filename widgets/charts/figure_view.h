@@ -69,6 +69,7 @@ private:
     bool m_titleShown = false;
     std::optional<std::size_t> m_chosen;
     std::optional<std::size_t> m_hovered;
+    QAction* m_values; ///< shows them as a table
 };
 
 } // namespace berg

@@ -1,6 +1,7 @@
 #include "widgets/charts/value_table.h"
 
 #include <QAbstractTableModel>
+#include <QAction>
 #include <QClipboard>
 #include <QDialogButtonBox>
 #include <QGuiApplication>
@@ -93,6 +94,15 @@ void ValueTable::open(const ChartValues& values, QWidget* parent)
     auto* table = new ValueTable(values, parent);
     table->setAttribute(Qt::WA_DeleteOnClose);
     table->show();
+}
+
+QAction* addValueAction(QWidget& chart)
+{
+    auto* action = new QAction(ValueTable::tr("Show values as a table"), &chart);
+    action->setShortcut(Qt::Key_V);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    chart.addAction(action);
+    return action;
 }
 
 } // namespace berg

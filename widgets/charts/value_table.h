@@ -5,6 +5,8 @@
 
 #include <functional>
 
+class QAction;
+
 namespace berg {
 
 /** The numbers of a chart as text, row by row. */
@@ -30,5 +32,8 @@ public:
     /** In a window that deletes itself when it is closed. */
     static void open(const ChartValues& values, QWidget* parent);
 };
+
+/** "Show values as a table" of a chart: by its key, and to screen readers one of its actions. */
+[[nodiscard]] QAction* addValueAction(QWidget& chart);
 
 } // namespace berg

@@ -2,6 +2,7 @@
 
 #include "widgets/theme/accessible_combo.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QCoreApplication>
@@ -39,13 +40,20 @@ public:
     [[nodiscard]] QStringList actionNames() const override
     {
         QStringList names = QAccessibleWidget::actionNames();
-        if (hasOwn() && widget()->isEnabled())
-            names << showMenuAction();
+        if (!hasOwn() || !widget()->isEnabled())
+            return names;
+        names << showMenuAction();
+        for (const QAction* action : widget()->actions())
+            if (action->isEnabled())
+                names << action->text();
         return names;
     }
 
     void doAction(const QString& name) override
     {
+        for (QAction* action : widget()->actions())
+            if (action->text() == name)
+                QMetaObject::invokeMethod(action, &QAction::trigger, Qt::QueuedConnection);
         if (name != showMenuAction())
             return QAccessibleWidget::doAction(name);
         const QPoint middle = widget()->rect().center();

@@ -8,7 +8,7 @@ namespace berg {
 
 /**
  * What a screen reader calls a widget that is painted by us, of which Qt knows only that it is one.
- * Its context menu becomes one of the things that can be done with it.
+ * Its context menu and its actions become what can be done with it.
  */
 void setAccessibleRole(QWidget& widget, QAccessible::Role role);
 

@@ -40,6 +40,7 @@ void Announcer::tell()
     // Readers speak a notification when it comes into sight; Qt 6.4 has no other way to say so.
     QAccessibleEvent shown(this, QAccessible::ObjectShow);
     QAccessible::updateAccessibility(&shown);
+    emit told(accessibleName());
 }
 
 } // namespace berg

@@ -18,6 +18,9 @@ public:
 
     void say(const QString& text);
 
+signals:
+    void told(const QString& text);
+
 private:
     void tell();
 

@@ -69,7 +69,7 @@ private slots:
         Fixture f(test::comparisonOf({0, 40, 80, 100}, {0, 50, 100, 120}));
         f.chart.setFocus();
         QTest::keyClick(&f.chart, Qt::Key_End);
-        QCOMPARE(f.chart.accessibleDescription(), u"00:03, τ 1.00: 100 m² s, Tour: 120 m² s"_s);
+        QCOMPARE(f.chart.accessibleDescription(), u"00:03, τ 1.00: 100.0 m² s, Tour: 120.0 m² s"_s);
         QTest::keyClick(&f.chart, Qt::Key_Home);
         QCOMPARE(f.chart.accessibleDescription(), u"00:00, τ 1.00: 0 m² s, Tour: 0 m² s"_s);
         const QPoint at = f.chart.rect().center();
@@ -80,7 +80,7 @@ private slots:
         QCOMPARE(values.rowCount(), static_cast<int>(f.chart.drawing().items.size()));
         QCOMPARE(values.index(0, 0).data().toString(), u"00:00"_s);
         QCOMPARE(values.index(values.rowCount() - 1, 1).data().toString(),
-                 u"τ 1.00: 100 m² s, Tour: 120 m² s"_s);
+                 u"τ 1.00: 100.0 m² s, Tour: 120.0 m² s"_s);
         f.chart.setComparison(std::nullopt);
         QTest::keyClick(&f.chart, Qt::Key_End); // there is nothing to read any more
         QVERIFY(!f.chart.accessibleDescription().contains(u"Tour"_s));

@@ -2,6 +2,7 @@
 #include "widgets/theme/accessible_roles.h"
 
 #include <QAccessibleInterface>
+#include <QAction>
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QLabel>
@@ -129,6 +130,14 @@ private slots:
         QVERIFY(interfaceOf(chart).actionInterface()->actionNames().contains(menu));
         interfaceOf(chart).actionInterface()->doAction(menu);
         QTRY_COMPARE(chart.menus, 1);
+        QAction values(u"Show values"_s, &chart);
+        chart.addAction(&values);
+        QSignalSpy shown(&values, &QAction::triggered);
+        interfaceOf(chart).actionInterface()->doAction(u"Show values"_s);
+        QTRY_COMPARE(shown.count(), 1);
+        QCOMPARE(chart.menus, 1);
+        values.setEnabled(false);
+        QVERIFY(!interfaceOf(chart).actionInterface()->actionNames().contains(u"Show values"_s));
         chart.setEnabled(false);
         QVERIFY(!interfaceOf(chart).actionInterface()->actionNames().contains(menu));
     }

@@ -46,6 +46,8 @@ ChartPanel::ChartPanel(ChartKind kind, const Theme& theme, QWidget* parent)
     m_chart = new TimeChart(theme);
     m_chart->setObjectName(u"timeChart"_s);
     m_chart->setTitleShown(false); // the row above says it
+    m_values = addValueAction(*m_chart);
+    connect(m_values, &QAction::triggered, this, &ChartPanel::showValues);
     column->addWidget(m_chart, 1);
     connectChart();
     setTheme(theme);
@@ -124,8 +126,7 @@ void ChartPanel::showMenu(const QPoint& globalPos)
     menu->setObjectName(u"chartMenu"_s);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const bool hasLines = !m_empty.lines.empty();
-    menu->addAction(tr("Show values as a table"), this, &ChartPanel::showValues)
-        ->setEnabled(hasLines);
+    menu->addAction(m_values);
     menu->addAction(tr("Copy picture"), this, &ChartPanel::copyPicture);
     menu->addAction(tr("Copy numbers"), this, &ChartPanel::copyNumbers)->setEnabled(hasLines);
     menu->addAction(tr("Save picture or numbers..."), this, &ChartPanel::exportRequested)
@@ -286,6 +287,7 @@ void ChartPanel::updateButtons()
     m_all->setEnabled(m_chart->isZoomed());
     m_lines->setEnabled(m_empty.lines.size() > 1);
     m_export->setEnabled(!m_empty.lines.empty());
+    m_values->setEnabled(!m_empty.lines.empty());
 }
 
 void ChartPanel::exportChart(const QString& path) const

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+class QAction;
 class QComboBox;
 class QMenu;
 class QToolButton;
@@ -94,6 +95,7 @@ private:
     QToolButton* m_all = nullptr;
     QToolButton* m_export = nullptr;
     TimeChart* m_chart = nullptr;
+    QAction* m_values = nullptr; ///< shows them as a table
 };
 
 } // namespace berg
