@@ -168,12 +168,14 @@ private slots:
     void translationsAreNotCopies()
     {
         QFETCH(QString, language);
-        const std::set<QString> same = sameTexts(language);
-        QVERIFY(!same.empty());
-        for (const Message& message : messagesOf(pathOf(language))) {
-            const bool isSame = message.forms.contains(message.source);
-            QVERIFY2(isSame == (same.count(message.source) == 1), qPrintable(message.key()));
-        }
+        std::set<QString> same;
+        for (const Message& message : messagesOf(pathOf(language)))
+            if (message.forms.contains(message.source))
+                same.insert(message.source);
+        const std::set<QString> known = sameTexts(language);
+        QVERIFY(!known.empty());
+        QCOMPARE(firstDifference(same, known), QString());
+        QCOMPARE(firstDifference(known, same), QString());
     }
 
     /** But for one thing "%n" need not be said: "Delete iceberg". */
