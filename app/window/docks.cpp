@@ -159,7 +159,6 @@ void Docks::addStudies()
     window().tabifyDockWidget(dock(Dock::Events), comparison);
     window().tabifyDockWidget(comparison, solveTime);
     window().tabifyDockWidget(solveTime, study);
-    dock(Dock::Sigma)->raise();
     QDockWidget* layers =
         add("layersDock", tr("Map layers"), panels().layers, Qt::RightDockWidgetArea);
     window().tabifyDockWidget(dock(Dock::Inspector), layers);
@@ -167,6 +166,7 @@ void Docks::addStudies()
     QDockWidget* messages = add("messagesDock", tr("Messages"), panels().messages, kArea);
     window().tabifyDockWidget(dock(Dock::Events), messages);
     messages->hide();
+    dock(Dock::Sigma)->raise();
     dock(Dock::Plan)->raise();
 }
 

@@ -392,8 +392,8 @@ private slots:
         QFETCH(bool, isDark);
         WindowFixture w(test::MapFixture::fourIcebergs());
         w.trigger(u"view/appearance-%1"_s.arg(appearance));
+        QTRY_COMPARE(w.window().palette().color(QPalette::Text), isDark ? Qt::white : Qt::black);
         QCOMPARE(w.window().palette().color(QPalette::Base), isDark ? Qt::black : Qt::white);
-        QCOMPARE(w.window().palette().color(QPalette::Text), isDark ? Qt::white : Qt::black);
         w.trigger(u"view/appearance-1"_s);
     }
 
