@@ -71,7 +71,7 @@ void Recorder::keep(const Simulation& keyframe)
     m_keyframes.push_back(keyframe);
     m_wholeRowDue = m_wholeRowDue || m_keyframeCount % m_stride == 0;
     ++m_keyframeCount;
-    m_keyframeTracks += toIndex(keyframe.icebergCount());
+    m_keyframeTracks += toIndex(keyframe.icebergCount() + 2 * keyframe.uavCount());
     const std::size_t stride = std::bit_ceil(m_keyframeTracks / kMostKeyframeTracks + 1);
     if (stride == m_stride)
         return;

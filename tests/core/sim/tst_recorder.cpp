@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <malloc.h>
+#include <string>
 #include <vector>
 
 using namespace berg;
@@ -254,6 +255,31 @@ private slots:
             QVERIFY(std::ranges::equal(read, states[i], {}, &IcebergSample::sigma_m2,
                                        &IcebergSample::sigma_m2));
         }
+    }
+
+    /** Of 1101 keyframes of 50 UAVs every other one stays. */
+    void keyframesOfAFleetAreBounded()
+    {
+        Scenario scenario = emptySea(110);
+        for (int i = 1; i < 50; ++i) {
+            Uav uav = scenario.uavs.front();
+            uav.id = "uav-" + std::to_string(i + 1);
+            uav.position_m = {0, -500.0 * i};
+            scenario.uavs.push_back(uav);
+        }
+        Simulation simulation(scenario);
+        Recorder recorder(1, scenario.dt_s, scenario.dt_s);
+        recorder.record(simulation);
+        while (!simulation.finished()) {
+            for (int i = 0; simulation.planReason() != PlanReason::None && i < 50; ++i)
+                simulation.setTarget(i, -1);
+            simulation.advanceStep();
+            recorder.record(simulation);
+        }
+        const std::vector<Simulation>& keyframes = recorder.keyframes();
+        QCOMPARE(keyframes.size(), std::size_t{551});
+        QCOMPARE(keyframes[1].step(), std::int64_t{2});
+        QCOMPARE(keyframes.back().step(), std::int64_t{1100});
     }
 
     /** An end that is due anyway is kept once. */
