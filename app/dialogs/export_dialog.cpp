@@ -2,6 +2,7 @@
 
 #include "app/dialogs/export_options_view.h"
 #include "widgets/model/mission_runner.h"
+#include "widgets/theme/accessible_roles.h"
 #include "widgets/words/export_text.h"
 
 #include <QDialogButtonBox>
@@ -96,6 +97,7 @@ QWidget* ExportDialog::makeChoices()
     m_formats = new QListWidget;
     m_formats->setObjectName(u"formatList"_s);
     m_formats->setAccessibleName(tr("Format of the file"));
+    followSelection(*m_formats);
     m_formats->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // ends in an ellipsis
     addFormats();
     m_options = new ExportOptionsView(*m_offer.scenario, m_offer.flown, m_offer.suggested.options);

@@ -270,12 +270,14 @@ def export(window, output):
     dialog = window.open("Export plan...")
     act(wait_for("the format", lambda: find(dialog, "list item", "GeoJSON")), "Toggle")
     path = os.path.join(output, "exported.geojson")
-    find(dialog, "text", "File").queryEditableText().setTextContents(path)
+    file = find(dialog, "text", "File")
+    wait_for("its ending", lambda: file.queryText().getText(0, -1).endswith(".geojson"))
+    file.queryEditableText().setTextContents(path)
     ready = lambda: find(dialog, "push button", "Export", lambda n: has(n, pyatspi.STATE_ENABLED))
     act(wait_for("the button that exports", ready))
     wait_for("the file", lambda: os.path.exists(path))
-    with open(path, encoding="utf-8") as file:
-        check("FeatureCollection" in file.read(), "the plan is exported")
+    with open(path, encoding="utf-8") as written:
+        check("FeatureCollection" in written.read(), "the plan is exported")
     wait_for("the message about it", lambda: any("Exported" in what for what in announced))
     messages = find(window.app, "list", "Messages", lambda n: True)
     check(any("Exported" in item.name for item in children(messages)), "messages are kept")

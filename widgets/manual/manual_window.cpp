@@ -1,5 +1,6 @@
 #include "widgets/manual/manual_window.h"
 
+#include "widgets/theme/accessible_roles.h"
 #include "widgets/theme/theme.h"
 
 #include <QAction>
@@ -94,6 +95,7 @@ ManualWindow::ManualWindow(QWidget* parent)
     column->addWidget(m_bar);
     m_list->setObjectName(u"manualList"_s);
     m_list->setAccessibleName(tr("Contents of the manual"));
+    followSelection(*m_list);
     m_list->setHeaderHidden(true);
     m_list->setTextElideMode(Qt::ElideRight);
     m_text->setObjectName(u"manualText"_s);

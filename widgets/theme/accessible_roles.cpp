@@ -2,6 +2,7 @@
 
 #include "widgets/theme/accessible_combo.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
 #include <QContextMenuEvent>
@@ -88,6 +89,15 @@ QAccessibleInterface* interfaceOf(const QString& className, QObject* object)
 void setAccessibleRole(QWidget& widget, QAccessible::Role role)
 {
     widget.setProperty(kRole, static_cast<int>(role));
+}
+
+void followSelection(QAbstractItemView& list)
+{
+    QObject::connect(list.selectionModel(), &QItemSelectionModel::selectionChanged, &list,
+                     [&list](const QItemSelection& selected) {
+                         if (!selected.isEmpty())
+                             list.setCurrentIndex(selected.indexes().front());
+                     });
 }
 
 void installAccessibleRoles()

@@ -2,6 +2,7 @@
 
 #include <QAccessible>
 
+class QAbstractItemView;
 class QWidget;
 
 namespace berg {
@@ -11,6 +12,12 @@ namespace berg {
  * Its context menu and its actions become what can be done with it.
  */
 void setAccessibleRole(QWidget& widget, QAccessible::Role role);
+
+/**
+ * What becomes selected in a list of single selection becomes the current one too: screen readers
+ * do only the former, keys and pointer both.
+ */
+void followSelection(QAbstractItemView& list);
 
 /**
  * From now on widgets have the role that `setAccessibleRole` gave them, those that only hold others

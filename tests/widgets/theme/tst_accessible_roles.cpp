@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QLabel>
+#include <QListWidget>
 #include <QScrollArea>
 #include <QSignalSpy>
 
@@ -117,6 +118,24 @@ private slots:
         QTRY_COMPARE(combo.currentIndex(), 0);
         combo.setEnabled(false);
         QVERIFY(!actions.actionNames().contains(QAccessibleActionInterface::increaseAction()));
+    }
+
+    /** By the action that screen readers have for a row. */
+    void whatIsSelectedIsCurrent()
+    {
+        QListWidget list;
+        list.addItems({u"one"_s, u"two"_s, u"three"_s});
+        followSelection(list);
+        list.setCurrentRow(0);
+        QSignalSpy current(&list, &QListWidget::currentRowChanged);
+        QAccessibleInterface* row = interfaceOf(list).child(2);
+        row->actionInterface()->doAction(QAccessibleActionInterface::toggleAction());
+        QCOMPARE(list.currentRow(), 2);
+        QCOMPARE(current.count(), 1);
+        QCOMPARE(list.selectedItems().size(), 1);
+        list.setCurrentRow(1); // as keys do
+        QCOMPARE(list.currentRow(), 1);
+        QCOMPARE(current.count(), 2);
     }
 
     /** The menu of a widget of ours is reached without pointer and keys. */

@@ -1,6 +1,7 @@
 #include "widgets/panels/dialogs/find_box.h"
 
 #include "widgets/model/places.h"
+#include "widgets/theme/accessible_roles.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -91,6 +92,7 @@ void FindBox::addRows()
     m_list = new QListWidget;
     m_list->setObjectName(u"findList"_s);
     m_list->setAccessibleName(tr("Found"));
+    followSelection(*m_list);
     m_list->setFocusPolicy(Qt::NoFocus); // the arrow keys of the line move in it
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_reason = new QLabel;
