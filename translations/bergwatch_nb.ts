@@ -8271,7 +8271,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Flight &amp;log...</source>
-        <translation>Flyge&amp;logg …</translation>
+        <translation>Flygel&amp;ogg …</translation>
     </message>
     <message>
         <source>&amp;Background map…</source>
