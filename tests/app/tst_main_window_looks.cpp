@@ -153,8 +153,11 @@ class TestMainWindowLooks : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase() { installLanguage(u"en"_s); }
-    void init() { test::failOnWarnings(); }
+    void init()
+    {
+        test::failOnWarnings();
+        installLanguage(u"en"_s); // others choose another one
+    }
 
     /** The swept area is shown from the start, can be switched off, and stays so. */
     void sweptAreaIsSwitchedAndRemembered()
