@@ -121,8 +121,7 @@ std::optional<std::vector<Point>> outlineOf(const FileAirspace& area, const Loca
     std::vector<Point> corners_m = areaOutline(area.rings, frame);
     for (Point& corner_m : corners_m)
         corner_m = toCentimetre(corner_m);
-    const auto [repeated, end] = std::ranges::unique(corners_m);
-    corners_m.erase(repeated, end);
+    corners_m.erase(std::unique(corners_m.begin(), corners_m.end()), corners_m.end());
     const bool fits =
         corners_m.size() >= 3 && corners_m.size() <= kMostAreaCorners &&
         std::ranges::all_of(corners_m,

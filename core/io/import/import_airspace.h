@@ -54,7 +54,7 @@ struct AirspaceTable
 
 /** Metres above the sea of "FL 65", "1500 ft AMSL", "500M AGL", "GND"; HUGE_VAL of "UNL"; none of
  * what is no height. */
-[[nodiscard]] std::optional<double> airspaceHeight_m(std::string_view text);
+[[nodiscard]] std::optional<double> airspaceHeight_m(std::string_view given);
 
 struct AirspaceResult
 {

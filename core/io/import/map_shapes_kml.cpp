@@ -188,7 +188,7 @@ std::size_t memoryOf(const MapShape& shape)
 {
     std::size_t bytes = sizeof(MapShape) + shape.name.capacity();
     for (const std::vector<LatLon>& part : shape.parts)
-        bytes += sizeof(part) + part.capacity() * sizeof(LatLon);
+        bytes += sizeof(std::vector<LatLon>) + part.capacity() * sizeof(LatLon);
     return bytes;
 }
 
