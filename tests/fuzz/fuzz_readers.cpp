@@ -8,6 +8,7 @@
 #include "core/io/import/import_airspace.h"
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_scenario.h"
+#include "core/io/import/map_shapes.h"
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report.h"
 #include "core/io/text/atomic_file.h"
@@ -95,6 +96,14 @@ void readAsAirspace(const std::string& text)
         fail("an import that cannot be opened");
 }
 
+void readAsMap(const std::string& text)
+{
+    for (const MapShape& shape : readMapShapes(text, kSubject))
+        for (const std::vector<LatLon>& part : shape.parts)
+            if (part.empty())
+                fail("a shape without places");
+}
+
 void readAsStudy(const std::string& text)
 {
     if (isReport(text))
@@ -139,9 +148,9 @@ void readAsFormat(const std::string& text)
 }
 
 /** The other readers of text now and then, whatever the file is called. */
-constexpr std::array kReaders{readAsScenario, readAsRun,    readAsProblem,
-                              readAsStudy,    readAsFormat, readAsSightings,
-                              readAsIcebergs, readAsPlace,  readAsAirspace};
+constexpr std::array kReaders{readAsScenario, readAsRun,       readAsProblem,  readAsStudy,
+                              readAsFormat,   readAsSightings, readAsIcebergs, readAsPlace,
+                              readAsAirspace, readAsMap};
 
 using Reader = void (*)(const std::string&);
 
@@ -301,6 +310,8 @@ int feedMany(const Options& options)
                 text = mutator.mutated(text);
         }
         Reader reader = corpus.readers[which];
+        if (reader == readAsSightings && mutator.below(4) == 0)
+            reader = readAsMap; // of the same files
         if (mutator.below(8) == 0)
             reader = kReaders[mutator.below(kReaders.size())];
         keeper.keep(

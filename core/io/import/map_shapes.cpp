@@ -174,7 +174,8 @@ std::vector<MapShape> shapesOf(std::string_view bytes, ReadBudget& budget)
         return readKmlShapes(bytes, budget);
     if (isUtf8(bytes) && isGeoJson(bytes))
         return GeoJsonShapes(budget).take(bytes);
-    throw Error(ErrorCode::WrongFormat, budget.subject(), std::string("neither GeoJSON nor KML"));
+    throw Error(ErrorCode::WrongFormat, budget.subject(),
+                {IssueId::NotFormat, {"GeoJSON, KML or KMZ"}});
 }
 
 } // namespace
