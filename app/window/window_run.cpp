@@ -175,10 +175,10 @@ int runWindow(const WindowOptions& options)
         return kBadInput;
     WindowHolder holder(workspace, interaction, settings);
     MainWindow& window = holder.window();
-    if (options.size_px || picture || !settings.contains(u"window/geometry"_s))
-        giveSize(window, options.size_px, picture);
     if (!picture && !settings.contains(u"window/state"_s))
         window.showFirstLayout();
+    if (options.size_px || picture || !settings.contains(u"window/geometry"_s))
+        giveSize(window, options.size_px, picture); // of the layout, which may ask for more room
     if (options.dark)
         window.applyTheme(*options.dark ? Theme::dark() : Theme::light());
     if (picture)

@@ -15,6 +15,7 @@
 #include <QMenuBar>
 #include <QPointer>
 #include <QPushButton>
+#include <QScreen>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTextDocument>
@@ -413,6 +414,19 @@ private slots:
         w.settings.sync();
         QCOMPARE(RunSettings::savedScale_percent(w.settings.fileName()), 200);
         QCOMPARE(RunSettings::savedScale_percent(w.file(u"none.ini"_s)), 100);
+    }
+
+    /** As where everything is twice as large. */
+    void panelsShareAPlaceOnALowScreen()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        auto& tradeoff = test::child<QDockWidget>(w.window(), u"tradeoffDock"_s);
+        auto* plan = &test::child<QDockWidget>(w.window(), u"planDock"_s);
+        QVERIFY(!w.window().tabifiedDockWidgets(&tradeoff).contains(plan));
+        tradeoff.setMinimumHeight(w.window().screen()->availableSize().height() - 150);
+        w.trigger(u"resetLayoutAction"_s);
+        QVERIFY(w.window().tabifiedDockWidgets(&tradeoff).contains(plan));
+        QTRY_VERIFY(!tradeoff.visibleRegion().isEmpty());
     }
 
     /** The status bar forgets; another language, which makes another window, does not. */
