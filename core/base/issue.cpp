@@ -41,7 +41,7 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
     {IssueId::AreaCorners, "must have from 3 to %1 corners, not %2"},
     {IssueId::AreaNotSimple, "must be a polygon that neither touches nor crosses itself"},
     {IssueId::NoFlyCount, "must hold at most %1 areas, not %2"},
-    {IssueId::AirspaceCount, "must hold at most %1 areas, not %2"},
+    {IssueId::AirspaceCount, "must hold at most %1 airspaces, not %2"},
     {IssueId::IdEmpty, "must not be empty"},
     {IssueId::IdTaken, "\"%1\" is the id of %2 already"},
     {IssueId::UavCount, "must hold from 1 to %1 UAVs, not %2"},

@@ -38,7 +38,7 @@ inline Scenario hostile()
                        .corners_m = {{0, 8000}, {500, 8000}, {500, 8500}},
                        .floor_m = 900,
                        .fromUtc = "2026-01-01T00:00Z"}};
-        s.operation = Operation{.crew = "</kml> \x01", .checklist = "\n\n<b>\r\xFF"};
+        s.operation = Operation{.crew = "</kml> \x01", .checklist = "\n\n<b>\r\x7F"};
     });
 }
 

@@ -138,7 +138,7 @@ private slots:
         QVERIFY(isRefused(field, beyond(high)));
     }
 
-    void thePageHasThemAll() { QCOMPARE(rowsOfThePage().size(), 52U); }
+    void thePageHasThemAll() { QCOMPARE(rowsOfThePage().size(), 68U); }
 
     void thePageNamesThePolicies()
     {

@@ -219,7 +219,7 @@ private slots:
         thread->start();
         QVERIFY(thread->wait());
         QVERIFY(pdf == elsewhere);
-        QCOMPARE(pagesOf(pdf), 1);
+        QCOMPARE(pagesOf(pdf), 2); // the second about the operation
     }
 
     void otherDevicesToo()

@@ -299,6 +299,7 @@ private slots:
         scenario.groundStation = GroundStation{.antenna_m = 5, .range_m = 500};
         scenario.wind_mps = Point(3, 4); // a direction is there only with a speed
         scenario.current_mps = Point(0.1, 0);
+        scenario.operation = Operation{};
         Fixture f(scenario);
         if (!id.isEmpty())
             f.selection.set({id.toStdString()});
