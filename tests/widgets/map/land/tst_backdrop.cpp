@@ -58,9 +58,10 @@ private slots:
         QCOMPARE(image.pixelColor(100, 100), QColor(Qt::blue));
         QCOMPARE(image.pixelColor(140, 100), QColor(Qt::yellow));
         QCOMPARE(image.pixelColor(180, 100), QColor(Qt::blue));
-        bool hasEdge = false;
+        bool hasEdge = false; // white at least in part: of yellow and blue alone the sum is 255
         for (int x = 150; x < 180; ++x)
-            hasEdge = hasEdge || image.pixelColor(x, 100) == QColor(Qt::white);
+            hasEdge =
+                hasEdge || image.pixelColor(x, 100).red() + image.pixelColor(x, 100).blue() > 300;
         QVERIFY(hasEdge);
     }
 
