@@ -48,7 +48,7 @@ const std::vector<Module> kRooms{
     {"core/io/results", {"core/io/text"}},
     {"core/io/figure", {"core/io/text"}},
     {"core/io/study", {"core/io/text", "core/io/files", "core/io/results", "core/io/figure"}},
-    {"core/io/export", {"core/io/text", "core/io/results"}},
+    {"core/io/export", {"core/io/text", "core/io/results", "core/io/figure"}},
     {"core/io/import", {"core/io/text", "core/io/export"}},
     {"widgets/theme", {}},
     {"widgets/words", {"widgets/theme"}},

@@ -1,8 +1,8 @@
 #include "core/base/number_text.h"
 #include "core/io/export/flight_log.h"
 #include "core/io/figure/figure_svg.h"
+#include "core/io/figure/report_style.h"
 #include "core/io/results/result_csv.h"
-#include "core/io/study/report_style.h"
 #include "core/io/text/html_text.h"
 
 #include <algorithm>
@@ -151,11 +151,14 @@ std::string deviationsHtml(const ExportContent& content, const FlightLog& log)
     std::string lines;
     for (std::size_t i = 0; i < std::min(log.deviations.size(), kMostTold); ++i) {
         const MissionEvent& event = log.deviations[i];
-        std::string line = timeOf(content, event.time_s) + " " + std::string(eventName(event.kind));
+        std::string line = timeOf(content, event.time_s);
+        line.append(" ").append(eventName(event.kind));
         if (event.uav >= 0)
-            line += " " + titleOf(mission.scenario().uavs[static_cast<std::size_t>(event.uav)]);
+            line.append(" ").append(
+                titleOf(mission.scenario().uavs[static_cast<std::size_t>(event.uav)]));
         if (event.iceberg >= 0)
-            line += " " + titleOf(mission.icebergs()[static_cast<std::size_t>(event.iceberg)]);
+            line.append(" ").append(
+                titleOf(mission.icebergs()[static_cast<std::size_t>(event.iceberg)]));
         const std::string detail = eventDetail(event, mission);
         lines += "<li>" + htmlName(line + (detail.empty() ? "" : ": " + detail)) + "</li>\n";
     }

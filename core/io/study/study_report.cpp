@@ -1,7 +1,7 @@
 #include "core/io/study/study_report.h"
 
 #include "core/io/figure/policy_looks.h"
-#include "core/io/study/report_style.h"
+#include "core/io/figure/report_style.h"
 #include "core/io/study/study_charts.h"
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report_parts.h"
@@ -72,21 +72,6 @@ std::string figuresHtml(const StudySummary& summary)
 }
 
 } // namespace
-
-std::string reportHead(const std::string& title, const std::string& program,
-                       const std::string& style)
-{
-    // The policy lets nothing be loaded and nothing be run, whatever else the page may hold.
-    return "<!DOCTYPE html>\n"
-           "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
-           "<meta charset=\"utf-8\"/>\n"
-           "<meta http-equiv=\"Content-Security-Policy\" "
-           "content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n"
-           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-           "<meta name=\"generator\" content=\"" +
-           htmlText(program) + "\"/>\n<title>" + htmlText(title) + "</title>\n<style>" +
-           std::string(kReportStyle) + style + "</style>\n</head>\n";
-}
 
 std::string studyReportHtml(const Study& study, const StudySummary& summary,
                             const ReportOrigin& origin)

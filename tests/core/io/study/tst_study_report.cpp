@@ -1,5 +1,5 @@
 #include "core/io/figure/policy_looks.h"
-#include "core/io/study/report_style.h"
+#include "core/io/figure/report_style.h"
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report.h"
 #include "core/io/text/atomic_file.h"
