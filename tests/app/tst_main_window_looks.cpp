@@ -1,5 +1,6 @@
 #include "app/window/run_settings.h"
 #include "tests/support/map_fixture.h"
+#include "tests/support/widget_names.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/paint/overview_inset.h"
 #include "widgets/panels/fields/panel_labels.h"
@@ -9,44 +10,22 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
 #include <QPushButton>
-#include <QScreen>
 #include <QStatusBar>
-#include <QTabBar>
-#include <QTextDocument>
-#include <QToolButton>
 
 #include <utility>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
+using test::nameOf;
+using test::visibleWidgets;
 using test::WindowFixture;
 
 namespace {
-
-QList<QWidget*> visibleWidgets(const QWidget& window)
-{
-    QList<QWidget*> visible;
-    for (QWidget* widget : window.findChildren<QWidget*>())
-        if (!widget->visibleRegion().isEmpty()) // docks behind a tab are visible for Qt
-            visible << widget;
-    return visible;
-}
-
-/** "QLabel planState in PlanReadoutView": enough to find it. */
-QString nameOf(const QWidget& widget)
-{
-    const QWidget* parent = widget.parentWidget();
-    return u"%1 %2 in %3 %4"_s.arg(
-        QString::fromLatin1(widget.metaObject()->className()), widget.objectName(),
-        parent != nullptr ? QString::fromLatin1(parent->metaObject()->className()) : QString(),
-        parent != nullptr ? parent->objectName() : QString());
-}
 
 /** Texts of menus, docks and labels that do not depend on numbers. */
 QStringList fixedTexts(const MainWindow& window)
@@ -63,51 +42,6 @@ QStringList fixedTexts(const MainWindow& window)
         if (label->objectName() != u"policyForecast"_s) // a number, and it comes when it is there
             texts << label->text();
     return texts;
-}
-
-/** What does not fit into this widget; empty: nothing. */
-QString clippedText(const QWidget& widget)
-{
-    if (qobject_cast<const FigureLabel*>(&widget) != nullptr)
-        return {}; // gets smaller by itself
-    if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
-        if (label->text().isEmpty())
-            return {};
-        const QRect room = label->contentsRect();
-        const int flags = label->wordWrap() ? int{Qt::TextWordWrap} : 0;
-        QTextDocument shown; // links are not as long as their tags
-        shown.setHtml(label->text());
-        const QString text =
-            Qt::mightBeRichText(label->text()) ? shown.toPlainText() : label->text();
-        const QSize needed = label->fontMetrics().boundingRect(room, flags, text).size();
-        const bool fits = needed.width() <= room.width() && needed.height() <= room.height();
-        return fits ? QString()
-                    : u"%1 (%2 x %3 in %4 x %5)"_s.arg(label->text())
-                          .arg(needed.width())
-                          .arg(needed.height())
-                          .arg(room.width())
-                          .arg(room.height());
-    }
-    const auto* button = qobject_cast<const QAbstractButton*>(&widget);
-    if (button != nullptr && !button->text().isEmpty())
-        return button->sizeHint().width() > button->width() ? button->text() + u" (button)"_s
-                                                            : QString();
-    if (const auto* tabs = qobject_cast<const QTabBar*>(&widget))
-        for (int i = 0; i < tabs->count(); ++i)
-            if (!tabs->rect().contains(tabs->tabRect(i)) ||
-                tabs->fontMetrics().horizontalAdvance(tabs->tabText(i)) > tabs->tabRect(i).width())
-                return tabs->tabText(i) + u" (tab)"_s;
-    return {};
-}
-
-/** All widgets whose text is cut. */
-QStringList clipped(const QWidget& window)
-{
-    QStringList faults;
-    for (const QWidget* widget : visibleWidgets(window))
-        if (const QString text = clippedText(*widget); !text.isEmpty())
-            faults << u"\"%1\": %2"_s.arg(text, nameOf(*widget));
-    return faults;
 }
 
 /** The texts once they stand still: charts are drawn a moment after the picture, in turns. */
@@ -416,19 +350,6 @@ private slots:
         QCOMPARE(RunSettings::savedScale_percent(w.file(u"none.ini"_s)), 100);
     }
 
-    /** As where everything is twice as large. */
-    void panelsShareAPlaceOnALowScreen()
-    {
-        WindowFixture w(test::MapFixture::fourIcebergs());
-        auto& tradeoff = test::child<QDockWidget>(w.window(), u"tradeoffDock"_s);
-        auto* plan = &test::child<QDockWidget>(w.window(), u"planDock"_s);
-        QVERIFY(!w.window().tabifiedDockWidgets(&tradeoff).contains(plan));
-        tradeoff.setMinimumHeight(w.window().screen()->availableSize().height() - 150);
-        w.trigger(u"resetLayoutAction"_s);
-        QVERIFY(w.window().tabifiedDockWidgets(&tradeoff).contains(plan));
-        QTRY_VERIFY(!tradeoff.visibleRegion().isEmpty());
-    }
-
     /** The status bar forgets; another language, which makes another window, does not. */
     void messagesAreKept()
     {
@@ -451,90 +372,6 @@ private slots:
         QTest::keyClick(list, Qt::Key_C, Qt::ControlModifier);
         QCOMPARE(QGuiApplication::clipboard()->text().count(u'\n'), 1);
         QVERIFY(QGuiApplication::clipboard()->text().startsWith(first));
-    }
-
-    void fitsTheDesignSize_data()
-    {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("longer"); // percent
-        QTest::newRow("Danish") << u"da"_s << 0;
-        QTest::newRow("English") << u"en"_s << 0;
-        QTest::newRow("French") << u"fr"_s << 0;
-        QTest::newRow("Norwegian") << u"nb"_s << 0;
-        QTest::newRow("40 % longer") << u"en"_s << 40;
-    }
-
-    /** Planned, with things in the inspector and in flight: nothing is cut. */
-    void fitsTheDesignSize()
-    {
-        QFETCH(QString, language);
-        QFETCH(int, longer);
-        installLanguage(language);
-        const auto restore = qScopeGuard([] { installLanguage(u"en"_s); });
-        std::unique_ptr<test::LongerTexts> texts;
-        if (longer > 0)
-            texts = std::make_unique<test::LongerTexts>(longer);
-        WindowFixture w(test::MapFixture::fourIcebergs());
-        const auto check = [&](const char* state) {
-            QTest::qWait(50); // laid out
-            const QSize least = w.window().minimumSizeHint();
-            if (least.width() > 1280 || least.height() > 800)
-                return u"%1: at least %2 x %3\n"_s.arg(QString::fromLatin1(state))
-                    .arg(least.width())
-                    .arg(least.height());
-            if (w.window().size() != QSize(1280, 800))
-                return u"%1: %2 x %3\n"_s.arg(QString::fromLatin1(state))
-                    .arg(w.window().width())
-                    .arg(w.window().height());
-            const QStringList cut = clipped(w.window());
-            return cut.isEmpty() ? QString()
-                                 : QString::fromLatin1(state) + u": "_s + cut.join(u'\n') + u'\n';
-        };
-        QString faults = check("planned");
-        w.window().findChild<QDockWidget*>(u"inspectorDock"_s)->raise();
-        faults += check("scenario");
-        w.workspace.selection().set({"berg-2"});
-        faults += check("iceberg");
-        w.workspace.selection().set({"uav-1"});
-        faults += check("UAV");
-        w.trigger(u"stepAction"_s);
-        QVERIFY(w.until(RunPhase::Paused));
-        faults += check("in flight");
-        QVERIFY2(faults.isEmpty(), qPrintable(faults));
-    }
-
-    /** What is wrong, however long, neither widens the window nor is cut without a mark. */
-    void longErrorFitsTheStatusBar()
-    {
-        WindowFixture w(test::MapFixture::fourIcebergs());
-        Scenario wrong = w.scenario();
-        wrong.name = std::string(150, 'x');
-        wrong.uavs[0].spec.airspeed_mps = -1;
-        w.document().reset(wrong);
-        QVERIFY(w.until(RunPhase::Failed));
-        QTest::qWait(50); // laid out
-        QCOMPARE(w.window().size(), QSize(1280, 800));
-        QVERIFY(w.window().minimumSizeHint().width() <= 1280);
-        const QStringList cut = clipped(w.window());
-        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
-    }
-
-    /** Every tool and command of the tool bar is in sight. */
-    void toolBarIsWhole_data() { fitsTheDesignSize_data(); }
-
-    void toolBarIsWhole()
-    {
-        QFETCH(QString, language);
-        QFETCH(int, longer);
-        installLanguage(language);
-        const auto restore = qScopeGuard([] { installLanguage(u"en"_s); });
-        std::unique_ptr<test::LongerTexts> texts;
-        if (longer > 0)
-            texts = std::make_unique<test::LongerTexts>(longer);
-        WindowFixture w(test::MapFixture::fourIcebergs());
-        for (const QToolButton* button : w.window().findChildren<QToolButton*>())
-            if (button->objectName() == u"qt_toolbar_ext_button"_s)
-                QVERIFY(!button->isVisible());
     }
 
     void overviewIsShownOnDemandAndMovesTheMap()
