@@ -294,6 +294,8 @@ def run(window, output):
     read_tables(window)
     export(window, output)
     window.do("Start page")
+    is_waiting = lambda n: not n.name and has(n, pyatspi.STATE_FOCUSABLE) and is_seen(n)
+    wait_for("the examples", lambda: not find(window.frame(), "push button", "", is_waiting))
     walk(window.frame(), "the window with its start page", 20)
     walk(window.open("Manual"), "the manual", 20)
 

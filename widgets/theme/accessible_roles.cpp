@@ -35,7 +35,7 @@ public:
             return name;
         for (const QWidget* in = widget(); name.isEmpty() && in != nullptr; in = in->parentWidget())
             name = in->accessibleName().isEmpty() ? in->windowTitle() : in->accessibleName();
-        return name;
+        return name.remove(QStringLiteral("[*]")); // the place for the mark of changes in a title
     }
 
     [[nodiscard]] QStringList actionNames() const override

