@@ -123,7 +123,8 @@ public:
                 OperationPage::tr("Made by Bergwatch from the scenario. It says nothing about "
                                   "whether the operation may be flown."),
                 kFoot);
-        line(content.title, kTitle);
+        for (const QString& text : wrapped(content.title, kTitle, m_free.width(), kMostLines))
+            line(text, kTitle);
         line(content.about, kHead);
         rule(true);
         setFacts(content.volume);

@@ -42,8 +42,10 @@ private slots:
     void saysWhatItIsAndHowItCameAbout()
     {
         const QString words = wordsOf(layoutOf(withOperation({.crew = "A. Pilot"})));
-        QVERIFY(words.simplified().startsWith( // its lines are as long as the page is wide
-            u"Operation volume: proposal, to be checked with your authority"_s));
+        // Its lines are as long as the page is wide.
+        QVERIFY2(words.simplified().startsWith(
+                     u"Operation volume: proposal, to be checked with your authority"_s),
+                 qPrintable(words));
         for (const QString& part :
              {u"S_CV = 3 + 3 + 1 + v · 1 s + v²/(g tan 30°) = 114.5 m"_s,
               u"H_CV = 120 + 4 + 0.707 v · 1 s + 0.3 v²/g = 154.4 m"_s,
