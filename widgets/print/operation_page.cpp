@@ -55,7 +55,10 @@ QStringList formulasOf(const Scenario& scenario, const OperationVolume& volume,
                        const QLocale& locale)
 {
     const Operation& o = *scenario.operation;
-    const auto number = [&](double value) { return locale.toString(value, 'g', 4); };
+    const auto number = [&](double value) {
+        return std::abs(value) < 1000 ? locale.toString(value, 'g', 4)
+                                      : fixedText(value, 0, locale);
+    };
     return {
         scenario.geofence
             ? OperationPage::tr("Flight geography: inside of the geofence.")

@@ -1,6 +1,7 @@
 #include "tests/support/brief_fixtures.h"
 #include "widgets/print/flight_brief.h"
 #include "widgets/print/operation_page.h"
+#include "widgets/theme/quantity_text.h"
 
 #include <QtTest>
 
@@ -49,7 +50,10 @@ private slots:
         for (const QString& part :
              {u"S_CV = 3 + 3 + 1 + v · 1 s + v²/(g tan 30°) = 114.5 m"_s,
               u"H_CV = 120 + 4 + 0.707 v · 1 s + 0.3 v²/g = 154.4 m"_s,
-              u"S_GRB = 1 · H_CV + 3/2 = 155.9 m"_s, u"Digisky"_s, u"A. Pilot"_s})
+              u"S_GRB = 1 · H_CV + 3/2 = 155.9 m"_s,
+              u"S_AA = v · 180 s, %1 … %2 m = %1 m"_s.arg(fixedText(5000, 0, kEnglish),
+                                                          fixedText(35'000, 0, kEnglish)),
+              u"Digisky"_s, u"A. Pilot"_s})
             QVERIFY2(words.contains(part), qPrintable(part + u" in\n"_s + words));
         for (const QString& never : {u"SAIL"_s, u"approved"_s, u"risk class"_s})
             QVERIFY2(!words.contains(never, Qt::CaseInsensitive), qPrintable(never));
