@@ -194,7 +194,7 @@ std::string emptyOption(const CLI::App& app)
 
 std::string plainWords(const CLI::ParseError& error)
 {
-    const std::string text = error.what();
+    std::string text = error.what();
     const std::string subject = text.substr(0, text.find(": "));
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
         return subject +

@@ -159,8 +159,9 @@ std::string deviationsHtml(const ExportContent& content, const FlightLog& log)
         if (event.iceberg >= 0)
             line.append(" ").append(
                 titleOf(mission.icebergs()[static_cast<std::size_t>(event.iceberg)]));
-        const std::string detail = eventDetail(event, mission);
-        lines += "<li>" + htmlName(line + (detail.empty() ? "" : ": " + detail)) + "</li>\n";
+        if (const std::string detail = eventDetail(event, mission); !detail.empty())
+            line.append(": ").append(detail);
+        lines.append("<li>").append(htmlName(line)).append("</li>\n");
     }
     if (log.deviations.size() > kMostTold)
         lines += "<li>and " + std::to_string(log.deviations.size() - kMostTold) + " more</li>\n";
