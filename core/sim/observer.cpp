@@ -15,7 +15,10 @@ namespace {
 constexpr double kBelieved = 0.99;
 /** Less likely in view than this after looks in vain: lost. */
 constexpr double kLostBelow = 0.1;
-/** A filter that starts again doubts the velocity it was given at least so much. */
+/** Of what was given one place in a thousand is farther off: beyond, not believed (chi-squared, two
+ * degrees of freedom). */
+constexpr double kBelievable = 13.8;
+/** A velocity that was given and is not believed is doubted at least so much. */
 constexpr double kFoundVelocitySd_mps = 0.1;
 
 } // namespace
@@ -227,16 +230,26 @@ void Observer::measure(int iceberg, const Point& measured_m, int seenBy, StepRep
         track.measured(measured_m, variance_m2, m_world.time_s());
         return;
     }
-    // What the filter believed was wrong: it starts again from what was given.
+    // What the filter believed was wrong: it starts again from what was given, which where it is
+    // found tells how it has moved since, if that can be.
+    const double time_s = m_world.time_s();
     Track given = m_world.body(iceberg).start;
-    given.grow(m_world.time_s() - given.anchor_s);
-    const double sd_mps = std::max(std::sqrt(given.velocity_m2ps2), kFoundVelocitySd_mps);
-    track.anchor_m = measured_m;
-    track.anchor_s = m_world.time_s();
+    given.grow(time_s - given.anchor_s);
+    if ((measured_m - given.estimate_m(time_s)).squaredNorm() >
+        kBelievable * (given.sigma_m2 + variance_m2)) {
+        given.anchor_m = measured_m;
+        given.anchor_s = time_s;
+        given.setVariances(
+            {.position_m2 = variance_m2,
+             .velocity_m2ps2 =
+                 std::max(given.velocity_m2ps2, kFoundVelocitySd_mps * kFoundVelocitySd_mps)});
+    } else {
+        given.measured(measured_m, variance_m2, time_s);
+    }
+    track.anchor_m = given.anchor_m;
+    track.anchor_s = given.anchor_s;
     track.velocity_mps = given.velocity_mps;
-    track.sigma_m2 = variance_m2;
-    track.mixed_m2ps = 0;
-    track.velocity_m2ps2 = sd_mps * sd_mps;
+    track.setVariances(given.variances());
     found(iceberg, seenBy, report);
 }
 

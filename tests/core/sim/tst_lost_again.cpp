@@ -131,7 +131,7 @@ private slots:
     {
         int handedOn = 0;
         int losses = 0;
-        for (int seed = 1; seed <= 12; ++seed) {
+        for (int seed = 1; seed <= 36; ++seed) {
             Mission mission(doubtfulField(seed), {.workLimit = 20'000});
             const Simulation& world = mission.simulation();
             std::vector<int> searchedBy(static_cast<std::size_t>(world.icebergCount()), -1);

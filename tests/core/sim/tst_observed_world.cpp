@@ -63,6 +63,17 @@ Mission flownToEnd(const Scenario& scenario)
     return mission;
 }
 
+/** What is known of the first iceberg when it is found again. */
+Track whenFound(const Scenario& scenario)
+{
+    Mission mission(scenario);
+    while (count(mission, EventKind::Found) == 0 &&
+           mission.simulation().time_s() < scenario.duration_s)
+        mission.advance(mission.simulation().time_s() + scenario.dt_s);
+    require(count(mission, EventKind::Found) > 0, "it is found");
+    return mission.simulation().track(0);
+}
+
 /** Written, read and flown again. */
 bool isSameFlight(const Mission& mission)
 {
@@ -323,6 +334,30 @@ private slots:
         for (const PlanReason reason : {PlanReason::Lost, PlanReason::Found})
             QVERIFY(std::any_of(mission.plans().begin(), mission.plans().end(),
                                 [reason](const PlanEvent& p) { return p.reason == reason; }));
+    }
+
+    /** How far it is from where it should be tells how it drifts. */
+    void whereItIsFoundTellsItsVelocity()
+    {
+        Scenario scenario = ghost(500);
+        Iceberg& iceberg = scenario.icebergs[0];
+        iceberg.observed_s = 3600;
+        iceberg.velocitySd_mps = 0.3;
+        iceberg.track.position_m[1].y() += 10'000 * 500.0 / 3600; // as since it was seen
+        const Track track = whenFound(scenario);
+        const double error_mps = (track.velocity_mps - Point(0, 500.0 / 3600)).norm();
+        QVERIFY2(error_mps < 0.01, qPrintable(QString::number(error_mps)));
+        QVERIFY(track.velocity_m2ps2 < 0.01 * 0.01);
+        QVERIFY(track.mixed_m2ps > 0);
+    }
+
+    /** Where it cannot have drifted to tells nothing: the velocity that was given is doubted. */
+    void whereItCannotBeTellsNoVelocity()
+    {
+        const Track track = whenFound(ghost(500));
+        QCOMPARE(track.velocity_mps, Point(0, 0));
+        COMPARE_NEAR(std::sqrt(track.velocity_m2ps2), 0.1, 1e-12);
+        QCOMPARE(track.mixed_m2ps, 0.0);
     }
 
     void sectorSearchFindsToo()
