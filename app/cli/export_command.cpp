@@ -77,6 +77,16 @@ SampleSink rowsInto(StagedFile& file, const SampleTable& table, SampleTables tab
     };
 }
 
+/** Keeps where each UAV is, and of a sample nothing else. */
+SampleSink pointsInto(std::vector<std::vector<TrackPoint>>& flown, std::size_t uavs)
+{
+    flown.resize(uavs);
+    return [&flown](const Sample& sample, std::span<const IcebergSample> /*icebergs*/) {
+        for (std::size_t row = 0; row < flown.size(); ++row)
+            flown[row].push_back(trackPointOf(sample, row));
+    };
+}
+
 /** Before any work: the files that an export of the scenario's UAVs comes to. */
 void checkOutputs(const ExportArguments& arguments, const ExportFormat& format,
                   const Scenario& scenario)
@@ -112,16 +122,19 @@ void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat
     }
     const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
     checkOutputs(arguments, format, run.scenario);
+    std::vector<std::vector<TrackPoint>> flown;
     SampleSink sink;
     if (format.table != nullptr)
         sink = rowsInto(set.add(arguments.outputFile), *format.table,
                         sampleTables(run.scenario, run.interventions));
+    else if (!format.holds.flownOnly && !format.holds.painted)
+        sink = pointsInto(flown, run.scenario.uavs.size());
     const Mission mission = replay(run, stop, {}, std::move(sink));
     if (stop.stop_requested())
         throw Interrupted{};
     const PlanAnswer plan = planned(run.scenario);
-    addExported(set, {.scenario = run.scenario, .plan = plan, .mission = &mission}, arguments,
-                format);
+    addExported(set, {.scenario = run.scenario, .plan = plan, .mission = &mission, .flown = flown},
+                arguments, format);
 }
 
 /** That of --format, else the first one whose files end as --output does. */

@@ -163,7 +163,8 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
              const Scenario& scene)
 {
     if (content.what == ExportWhat::Track) {
-        uav.track = flownTrack(*source.mission, uav.row);
+        uav.track = source.flown.empty() ? flownTrack(*source.mission, uav.row)
+                                         : std::move(source.flown[uav.row]);
         uav.visits = flownVisits(*source.mission, static_cast<int>(uav.row));
         endAtHome(uav, content.options.returnHome, scene.wind_mps);
         return;

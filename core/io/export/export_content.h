@@ -11,6 +11,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,6 +28,8 @@ struct ExportSource
     const Scenario& scenario;
     const PlanAnswer& plan;           ///< of `planFromStart`, or `startPlan` of the mission
     const Mission* mission = nullptr; ///< null: nothing flown
+    /** By UAV, moved from; none: what the mission recorded. */
+    std::span<std::vector<TrackPoint>> flown = {};
 };
 
 enum class ExportWhat

@@ -18,10 +18,12 @@ namespace berg {
 
 namespace {
 
-std::string csv(const ExportContent& content)
+void csvPieces(const ExportContent& content, const TextSink& put)
 {
-    const bool line = content.what == ExportWhat::Path || content.what == ExportWhat::Track;
-    return line ? trackCsv(content) : planCsv(content);
+    if (content.what == ExportWhat::Path || content.what == ExportWhat::Track)
+        writeTrackCsv(content, put);
+    else
+        put(planCsv(content));
 }
 
 /** A table of a flight. */
@@ -33,11 +35,12 @@ void flightPieces(const ExportContent& content, const TextSink& put)
     Write(*content.mission, put);
 }
 
-template <void (*Write)(const Mission&, const TextSink&)>
-std::string flightTable(const ExportContent& content)
+/** All pieces at once. */
+template <void (*Pieces)(const ExportContent&, const TextSink&)>
+std::string whole(const ExportContent& content)
 {
     std::string text;
-    flightPieces<Write>(content, [&text](std::string_view piece) { text += piece; });
+    Pieces(content, [&text](std::string_view piece) { text += piece; });
     return text;
 }
 
@@ -79,14 +82,15 @@ constexpr std::array kFormats{
                  "csv",
                  "spreadsheets and scripts",
                  {.order = true, .path = true, .fleet = true},
-                 csv},
+                 whole<csvPieces>,
+                 csvPieces},
     ExportFormat{"sigma-csv", "csv", "spreadsheets: sigma of every iceberg over time",
-                 kFlightTableHolds, flightTable<writeSigma>, flightPieces<writeSigma>,
+                 kFlightTableHolds, whole<flightPieces<writeSigma>>, flightPieces<writeSigma>,
                  &kSigmaTable},
     ExportFormat{"decisions-csv", "csv", "spreadsheets: plans, visits and what else happened",
-                 kFlightTableHolds, flightTable<writeEvents>, flightPieces<writeEvents>},
+                 kFlightTableHolds, whole<flightPieces<writeEvents>>, flightPieces<writeEvents>},
     ExportFormat{"zeta-csv", "csv", "spreadsheets: zeta over time", kFlightTableHolds,
-                 flightTable<writeZeta>, flightPieces<writeZeta>, &kZetaTable},
+                 whole<flightPieces<writeZeta>>, flightPieces<writeZeta>, &kZetaTable},
     ExportFormat{"gpx",
                  "gpx",
                  "chart plotters, Garmin devices, GPSBabel",

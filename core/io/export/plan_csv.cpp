@@ -52,7 +52,7 @@ std::string planCsv(const ExportContent& content)
     return text;
 }
 
-std::string trackCsv(const ExportContent& content)
+void writeTrackCsv(const ExportContent& content, const TextSink& put)
 {
     // The UAVs of one mission have their samples at the same times, so a row of each in turn.
     std::size_t longest = 0;
@@ -61,12 +61,15 @@ std::string trackCsv(const ExportContent& content)
         longest = std::max(longest, uav.track.size());
         ids.push_back(csvField(uav.uav.id));
     }
-    std::string text(trajectoryHeader());
-    for (std::size_t row = 0; row < longest; ++row)
+    put(trajectoryHeader());
+    std::string text;
+    for (std::size_t row = 0; row < longest; ++row) {
+        text.clear();
         for (std::size_t i = 0; i < ids.size(); ++i)
             if (const std::vector<TrackPoint>& track = content.uavs[i].track; row < track.size())
                 appendTrajectoryRow(text, content.frame, ids[i], track[row]);
-    return text;
+        put(text);
+    }
 }
 
 } // namespace berg

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/export/export_content.h"
+#include "core/io/text/text_sink.h"
 
 #include <string>
 
@@ -17,6 +18,6 @@ namespace berg {
 [[nodiscard]] std::string planCsv(const ExportContent& content);
 
 /** The path or track as the trajectory of a flight is written: by time, then by UAV. */
-[[nodiscard]] std::string trackCsv(const ExportContent& content);
+void writeTrackCsv(const ExportContent& content, const TextSink& put);
 
 } // namespace berg

@@ -260,7 +260,7 @@ private slots:
             visits += uav.visits.size();
         }
         QCOMPARE(visits, static_cast<std::size_t>(mission.metrics().visits));
-        QVERIFY(trackCsv(run) == trajectoryCsv(mission));
+        QVERIFY(findExportFormat("csv")->text(run) == trajectoryCsv(mission));
         const ExportContent now = runContent(mission, {.what = ExportWhat::Order});
         for (const ExportUav& uav : now.uavs)
             QVERIFY(visited(uav) == lastPlanOf(mission.plans(), static_cast<int>(uav.row))->order);
