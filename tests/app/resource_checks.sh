@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # What the command line takes of processor and memory, for what is long and what is hostile.
 # Not under sanitizers, which take many times as much.
-# Use: resource_checks.sh CLI SOURCE_DIR WORK_DIR
+# Use: resource_checks.sh CLI SOURCE_DIR WORK_DIR FUZZ_READERS
 . "$2/tests/app/cli_support.sh"
+readers=$4
 
 # within SECONDS MB COMMAND...: takes no more of either, whatever it ends with.
 within() {
@@ -130,6 +131,35 @@ put("wrong.csv", "latitude,longitude\n" + "x,y\n" * (4 * many))
 put("items.waypoints", "QGC WPL 110\n" + "1\t0\t3\t16\t0\t0\t0\t0\t47.1\t-48.1\t100\t1\n" * (many // 4))
 put("items.plan", '{"fileType": "Plan", "groundStation": "QGroundControl", "mission": {"items": ['
     + ",".join(['{"type":"SimpleItem","command":16,"params":[0,0,0,null,47,-48,50]}'] * (many // 4)) + "]}}")
+area = "AC D\nAN zone\nAL GND\nAH FL100\n%s"
+put("areas.openair", (area % "DP 47N 48W\nDP 47N 47.9W\nDP 47.1N 48W\n") * (many // 8))
+put("circles.openair", area % "V X=47N 48W\n" + "DC 1\n" * many)
+put("rings.openair", (area % "V X=47N 48W\nDC 1\n") * (many // 4))
+put("lines.openair", area % ("AY x\n" * (4 * many)))
+put("name.openair", "AC D\nAN " + "x" * 20_000_000 + "\nDP 47N 48W\n")
+put("points.openair", area % ("DP 47N 48W\n" * (2 * many)))
+put("bad.openair", (area % "DP x\n") * many)
+comb = "".join("DP %.6fN %.6fW\n" % (47 + (i % 2) * 0.2, 48 + i * 1e-5) for i in range(20_000))
+put("combs.openair", (area % comb) * 30)
+triangle = "[[[-48,47],[-47.9,47],[-48,47.1],[-48,47]]]"
+shape = '{"type":"Feature","properties":{%s},"geometry":{"type":"%s","coordinates":%s}}'
+put("areas.airspace", '{"type":"FeatureCollection","features":[' + ",".join([shape % ("", "Polygon", triangle)] * (many // 8)) + "]}")
+name = '"name":"' + "n" * 200 + '"'
+put("parts.airspace", shape % (name, "MultiPolygon", "[" + ",".join([triangle] * (many // 4)) + "]"))
+outline = "[[" + ",".join(f"[{-48 + i * 1e-6:.6f},{47 + i % 2 * 0.2}]" for i in range(many)) + "]]"
+put("comb.geojson", shape % ('"kind":"area"', "Polygon", outline))
+point = "<Point><coordinates>-48,47</coordinates></Point>"
+put("urls.map", kml % ("<Placemark><styleUrl>#" + "u" * 2_000_000 + "</styleUrl><MultiGeometry>" + point * (many // 8) + "</MultiGeometry></Placemark>"))
+put("pairs.map", kml % ('<StyleMap id="' + "i" * 2_000_000 + '">' + "<Pair><key>normal</key><styleUrl>#a</styleUrl></Pair>" * (many // 8)
+    + "</StyleMap><Placemark>" + point + "</Placemark>"))
+put("styles.map", kml % "".join(f'<Style id="s{i}"><PolyStyle><fill>0</fill></PolyStyle></Style>' for i in range(many // 4)))
+put("names.map", kml % ("<Placemark><name>" + "n" * 300 + "</name><MultiGeometry>" + point * (many // 4) + "</MultiGeometry></Placemark>"))
+put("nested.map", kml % ("<Placemark>" * 60 + point * (many // 4) + "</Placemark>" * 60))
+put("tuples.map", kml % ("<Placemark><LineString><coordinates>" + "0,0 " * (8 * many) + "</coordinates></LineString></Placemark>"))
+put("points.map", shape % (name, "MultiPoint", "[" + ",".join(["[0,0]"] * many) + "]"))
+put("line.map", '{"type":"LineString","coordinates":[' + ",".join(["[0,0]"] * (4 * many)) + "]}")
+put("rings.map", '{"type":"Polygon","coordinates":[' + ",".join(["[[0,0]]"] * (2 * many)) + "]}")
+put("geometries.map", '{"type":"GeometryCollection","geometries":[' + ",".join(['{"type":"Point","coordinates":[0,0]}'] * many) + "]}")
 import zipfile
 with zipfile.ZipFile("bomb.kmz", "w", zipfile.ZIP_DEFLATED) as archive:
     archive.writestr("doc.kml", kml % (" " * 1_000_000_000))
@@ -153,6 +183,12 @@ for file in *.json; do
 done
 for file in *.csv *.kml *.gpx *.geojson *.czml *.waypoints *.plan many.kmz; do
     check "import $file" frugal "$file" "$cli" import "$file" --output imported.berg --force
+done
+for file in *.openair *.airspace; do
+    check "import $file" frugal "$file" "$cli" import "$file" --format airspace --into "$source_dir/resources/scenarios/grand-banks-12.berg" --output imported.berg --force
+done
+for file in *.map; do
+    check "map $file" frugal "$file" "$readers" --map "$file"
 done
 check "import bomb.kmz" frugal bomb.kmz "$cli" import bomb.kmz --output imported.berg --force
 check "import bomb.kmz: says why" says "would take more than 58 MB of memory, the limit for a file of its size"

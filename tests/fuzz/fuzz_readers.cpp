@@ -266,6 +266,7 @@ struct Options
     std::uint64_t seed = 1;
     std::string keep = "fuzz-input";
     std::string again; ///< a kept file
+    std::string map;   ///< a file for the background
     std::vector<std::string> folders;
 };
 
@@ -278,6 +279,12 @@ int feedAgain(const std::string& path)
     std::memcpy(&size, kept.data() + sizeof reader, sizeof size);
     std::printf("%s\n", feed(kReaders.at(reader), kept.substr(2 * sizeof size, size)) ? "taken"
                                                                                       : "refused");
+    return 0;
+}
+
+int feedMap(const std::string& path)
+{
+    std::printf("%s\n", feed(readAsMap, readFile(path)) ? "taken" : "refused");
     return 0;
 }
 
@@ -334,8 +341,10 @@ int usage()
     std::fputs(
         "Usage: fuzz_readers [--seconds S] [--inputs N] [--seed K] [--keep FILE] FOLDER...\n"
         "       fuzz_readers --again FILE\n"
+        "       fuzz_readers --map FILE\n"
         "Mutates the files of the folders and reads them. The input in work is in FILE; what\n"
-        "ends the program is read from it once more with --again.\n",
+        "ends the program is read from it once more with --again. --map reads a file as it is, as\n"
+        "the background of the map.\n",
         stderr);
     return 2;
 }
@@ -360,10 +369,14 @@ int main(int argc, char** argv)
             options.keep = argv[++i];
         else if (word == "--again" && hasValue)
             options.again = argv[++i];
+        else if (word == "--map" && hasValue)
+            options.map = argv[++i];
         else
             return usage();
     }
     if (!options.again.empty())
         return feedAgain(options.again);
+    if (!options.map.empty())
+        return feedMap(options.map);
     return options.folders.empty() ? usage() : feedMany(options);
 }

@@ -4,14 +4,16 @@
 
 namespace berg {
 
-std::vector<TimedPoint> thinnedPath(std::span<const TimedPoint> path, double tolerance_m)
+std::vector<TimedPoint> thinnedPath(std::span<const TimedPoint> path, double tolerance_m,
+                                    std::size_t most)
 {
     if (path.size() < 3)
         return {path.begin(), path.end()};
     std::vector<bool> kept(path.size(), false);
     kept.front() = kept.back() = true;
+    std::size_t count = 2;
     std::vector<std::pair<std::size_t, std::size_t>> stretches{{0, path.size() - 1}};
-    while (!stretches.empty()) {
+    while (!stretches.empty() && count <= most) {
         const auto [first, last] = stretches.back();
         stretches.pop_back();
         std::size_t farthest = first;
@@ -27,6 +29,7 @@ std::vector<TimedPoint> thinnedPath(std::span<const TimedPoint> path, double tol
         if (farthest == first)
             continue;
         kept[farthest] = true;
+        ++count;
         stretches.emplace_back(first, farthest);
         stretches.emplace_back(farthest, last);
     }

@@ -1,6 +1,7 @@
 #include "core/io/import/area_outline.h"
 
 #include "core/io/export/thinned_path.h"
+#include "core/scenario/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -157,7 +158,7 @@ std::vector<Point> thinnedRing(std::vector<TimedPoint> ring)
     std::rotate(ring.begin(), farthest, ring.end());
     ring.push_back(ring.front());
     std::vector<TimedPoint> corners =
-        thinnedPath(ring, std::min(kLargestTolerance_m, kTolerance * size_m));
+        thinnedPath(ring, std::min(kLargestTolerance_m, kTolerance * size_m), kMostAreaCorners + 1);
     corners.pop_back();
     std::rotate(corners.begin(),
                 std::min_element(

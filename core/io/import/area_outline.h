@@ -14,7 +14,8 @@ namespace berg {
  * other programs). Rings that were cut at the antimeridian are put together again, along a pole
  * too, and vertices that lie on a straight line between others, put in for the map, are taken out:
  * the outline moves by less than a metre, and less than 1e-5 of its size. Empty when the rings are
- * not one polygon. Corners may be fewer than three. Cost: vertices squared at worst.
+ * not one polygon. Corners may be fewer than three; of more than an area holds (`kMostAreaCorners`)
+ * there are only some. Cost: vertices times corners at worst.
  */
 [[nodiscard]] std::vector<Point> areaOutline(std::span<const std::vector<LatLon>> rings,
                                              const LocalFrame& frame);

@@ -272,7 +272,7 @@ private:
 
     void add(const LatLon& place)
     {
-        m_budget.take(sizeof place);
+        m_budget.take(3 * sizeof place); // while the ring moves to twice the room
         m_ring.push_back(place);
     }
 

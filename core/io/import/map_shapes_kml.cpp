@@ -21,6 +21,12 @@ std::optional<std::uint32_t> colourOf(std::string_view text)
     return (abgr & 0xFF00FF00U) | ((abgr & 0xFFU) << 16U) | ((abgr >> 16U) & 0xFFU);
 }
 
+/** Of a style. Cut, since every shape holds one. */
+std::string styleKey(std::string_view text)
+{
+    return std::string(trimmed(text).substr(0, kLongestName));
+}
+
 struct Look
 {
     std::optional<std::uint32_t> fill;
@@ -34,7 +40,7 @@ public:
 
     std::vector<MapShape> take()
     {
-        const XmlEvents events{.opened = [this](XmlPath path) { opened(path.back().name); },
+        const XmlEvents events{.opened = [this](XmlPath path) { opened(path.back()); },
                                .closed = [this](XmlPath path) { closed(path); }};
         readXml(m_text, events, m_budget);
         for (std::size_t i = 0; i < m_shapes.size(); ++i) // styles may follow what has them
@@ -43,8 +49,9 @@ public:
     }
 
 private:
-    void opened(const std::string& name)
+    void opened(const XmlElement& element)
     {
+        const std::string& name = element.name;
         if (name == "Placemark") {
             m_name.clear();
             m_url.clear();
@@ -56,6 +63,8 @@ private:
             m_rings.clear();
         } else if (name == "Track") {
             m_track.clear();
+        } else if (name == "StyleMap") {
+            m_mapKey = styleKey('#' + element.attribute("id"));
         } else if (name == "Pair") {
             m_pairKey.clear();
             m_pairUrl.clear();
@@ -88,11 +97,11 @@ private:
         const std::string_view parent = parentName(path);
         const bool isOff = trimmed(element.text) == "0";
         if (element.name == "styleUrl")
-            (parent == "Pair" ? m_pairUrl : m_url) = trimmed(element.text);
+            (parent == "Pair" ? m_pairUrl : m_url) = styleKey(element.text);
         else if (element.name == "key" && parent == "Pair")
             m_pairKey = trimmed(element.text);
-        else if (element.name == "Pair" && m_pairKey == "normal" && path.size() > 1)
-            m_aliases['#' + path[path.size() - 2].attribute("id")] = m_pairUrl;
+        else if (element.name == "Pair" && m_pairKey == "normal")
+            m_aliases[m_mapKey] = m_pairUrl;
         else if (element.name == "color" && parent == "PolyStyle")
             m_look.fill = colourOf(element.text);
         else if (element.name == "color" && parent == "LineStyle")
@@ -104,7 +113,7 @@ private:
         else if (element.name == "Style" && parent == "Placemark")
             m_own = m_look;
         else if (element.name == "Style")
-            m_styles['#' + element.attribute("id")] = m_look;
+            m_styles[styleKey('#' + element.attribute("id"))] = m_look;
     }
 
     void addCoordinates(XmlPath path)
@@ -176,6 +185,7 @@ private:
     Look m_own;
     std::size_t m_first = 0; ///< shape of the Placemark
     Look m_look;
+    std::string m_mapKey;
     std::string m_pairKey;
     std::string m_pairUrl;
     std::vector<std::vector<LatLon>> m_rings;
