@@ -750,10 +750,6 @@
         <translation>Papir</translation>
     </message>
     <message>
-        <source>One page to print and take along: map, order with coordinates, legs and times, wind, warnings.</source>
-        <translation>Én side til at udskrive og tage med: kort, rækkefølge med koordinater, etaper og tider, vind, advarsler.</translation>
-    </message>
-    <message>
         <source>Drawing programs</source>
         <translation>Tegneprogrammer</translation>
     </message>
@@ -828,6 +824,10 @@
     <message>
         <source>Two or three pages: planned and flown, map, zeta against prediction, sightings, deviations.</source>
         <translation>To eller tre sider: planlagt og fløjet, kort, zeta mod forudsigelsen, observationer, afvigelser.</translation>
+    </message>
+    <message>
+        <source>To print and take along: map, order with coordinates, legs and times, wind, warnings; with an operation volume, a second page about it.</source>
+        <translation>Til at udskrive og tage med: kort, rækkefølge med koordinater, etaper og tider, vind, advarsler; med et operationsvolumen en side mere om det.</translation>
     </message>
 </context>
 <context>
@@ -921,6 +921,10 @@
     <message>
         <source>Command</source>
         <translation>Kommando</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
     </message>
 </context>
 <context>
@@ -8277,6 +8281,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>&amp;Background map…</source>
         <translation>&amp;Baggrundskort…</translation>
     </message>
+    <message>
+        <source>Values of a chart as a table</source>
+        <translation>Et diagrams værdier som tabel</translation>
+    </message>
 </context>
 <context>
     <name>berg::MessageList</name>
@@ -9211,9 +9219,12 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <source>Import airspace from %1</source>
         <translation>Importér luftrum fra %1</translation>
     </message>
-    <message>
-        <source>Airspace of %1: %2 areas added, %3 there already, %4 farther than 100 km, %5 left out</source>
-        <translation>Luftrum fra %1: %2 områder tilføjet, %3 fandtes allerede, %4 længere væk end 100 km, %5 udeladt</translation>
+    <message numerus="yes">
+        <source>Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, %4 left out</source>
+        <translation>
+            <numerusform>Luftrum fra %1: %n område tilføjet, %2 fandtes allerede, %3 længere væk end 100 km, %4 udeladt</numerusform>
+            <numerusform>Luftrum fra %1: %n områder tilføjet, %2 fandtes allerede, %3 længere væk end 100 km, %4 udeladt</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -482,6 +482,13 @@
             <numerusform>Imported %n icebergs from %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, %4 left out</source>
+        <translation>
+            <numerusform>Airspace of %1: %n area added, %2 there already, %3 farther than 100 km, %4 left out</numerusform>
+            <numerusform>Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, %4 left out</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>berg::SolveTimeChart</name>

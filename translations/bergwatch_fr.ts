@@ -750,10 +750,6 @@
         <translation>Papier</translation>
     </message>
     <message>
-        <source>One page to print and take along: map, order with coordinates, legs and times, wind, warnings.</source>
-        <translation>Une page à imprimer et à emporter : carte, ordre avec coordonnées, segments et heures, vent, avertissements.</translation>
-    </message>
-    <message>
         <source>Drawing programs</source>
         <translation>Logiciels de dessin</translation>
     </message>
@@ -828,6 +824,10 @@
     <message>
         <source>Two or three pages: planned and flown, map, zeta against prediction, sightings, deviations.</source>
         <translation>Deux ou trois pages : vol planifié et vol effectué, carte, zêta par rapport à la prévision, observations, écarts.</translation>
+    </message>
+    <message>
+        <source>To print and take along: map, order with coordinates, legs and times, wind, warnings; with an operation volume, a second page about it.</source>
+        <translation>À imprimer et à emporter : carte, ordre avec coordonnées, segments et heures, vent, avertissements ; avec un volume d&apos;exploitation, une seconde page à son sujet.</translation>
     </message>
 </context>
 <context>
@@ -921,6 +921,10 @@
     <message>
         <source>Command</source>
         <translation>Commande</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
     </message>
 </context>
 <context>
@@ -8277,6 +8281,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>&amp;Background map…</source>
         <translation>Fo&amp;nd de carte…</translation>
     </message>
+    <message>
+        <source>Values of a chart as a table</source>
+        <translation>Valeurs d&apos;un graphique en tableau</translation>
+    </message>
 </context>
 <context>
     <name>berg::MessageList</name>
@@ -9211,9 +9219,12 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <source>Import airspace from %1</source>
         <translation>Importer l&apos;espace aérien de %1</translation>
     </message>
-    <message>
-        <source>Airspace of %1: %2 areas added, %3 there already, %4 farther than 100 km, %5 left out</source>
-        <translation>Espace aérien de %1 : %2 zones ajoutées, %3 déjà présentes, %4 à plus de 100 km, %5 omises</translation>
+    <message numerus="yes">
+        <source>Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, %4 left out</source>
+        <translation>
+            <numerusform>Espace aérien de %1 : %n zone ajoutée, %2 déjà présentes, %3 à plus de 100 km, %4 laissées de côté</numerusform>
+            <numerusform>Espace aérien de %1 : %n zones ajoutées, %2 déjà présentes, %3 à plus de 100 km, %4 laissées de côté</numerusform>
+        </translation>
     </message>
 </context>
 <context>

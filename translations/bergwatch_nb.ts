@@ -750,10 +750,6 @@
         <translation>Papir</translation>
     </message>
     <message>
-        <source>One page to print and take along: map, order with coordinates, legs and times, wind, warnings.</source>
-        <translation>Én side til å skrive ut og ta med: kart, rekkefølge med koordinater, etapper og tider, vind, advarsler.</translation>
-    </message>
-    <message>
         <source>Drawing programs</source>
         <translation>Tegneprogrammer</translation>
     </message>
@@ -828,6 +824,10 @@
     <message>
         <source>Page with planned and flown, zeta against prediction, all sightings and deviations, in English.</source>
         <translation>Side med planlagt og fløyet, zeta mot prognosen, alle observasjoner og avvik, på engelsk.</translation>
+    </message>
+    <message>
+        <source>To print and take along: map, order with coordinates, legs and times, wind, warnings; with an operation volume, a second page about it.</source>
+        <translation>Til å skrive ut og ta med: kart, rekkefølge med koordinater, etapper og tider, vind, advarsler; med et operasjonsvolum en side til om det.</translation>
     </message>
 </context>
 <context>
@@ -921,6 +921,10 @@
     <message>
         <source>Command</source>
         <translation>Kommando</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>UAV</translation>
     </message>
 </context>
 <context>
@@ -8277,6 +8281,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>&amp;Background map…</source>
         <translation>Eget kart so&amp;m bakgrunn …</translation>
     </message>
+    <message>
+        <source>Values of a chart as a table</source>
+        <translation>Verdiene i et diagram som tabell</translation>
+    </message>
 </context>
 <context>
     <name>berg::MessageList</name>
@@ -9211,9 +9219,12 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <source>Import airspace from %1</source>
         <translation>Importer luftrom fra %1</translation>
     </message>
-    <message>
-        <source>Airspace of %1: %2 areas added, %3 there already, %4 farther than 100 km, %5 left out</source>
-        <translation>Luftrom fra %1: %2 områder lagt til, %3 fantes alt, %4 lenger unna enn 100 km, %5 utelatt</translation>
+    <message numerus="yes">
+        <source>Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, %4 left out</source>
+        <translation>
+            <numerusform>Luftrom fra %1: %n område lagt til, %2 fantes fra før, %3 lenger unna enn 100 km, %4 utelatt</numerusform>
+            <numerusform>Luftrom fra %1: %n områder lagt til, %2 fantes fra før, %3 lenger unna enn 100 km, %4 utelatt</numerusform>
+        </translation>
     </message>
 </context>
 <context>

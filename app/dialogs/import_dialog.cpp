@@ -228,7 +228,7 @@ void ImportDialog::request(bool atOnce)
 
 void ImportDialog::take(const PreviewPointer& preview)
 {
-    m_preview = preview;
+    const PreviewPointer before = std::exchange(m_preview, preview);
     if (preview->file) {
         m_options->showFile(*preview->file);
         m_format->setItemText(0, tr("Automatic: %1").arg(importFormatName(preview->file->format)));
@@ -237,8 +237,11 @@ void ImportDialog::take(const PreviewPointer& preview)
     showTables();
     if (preview->error && !preview->file && !preview->head.columns.isEmpty())
         m_tabs->setCurrentWidget(m_columns); // naming them may help
-    else if (!preview->error && preview->rows.empty())
+    else if (!preview->error && preview->rows.empty() && m_tabs->currentWidget() == m_icebergTable)
         m_tabs->setCurrentWidget(m_rejectedTable); // which tells why
+    else if (!preview->rows.empty() && before != nullptr && before->rows.empty() &&
+             m_tabs->currentWidget() == m_rejectedTable)
+        m_tabs->setCurrentWidget(m_icebergTable);
     showState();
 }
 

@@ -82,9 +82,10 @@ void BackdropFile::show(const BackdropPointer& backdrop)
 void BackdropFile::tell(const WorkFailure& failure)
 {
     const QString name = QFileInfo(m_path).fileName();
-    if (!m_isAsked)
+    if (!m_isAsked) {
+        panels().layers->showBackdrop(m_path); // so that it can be removed
         showMessage(tr("The background %1 cannot be read").arg(name), kLongMessage_ms);
-    else if (failure.error.code() == ErrorCode::WrongFormat)
+    } else if (failure.error.code() == ErrorCode::WrongFormat)
         interaction().showError(&window(),
                                 tr("%1 is neither GeoJSON nor KML. Convert it with a map program, "
                                    "such as QGIS, and choose it again.")

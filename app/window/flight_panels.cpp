@@ -139,14 +139,15 @@ void FlightPanels::showEvents()
 {
     const FlightRecord& record = workspace().record();
     const std::vector<MissionEvent>& events = record.history.events;
-    if (record.history.rewrites != m_markRewrites) {
+    const bool isNew = record.history.rewrites != m_markRewrites; // or opened
+    if (isNew) {
         m_markRewrites = record.history.rewrites;
         m_markedEvents = 0;
         m_marks.clear();
         panels().playback->setMarks({});
     }
     if (events.size() > m_markedEvents) {
-        const bool isNews = workspace().isPlaying() && m_markedEvents > 0;
+        const bool isNews = workspace().inFlight() && !workspace().lookedAt_s() && !isNew;
         for (; m_markedEvents < events.size(); ++m_markedEvents) {
             const MissionEvent& event = events[m_markedEvents];
             m_marks.push_back(

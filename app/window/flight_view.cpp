@@ -59,10 +59,7 @@ FlightView::FlightView(WindowContext& context, FlightPanels& flightPanels, Statu
     connect(&workspace(), &Workspace::inFlightChanged, this, &FlightView::setInFlight);
     connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
             &FlightView::showFlight);
-    connect(panels().alarms, &AlarmStrip::raised, this, [this](const QString& text) {
-        if (!workspace().lookedAt_s())
-            announce(text);
-    });
+    connect(panels().alarms, &AlarmStrip::raised, this, &FlightView::announce);
     connect(&workspace().runs(), &RunList::comparisonChanged, this, &FlightView::showFlight);
 }
 

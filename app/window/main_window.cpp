@@ -213,6 +213,7 @@ void MainWindow::takeOver(MainWindow& other)
     m_parts->safety.takeOver(other.m_parts->safety);
     const Panels& shown = other.m_panels;
     m_panels.messages->takeOver(*shown.messages);
+    m_panels.alarms->takeOver(*shown.alarms);
     m_panels.solveTime->showSpec(shown.solveTime->spec());
     m_panels.map->showAs(*shown.map);
     m_panels.playback->setRate(shown.playback->rate());

@@ -115,8 +115,8 @@ void Menus::buildFileMenu()
                               [this] { m_targets.results.exportPlan(); });
     add(menu, {"briefAction", tr("Flight brie&f..."), QKeySequence::Print, std::nullopt},
         [this] { m_targets.results.exportBrief(); });
-    add(menu, {"logAction", tr("Flight &log..."), {}, std::nullopt},
-        [this] { m_targets.results.exportReport(); });
+    m_shared.log = add(menu, {"logAction", tr("Flight &log..."), {}, std::nullopt},
+                       [this] { m_targets.results.exportReport(); });
     menu.addSeparator();
     add(menu, {"quitAction", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), std::nullopt},
         [this] { window().close(); });
@@ -431,6 +431,7 @@ void Menus::updateActions()
     const QUndoStack* history = workspace().document().undoStack();
     for (QAction* action : m_editActions)
         action->setEnabled(!locked);
+    m_shared.log->setEnabled(locked);
     m_shared.undo->setEnabled(panels().map->isDrawing() || (!locked && history->canUndo()));
     m_shared.redo->setEnabled(!locked && history->canRedo());
     m_shared.remove->setEnabled(!locked && !workspace().selection().isEmpty());
@@ -468,7 +469,9 @@ void Menus::showShortcuts()
     for (const MenuCommand& command : menuCommands(*window().menuBar()))
         if (!command.action->shortcut().isEmpty())
             add(nameInGroup(command),
-                command.action->shortcut().toString(QKeySequence::NativeText));
+                QKeySequence::listToString(command.action->shortcuts(), QKeySequence::NativeText));
+    add(tr("Values of a chart as a table"),
+        QKeySequence(Qt::Key_V).toString(QKeySequence::NativeText));
     add(tr("Zoom at the cursor"), tr("wheel"));
     add(tr("Pan"), tr("middle button, or arrow keys"));
     add(tr("Nudge what is selected"), tr("arrow keys"));

@@ -64,6 +64,7 @@ struct SharedActions
     QAction* fit = nullptr;
     QAction* follow = nullptr;
     QAction* exportPlan = nullptr;
+    QAction* log = nullptr;
     QAction* seen = nullptr;
     QAction* wind = nullptr;
     std::vector<QAction*> orders;              ///< to the selected UAVs

@@ -6,7 +6,6 @@
 #include "widgets/panels/plan/tradeoff_panel.h"
 
 #include <QSettings>
-#include <QToolButton>
 
 using namespace Qt::StringLiterals;
 
@@ -20,10 +19,9 @@ constexpr const char* kDetailsKey = "view/planDetails";
 
 PlannerView::PlannerView(WindowContext& context) : WindowPart(context)
 {
-    auto* details = panels().tradeoff->findChild<QToolButton*>(u"planDetails"_s);
-    details->setChecked(settings().value(kDetailsKey, false).toBool());
-    connect(details, &QToolButton::toggled, this,
-            [this](bool isOpen) { settings().setValue(kDetailsKey, isOpen); });
+    panels().tradeoff->setDetailsShown(settings().value(kDetailsKey, false).toBool());
+    connect(panels().tradeoff, &TradeoffPanel::detailsToggled, this,
+            [this](bool isShown) { settings().setValue(kDetailsKey, isShown); });
     connect(panels().tradeoff, &TradeoffPanel::tauEdited, &workspace(), &Workspace::setTau);
     connect(panels().tradeoff, &TradeoffPanel::tauEditFinished, &workspace().document(),
             &ScenarioDocument::endGesture);

@@ -108,7 +108,10 @@ void ScenarioDialogs::newScenario()
 
 void ScenarioDialogs::openBox(bool asksWhere)
 {
-    std::vector<FindItem> items = findableItems(workspace().document().scenario());
+    Scenario shown = workspace().document().scenario();
+    if (workspace().inFlight())
+        shown.icebergs = workspace().record().now.icebergs;
+    std::vector<FindItem> items = findableItems(shown);
     for (FindItem& command : commands())
         items.push_back(std::move(command));
     markFavourites(items, settings().value(kFavouritesKey).toStringList());

@@ -4,11 +4,9 @@
 #include "app/window/panels.h"
 #include "app/window/scenario_files.h"
 #include "app/window/start_guide.h"
-#include "core/io/import/import_airspace.h"
 #include "core/io/text/atomic_file.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
-#include "widgets/words/error_text.h"
 
 #include <QDropEvent>
 #include <QFile>
@@ -33,8 +31,28 @@ const QStringList& sightingEndings()
 
 } // namespace
 
+SightingsImport::AirspacePointer SightingsImport::read(const AirspaceRequest& request,
+                                                       const std::stop_token& stop)
+{
+    const std::string name = QFileInfo(request.path).fileName().toStdString();
+    const std::string bytes = readFile(QFile::encodeName(request.path).toStdString(), stop);
+    return std::make_shared<const Airspace>(request.path, request.into,
+                                            importAirspace(*request.into, bytes, name, stop));
+}
+
 SightingsImport::SightingsImport(WindowContext& context, ScenarioFiles& files, StartGuide& start)
-    : WindowPart(context), m_files(files), m_start(start)
+    : WindowPart(context)
+    , m_files(files)
+    , m_start(start)
+    , m_airspace(u"airspace"_s,
+                 {.work = [](const AirspaceRequest& request, const std::stop_token& stop,
+                             const auto& tell) { tell(read(request, stop)); },
+                  .deliver = [this](const AirspacePointer& airspace) { takeAirspace(*airspace); },
+                  .end =
+                      [this](const std::optional<WorkFailure>& failure) {
+                          if (failure)
+                              interaction().showError(&window(), failure->report);
+                      }})
 {
     window().setAcceptDrops(true);
     window().installEventFilter(this);
@@ -69,27 +87,38 @@ void SightingsImport::chooseAirspace()
     const QString path = interaction().openPath(
         &window(), tr("Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;"
                       "All files (*)"));
-    if (path.isEmpty() || !mayImport())
+    if (!path.isEmpty())
+        readAirspace(path);
+}
+
+void SightingsImport::readAirspace(const QString& path)
+{
+    if (!mayImport())
         return;
     panels().finishTyping();
-    const QString name = QFileInfo(path).fileName();
-    try {
-        AirspaceResult result =
-            importAirspace(workspace().document().scenario(),
-                           readFile(QFile::encodeName(path).toStdString()), name.toStdString());
-        if (result.added > 0)
-            workspace().document().edit(
-                tr("Import airspace from %1").arg(name),
-                [&](Scenario& scenario) { scenario = std::move(result.scenario); });
-        showMessage(tr("Airspace of %1: %2 areas added, %3 there already, %4 farther than 100 km, "
-                       "%5 left out")
-                        .arg(name, QString::number(result.added), QString::number(result.known),
-                             QString::number(result.far),
-                             QString::number(result.tooMany + result.rejected.count)),
-                    kMessage_ms);
-    } catch (const Error& error) {
-        interaction().showError(&window(), errorReport(error));
+    m_airspace.start({.path = path,
+                      .into = std::make_shared<const Scenario>(workspace().document().scenario())});
+}
+
+void SightingsImport::takeAirspace(const Airspace& airspace)
+{
+    if (workspace().document().scenario() != *airspace.into) {
+        readAirspace(airspace.path); // into what it is now
+        return;
     }
+    const AirspaceResult& result = airspace.result;
+    const QString name = QFileInfo(airspace.path).fileName();
+    if (result.added > 0 && mayImport()) {
+        workspace().document().edit(tr("Import airspace from %1").arg(name),
+                                    [&](Scenario& scenario) { scenario = result.scenario; });
+        m_start.closePage();
+    }
+    showMessage(tr("Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, "
+                   "%4 left out",
+                   nullptr, static_cast<int>(result.added))
+                    .arg(name, QString::number(result.known), QString::number(result.far),
+                         QString::number(result.tooMany + result.rejected.count)),
+                kMessage_ms);
 }
 
 void SightingsImport::importSightings(const QString& path)

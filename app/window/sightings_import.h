@@ -1,6 +1,10 @@
 #pragma once
 
 #include "app/window/window_part.h"
+#include "core/io/import/import_airspace.h"
+#include "widgets/model/latest_task.h"
+
+#include <memory>
 
 namespace berg {
 
@@ -23,13 +27,31 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    struct AirspaceRequest
+    {
+        QString path;
+        std::shared_ptr<const Scenario> into;
+    };
+    struct Airspace
+    {
+        QString path;
+        std::shared_ptr<const Scenario> into; ///< as it was when reading began
+        AirspaceResult result;
+    };
+    using AirspacePointer = std::shared_ptr<const Airspace>;
+    [[nodiscard]] static AirspacePointer read(const AirspaceRequest& request,
+                                              const std::stop_token& stop);
+
     [[nodiscard]] bool mayImport();
+    void readAirspace(const QString& path);
+    void takeAirspace(const Airspace& airspace);
     void importSightings(const QString& path);
     void acceptImport(const ImportChoice& choice, const QString& fileName);
     void openDropped(const QString& path);
 
     ScenarioFiles& m_files;
     StartGuide& m_start;
+    LatestTask<AirspaceRequest, AirspacePointer> m_airspace;
 };
 
 } // namespace berg

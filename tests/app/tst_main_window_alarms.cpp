@@ -82,6 +82,30 @@ private slots:
         QCOMPARE(list.count(), 1);
     }
 
+    /** What was there before is no news when one looks back, nor in another language. */
+    void nothingIsToldTwice()
+    {
+        WindowFixture w(threatened());
+        const auto messages = [&w] {
+            return test::child<QListWidget>(w.window(), u"messageList"_s).count();
+        };
+        QVERIFY(flyTo(w, 20));
+        QTRY_COMPARE(messages(), 1);
+        QTest::mouseClick(&test::child<QPushButton>(w.window(), u"acknowledge1"_s), Qt::LeftButton);
+        w.workspace.seek(0);
+        QVERIFY(w.until([&] { return w.record().instant.has_value(); }));
+        QTRY_VERIFY(
+            test::child<QLabel>(w.window(), u"flightState"_s).text().startsWith(u"Looking"_s));
+        w.workspace.seekLatest();
+        QVERIFY(w.until([&] { return !w.record().instant.has_value(); }));
+        QTRY_VERIFY(!line(w, 1).isVisible()); // it is acknowledged still
+        w.trigger(u"units/speed-knots"_s);
+        QTRY_VERIFY(!line(w, 1).isVisible());
+        QCOMPARE(messages(), 1);
+        w.trigger(u"units/speed-mps"_s);
+        QTRY_COMPARE(messages(), 1);
+    }
+
     void clickBringsItOntoTheMap()
     {
         WindowFixture w(threatened());

@@ -48,6 +48,20 @@ class TestMainWindowBackdrop : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    /** It may be on a drive that is missing today, or never come back. */
+    void aFileThatIsGoneCanBeRemoved()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.settings.setValue("view/backdrop", w.file(u"gone.geojson"_s));
+        MainWindow next(w.workspace, w.interaction, w.settings);
+        auto& button = test::child<QPushButton>(next, u"backdropButton"_s);
+        QTRY_COMPARE(button.text(), u"gone.geojson"_s);
+        auto& remove = test::child<QPushButton>(next, u"backdropRemoveButton"_s);
+        QVERIFY(!remove.isHidden());
+        remove.click();
+        QVERIFY(!w.settings.contains("view/backdrop"));
+    }
+
     void isShownRememberedAndRemoved()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

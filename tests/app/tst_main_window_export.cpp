@@ -38,6 +38,15 @@ class TestMainWindowExport : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    /** Of a flight: there is none before take-off. */
+    void logIsOfAFlight()
+    {
+        WindowFixture w(randomScenario(1, {.icebergs = 4}));
+        QVERIFY(!w.action(u"logAction"_s).isEnabled());
+        w.workspace.stepTicks(1);
+        QTRY_VERIFY(w.action(u"logAction"_s).isEnabled());
+    }
+
     void exportsWhatTheTableWrites_data()
     {
         QTest::addColumn<QString>("format");

@@ -52,6 +52,36 @@ class TestMainWindowImport : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    /** Read on a thread of its own, into the scenario as it is when that has ended. */
+    void airspaceIsOneUndoStep()
+    {
+        WindowFixture w(test::openSea());
+        const Scenario before = w.scenario();
+        const QString path = w.file(u"zones.openair"_s);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("AC D\nAN ZONE\nAL GND\nAH FL100\n");
+        const LocalFrame frame(before.origin);
+        for (const Point& corner_m : {Point(0, 0), Point(5000, 0), Point(0, 5000)}) {
+            const LatLon place = frame.toGeographic(corner_m);
+            const auto angle = [](double deg, char positive, char negative) {
+                return QByteArray::number(std::abs(deg), 'f', 6) + (deg < 0 ? negative : positive);
+            };
+            file.write("DP " + angle(place.latitude_deg, 'N', 'S') + ' ' +
+                       angle(place.longitude_deg, 'E', 'W') + '\n');
+        }
+        file.close();
+        w.interaction.path = path;
+        w.trigger(u"airspaceAction"_s);
+        w.document().edit(u"Other"_s, [](Scenario& scenario) { scenario.seed = 99; });
+        QTRY_COMPARE(w.scenario().airspace.size(), std::size_t{1});
+        QCOMPARE(w.scenario().seed, std::int64_t{99});
+        QVERIFY(w.window().statusBar()->currentMessage().contains(u"1 area added"_s));
+        w.document().undoStack()->undo();
+        w.document().undoStack()->undo();
+        QVERIFY(w.scenario() == before);
+    }
+
     void isOneUndoStep()
     {
         WindowFixture w(test::openSea());

@@ -83,6 +83,21 @@ private slots:
         QVERIFY(w.action(u"overviewAction"_s).isChecked());
     }
 
+    void findsWhatWasAddedInFlight()
+    {
+        WindowFixture w(fourIcebergs());
+        w.workspace.stepTicks(10);
+        QVERIFY(w.until([&] { return w.workspace.mayIntervene(); }));
+        w.workspace.addIceberg({.position_m = {1000, 1000}});
+        QVERIFY(w.until([&] { return w.record().now.icebergs.size() == 5; }));
+        w.trigger(u"findAction"_s);
+        auto& field = test::child<QLineEdit>(w.window(), u"findField"_s);
+        const std::string& id = w.record().now.icebergs.back().id;
+        QTest::keyClicks(&field, QString::fromStdString(id));
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(w.workspace.selection().ids(), std::vector<std::string>{id});
+    }
+
     void favouritesAreKept()
     {
         WindowFixture w(fourIcebergs());

@@ -195,13 +195,13 @@ double directionOf(const Point& velocity_mps)
                                   : headingFromPsi(std::atan2(velocity_mps.y(), velocity_mps.x()));
 }
 
-Point clampedVelocity(const Point& velocity_mps)
+Point clampedVelocity(const Point& velocity_mps, double most_mps)
 {
     const double largest_mps = velocity_mps.cwiseAbs().maxCoeff();
-    if (largest_mps <= kLargestVelocity_mps)
+    if (largest_mps <= most_mps)
         return velocity_mps;
-    const Point shorter_mps = velocity_mps * (kLargestVelocity_mps / largest_mps);
-    return shorter_mps.cwiseMax(-kLargestVelocity_mps).cwiseMin(kLargestVelocity_mps);
+    const Point shorter_mps = velocity_mps * (most_mps / largest_mps);
+    return shorter_mps.cwiseMax(-most_mps).cwiseMin(most_mps);
 }
 
 std::string freshIcebergId(const Scenario& scenario)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scenario/limits.h"
 #include "core/scenario/scenario.h"
 
 #include <span>
@@ -44,8 +45,9 @@ void renameObject(Scenario& scenario, const std::string& before, const std::stri
 /** Where a velocity goes, degrees clockwise from north in [0, 360); 0 of none. */
 [[nodiscard]] double directionOf(const Point& velocity_mps);
 
-/** As much of a velocity, its direction kept, as a scenario may hold. */
-[[nodiscard]] Point clampedVelocity(const Point& velocity_mps);
+/** As much of a velocity, its direction kept, as its components may be. */
+[[nodiscard]] Point clampedVelocity(const Point& velocity_mps,
+                                    double most_mps = kLargestVelocity_mps);
 
 /**
  * Moves what is selected, the area as a whole, by one common offset: as much of `offset_m` as keeps

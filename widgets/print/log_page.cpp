@@ -283,11 +283,18 @@ private:
     {
         line(LogText::tr("SHA-256 of the first plan as a file of the format wpl"), kCaption);
         const double line_px = linePitch_px(kWords.size_px);
-        for (const LogUav& uav : log.uavs)
-            if (room(line_px, 0) > 0)
-                line(u"%1  %2"_s.arg(QString::fromStdString(uav.planHash),
-                                     printable(titleOf(content.mission->scenario().uavs[uav.row]))),
+        for (std::size_t i = 0; i < log.uavs.size(); ++i) {
+            if (i + 1 < log.uavs.size() && room(line_px, 0) < 2) {
+                line(LogText::tr("and %1 more; all of them: export log-html")
+                         .arg(log.uavs.size() - i),
                      kWords);
+                break;
+            }
+            const LogUav& uav = log.uavs[i];
+            line(u"%1  %2"_s.arg(QString::fromStdString(uav.planHash),
+                                 printable(titleOf(content.mission->scenario().uavs[uav.row]))),
+                 kWords);
+        }
     }
 
     QSizeF m_page;

@@ -93,11 +93,15 @@ void setAccessibleRole(QWidget& widget, QAccessible::Role role)
 
 void followSelection(QAbstractItemView& list)
 {
-    QObject::connect(list.selectionModel(), &QItemSelectionModel::selectionChanged, &list,
-                     [&list](const QItemSelection& selected) {
-                         if (!selected.isEmpty())
-                             list.setCurrentIndex(selected.indexes().front());
-                     });
+    // Queued: what selects by making current has not done that yet.
+    QObject::connect(
+        list.selectionModel(), &QItemSelectionModel::selectionChanged, &list,
+        [&list] {
+            const QModelIndexList selected = list.selectionModel()->selectedIndexes();
+            if (!selected.isEmpty() && selected.front() != list.currentIndex())
+                list.setCurrentIndex(selected.front());
+        },
+        Qt::QueuedConnection);
 }
 
 void installAccessibleRoles()

@@ -114,8 +114,9 @@ ExportFormatText pageText(std::string_view id)
         return {.group = group,
                 .name = ExportText::tr("Flight brief"),
                 .tool = ExportText::tr("Paper"),
-                .about = ExportText::tr("One page to print and take along: map, order with "
-                                        "coordinates, legs and times, wind, warnings.")};
+                .about = ExportText::tr("To print and take along: map, order with coordinates, "
+                                        "legs and times, wind, warnings; with an operation "
+                                        "volume, a second page about it.")};
     if (id == "log")
         return {.group = group,
                 .name = ExportText::tr("Flight log"),

@@ -42,8 +42,19 @@ double snapped(double value, double step)
 
 } // namespace
 
-DriftArrow::DriftArrow(MapScene& scene) : m_scene(scene), m_time_s(drawnTime_s(scene))
+DriftArrow::DriftArrow(MapScene& scene, const std::string& grabbed)
+    : m_scene(scene), m_time_s(drawnTime_s(scene))
 {
+    const std::vector<MapIceberg>& icebergs = scene.picture().icebergs;
+    const auto taken = std::ranges::find(icebergs, grabbed, keyOf);
+    if (!grabbed.empty() && taken != icebergs.end()) {
+        const QLineF shown = driftArrow(scene.picture(), scene.layout(),
+                                        static_cast<std::size_t>(taken - icebergs.begin()));
+        QLineF drawn = shown;
+        if (!shown.isNull())
+            drawn.setLength(taken->velocity_mps.norm() * m_time_s * scene.view().scale_pxpm());
+        m_grip_px = shown.p2() - drawn.p2();
+    }
     m_scene.setDriftTime(m_time_s);
 }
 
@@ -59,7 +70,8 @@ Point DriftArrow::velocity_mps(const Iceberg& iceberg, const MapPointer& tip,
     const std::optional<LabelDisk> symbol = m_scene.symbolOf(iceberg.id);
     // The arrows of the map begin at the edge of the symbol; inside it there is no drift.
     const double edge_px = symbol ? symbol->radius_px : 0;
-    const Point path_px(tip.at_px.x() - centre.x(), centre.y() - tip.at_px.y());
+    const QPointF tip_px = tip.at_px - m_grip_px;
+    const Point path_px(tip_px.x() - centre.x(), centre.y() - tip_px.y());
     const double length_px = path_px.norm();
     if (length_px <= edge_px)
         return Point::Zero();

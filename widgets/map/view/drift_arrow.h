@@ -3,7 +3,10 @@
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/view/map_tools.h"
 
+#include <QPointF>
+
 #include <optional>
+#include <string>
 
 namespace berg {
 
@@ -14,7 +17,8 @@ namespace berg {
 class DriftArrow
 {
 public:
-    explicit DriftArrow(MapScene& scene);
+    /** `grabbed`: key of the iceberg whose arrow is taken at its tip; empty: a new one is drawn. */
+    explicit DriftArrow(MapScene& scene, const std::string& grabbed = {});
     ~DriftArrow();
     DriftArrow(const DriftArrow&) = delete;
     DriftArrow& operator=(const DriftArrow&) = delete;
@@ -33,6 +37,7 @@ public:
 private:
     MapScene& m_scene;
     double m_time_s;
+    QPointF m_grip_px; ///< from the tip to the pointer: the arrow taken stood for a longer time
 };
 
 /** "0.31 m/s  045°". */

@@ -38,7 +38,7 @@ public:
         : HandleDrag(context, handle)
         , m_ids(selectedIcebergs(context))
         , m_iceberg(*findIceberg(context.document.scenario(), handle.id))
-        , m_arrow(context.scene)
+        , m_arrow(context.scene, handle.id)
     {
         begin(
             HandleText::tr("Change drift of %n icebergs", nullptr, static_cast<int>(m_ids.size())));

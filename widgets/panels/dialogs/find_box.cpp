@@ -31,7 +31,7 @@ QString kindText(FindKind kind)
     case FindKind::Iceberg:
         return FindBox::tr("Iceberg");
     case FindKind::Uav:
-        return u"UAV"_s;
+        return FindBox::tr("UAV");
     case FindKind::Place:
         return FindBox::tr("Place");
     case FindKind::Command:

@@ -243,26 +243,49 @@ void AlarmStrip::showGivenUp(const QString& text)
 
 void AlarmStrip::showNotices(const std::vector<FlightNotice>& notices)
 {
-    if (notices == m_notices)
-        return;
-    const std::vector<FlightNotice> before = std::exchange(m_notices, notices);
-    // What is over is forgotten, so that it is told when it happens again.
+    const bool isNew = notices != m_notices;
+    m_notices = notices;
+    if (!m_lookBack_s)
+        forgetWhatIsOver();
+    if (isNew) {
+        fillNotices();
+        fillState();
+        showOrHide();
+    }
+    if (!m_lookBack_s)
+        tellNews();
+}
+
+/** So that it is told when it happens again. */
+void AlarmStrip::forgetWhatIsOver()
+{
     for (auto& [kind, ids] : m_acknowledged) {
         std::set<std::string> still;
-        for (const FlightNotice& notice : notices)
+        for (const FlightNotice& notice : m_notices)
             if (notice.kind == kind)
                 still.merge(subjectsOf(notice));
         std::erase_if(ids, [&](const std::string& id) { return !still.contains(id); });
     }
-    fillNotices();
-    fillState();
-    showOrHide();
-    for (const FlightNotice& notice : notices)
+}
+
+void AlarmStrip::tellNews()
+{
+    const std::vector<FlightNotice> before = std::exchange(m_told, m_notices);
+    for (const FlightNotice& notice : m_told)
         if (rankOf(notice.kind) != NoticeRank::Note &&
             std::ranges::none_of(before, [&](const FlightNotice& known) {
                 return known.kind == notice.kind && known.about == notice.about;
             }))
             emit raised(notice.text);
+}
+
+void AlarmStrip::takeOver(const AlarmStrip& other)
+{
+    m_told = other.m_told;
+    m_acknowledged = other.m_acknowledged;
+    fillNotices();
+    fillState();
+    showOrHide();
 }
 
 void AlarmStrip::acknowledge(std::size_t line)

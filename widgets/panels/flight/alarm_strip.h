@@ -39,13 +39,15 @@ public:
      */
     void showState(bool inFlight, std::optional<double> lookBack_s, const QString& fault = {});
     void showNotices(const std::vector<FlightNotice>& notices);
+    /** What was told and acknowledged there is here as well. */
+    void takeOver(const AlarmStrip& other);
     /** Says so, with a button that brings the flight back; empty: nothing was given up. */
     void showGivenUp(const QString& text);
 
 signals:
     /** Ids of what a notice is about. */
     void noticeChosen(const std::vector<std::string>& about);
-    /** An alarm or warning that was not there before. */
+    /** An alarm or warning of the present that was not there before. */
     void raised(const QString& text);
     void bringBackRequested();
     /** Give up what came after the instant shown and fly on from it. */
@@ -69,6 +71,8 @@ private:
     void addNoticeLine();
     void addStateLine();
     void addGivenUpLine();
+    void forgetWhatIsOver();
+    void tellNews();
     void fillNotices();
     void fill(const NoticeLine& line, const FlightNotice& notice);
     void fillState();
@@ -77,6 +81,7 @@ private:
 
     Theme m_theme = Theme::light();
     std::vector<FlightNotice> m_notices; ///< all
+    std::vector<FlightNotice> m_told;    ///< those of the newest instant shown
     std::vector<FlightNotice> m_open;    ///< of those what is not acknowledged, the worst first
     std::map<NoticeKind, std::set<std::string>> m_acknowledged; ///< ids of what those are about
     QTimer m_pause; ///< after an acknowledgement: a double click is not meant for the next alarm

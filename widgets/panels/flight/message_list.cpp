@@ -40,8 +40,9 @@ void MessageList::add(const QString& text)
 
 void MessageList::takeOver(const MessageList& other)
 {
+    clear(); // told again, in another language
     for (int row = 0; row < other.count(); ++row)
-        insertItem(row, other.item(row)->text());
+        addItem(other.item(row)->text());
 }
 
 void MessageList::keyPressEvent(QKeyEvent* event)

@@ -38,13 +38,6 @@ NumberRow inUnit(NumberRow row, const ShownUnit& unit)
     return row;
 }
 
-/** As much of a velocity, its direction kept, as its components may be. */
-Point clampedTo(double largest_mps, const Point& velocity_mps)
-{
-    const double largest = velocity_mps.cwiseAbs().maxCoeff();
-    return largest <= largest_mps ? velocity_mps : Point(velocity_mps * (largest_mps / largest));
-}
-
 /** A half of the place on the globe. */
 template <class Object>
 EntryRow angleRow(const RowWords& words, PlaceHalf half)
@@ -165,8 +158,8 @@ std::vector<InspectorRow> velocityRows(const VelocityRows& given)
     };
     const auto write = [given, turn_deg](Scenario& scenario, const std::string& id,
                                          double speed_mps, double shown_deg) {
-        const Point velocity_mps =
-            clampedTo(given.componentLimit_mps, velocityTowards(speed_mps, shown_deg + turn_deg));
+        const Point velocity_mps = clampedVelocity(velocityTowards(speed_mps, shown_deg + turn_deg),
+                                                   given.componentLimit_mps);
         const Point written_mps =
             given.finest_mps > 0 ? roundedTo(velocity_mps, given.finest_mps) : velocity_mps;
         given.east.write(scenario, id, written_mps.x() + 0.0); // no -0 in files

@@ -32,7 +32,9 @@ std::vector<PlanLine> linesOf(const std::vector<PlanSection>& sections)
                                      .arrival_s = section.lastArrival_s(),
                                      .isSeen = section.isPlanned},
                              .uav = uav,
-                             .visits = static_cast<int>(section.rows.size())});
+                             .visits = static_cast<int>(std::ranges::count_if(
+                                 section.rows, [](const PlanRow& row) { return row.number >= 0; })),
+                             .isIdle = section.rows.empty()});
         for (std::size_t k = 0; k < section.rows.size(); ++k)
             lines.push_back({.row = section.rows[k],
                              .uav = uav,
@@ -197,16 +199,15 @@ QString PlanModel::text(int row, Column column) const
 
 QString PlanModel::uavText(const PlanLine& line, Column column) const
 {
-    const bool hasVisits = line.visits > 0;
     switch (column) {
     case Name:
         return line.row.name;
     case Leg:
-        return hasVisits ? distanceText(line.row.leg_m, m_locale) : noFigure();
+        return !line.isIdle ? distanceText(line.row.leg_m, m_locale) : noFigure();
     case Arrival:
         if (!line.row.isSeen)
             return tr("later");
-        return hasVisits ? arrivalText(line.row.arrival_s) : noFigure();
+        return !line.isIdle ? arrivalText(line.row.arrival_s) : noFigure();
     case Sigma:
         return tr("%n visits", nullptr, line.visits);
     case Number:
@@ -225,7 +226,7 @@ QString PlanModel::uavToolTip(const PlanLine& line) const
         return name + u'\n' +
                tr("It is on its way home, on the ground or holding: it is planned again at "
                   "take-off or when it resumes.");
-    if (line.visits == 0)
+    if (line.isIdle)
         return name + u'\n' + tr("There is nothing for it to visit.");
     return name + u'\n' +
            tr("%1, flown %2", "length and end of a way")

@@ -12,10 +12,11 @@ namespace berg {
 /** One line of the table: an iceberg, or the UAV that the icebergs below it are visited by. */
 struct PlanLine
 {
-    PlanRow row;    ///< of a UAV: its id and name, the whole way and the last arrival
-    int uav = -1;   ///< place of the UAV in the scenario; -1: there is but one, it has no line
-    int number = 0; ///< place in the order of the UAV, from 1; 0: it is the UAV; -1: none
-    int visits = 0; ///< of a UAV
+    PlanRow row;        ///< of a UAV: its id and name, the whole way and the last arrival
+    int uav = -1;       ///< place of the UAV in the scenario; -1: there is but one, it has no line
+    int number = 0;     ///< place in the order of the UAV, from 1; 0: it is the UAV; -1: none
+    int visits = 0;     ///< of a UAV
+    bool isIdle = true; ///< of a UAV: it neither visits nor searches
     bool operator==(const PlanLine&) const = default;
 
     [[nodiscard]] bool isUav() const { return number == 0; }

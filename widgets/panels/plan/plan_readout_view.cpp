@@ -61,7 +61,7 @@ PlanReadoutView::PlanReadoutView(QWidget* parent) : QWidget(parent)
 /** What only the solver's side of the plan is about: folded until it is wanted. */
 void PlanReadoutView::addDetails(QGridLayout& grid)
 {
-    auto* button = new QToolButton(this);
+    QToolButton* button = m_details = new QToolButton(this);
     button->setObjectName(u"planDetails"_s);
     button->setText(tr("Details"));
     button->setToolTip(tr("Objective and distance weight of the plan"));
@@ -88,6 +88,12 @@ void PlanReadoutView::addDetails(QGridLayout& grid)
         button->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
         details->setVisible(isOpen);
     });
+    connect(button, &QToolButton::toggled, this, &PlanReadoutView::detailsToggled);
+}
+
+void PlanReadoutView::setDetailsShown(bool isShown)
+{
+    m_details->setChecked(isShown);
 }
 
 /** `place`: column and row of the figure; its caption is below. */

@@ -7,6 +7,7 @@
 
 class QGridLayout;
 class QLabel;
+class QToolButton;
 
 namespace berg {
 
@@ -23,8 +24,12 @@ public:
     void setTheme(const Theme& theme);
     void showPlan(const PlanReadout& readout, PolicyKind policy);
 
+    /** Objective and distance weight. */
+    void setDetailsShown(bool isShown);
+
 signals:
     void checksRequested();
+    void detailsToggled(bool isShown);
 
 private:
     [[nodiscard]] FigureLabel* addFigure(QGridLayout& grid, QPoint place, const QString& name,
@@ -38,6 +43,7 @@ private:
     FigureLabel* m_reward = nullptr;
     FigureLabel* m_objective = nullptr;
     FigureLabel* m_mu = nullptr;
+    QToolButton* m_details = nullptr;
     QLabel* m_mark = nullptr;  ///< shape of the verdict
     QLabel* m_state = nullptr; ///< its words
 };

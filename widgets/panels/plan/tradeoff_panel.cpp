@@ -122,6 +122,7 @@ TradeoffPanel::TradeoffPanel(QWidget* parent) : QWidget(parent)
     m_result = new PlanReadoutView(this);
     column->addWidget(m_result);
     connect(m_result, &PlanReadoutView::checksRequested, this, &TradeoffPanel::checksRequested);
+    connect(m_result, &PlanReadoutView::detailsToggled, this, &TradeoffPanel::detailsToggled);
     column->addStretch();
 
     m_tauRest.setSingleShot(true);
@@ -271,6 +272,11 @@ void TradeoffPanel::chooseTau(double tau)
 void TradeoffPanel::showCurve(const TauCurve& curve)
 {
     m_strip->setCurve(curve);
+}
+
+void TradeoffPanel::setDetailsShown(bool isShown)
+{
+    m_result->setDetailsShown(isShown);
 }
 
 void TradeoffPanel::stepPlan(int direction)

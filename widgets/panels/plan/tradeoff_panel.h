@@ -39,6 +39,8 @@ public:
     /** In flight only tau and policy can be changed. */
     void setInFlight(bool inFlight);
     void showPlan(const PlanReadout& readout);
+    /** Objective and distance weight of the plan. */
+    void setDetailsShown(bool isShown);
     /** What each policy is predicted to come to, beside its name and below the one chosen. */
     void showForecasts(const PolicyForecastList& forecasts);
     /** The plans along the trade-off, below the slider. */
@@ -62,6 +64,7 @@ signals:
     void routeEdited(berg::Route route);
     /** What stands in the way of planning is to be shown. */
     void checksRequested();
+    void detailsToggled(bool isShown);
 
 private:
     void addTau();

@@ -25,6 +25,7 @@ struct HandleFixture : test::MapFixture
         scene.setRect(QRectF(view.rect()));
         scene.setPicture(withScenario(plainPicture(), scenario()));
         scene.setView(view.view());
+        scene.setLayers(view.layers());
         return handlesOf(scene, selection);
     }
     [[nodiscard]] QPoint handleOf(const std::string& id)
@@ -85,6 +86,30 @@ private slots:
             0, 1.5);
         map.document.undoStack()->undo();
         QVERIFY(map.scenario() == before);
+    }
+
+    /** The tip shown is that of a day, cut short; taken, the drift is still what it was. */
+    void anArrowOfADayIsTakenWhereItEnds()
+    {
+        HandleFixture map;
+        MapLayers layers;
+        layers.horizon_s = 86400;
+        map.view.setLayers(layers);
+        map.selection.set({"berg-3"});
+        const double before_mps = map.velocity_mps(2).norm();
+        const QPoint from = map.handleOf("berg-3");
+        const QPointF centre = map.view.toScreen(map.scenario().icebergs[2].position_m);
+        const QPointF along = (from - centre) / QLineF(centre, from).length();
+        map.press(from);
+        for (int i = 1; i <= 8; ++i) // beyond where a press becomes a drag
+            map.move((from + i * along).toPoint());
+        const double longer_mps = map.velocity_mps(2).norm();
+        QVERIFY2(longer_mps > before_mps && longer_mps < before_mps + 0.2,
+                 qPrintable(QString::number(longer_mps)));
+        for (int i = 8; i >= 0; --i)
+            map.move((from + i * along).toPoint());
+        COMPARE_NEAR(map.velocity_mps(2).norm(), before_mps, 0.01);
+        map.release(from);
     }
 
     void aStandingIcebergHasOneAtItsRim()

@@ -87,6 +87,21 @@ struct Desk
     [[nodiscard]] std::vector<int> former() const { return picture().routes[0].formerPlan; }
 };
 
+void searchesAreNoVisits(PlanSection section)
+{
+    section.name = u"uav-1"_s; // as of several UAVs
+    PlanModel model(QLocale::c());
+    model.setPlan({section});
+    const auto visits = std::ranges::count_if(
+        section.rows, [](const PlanRow& row) { return row.searches.empty(); });
+    const QModelIndex told = model.index(0, PlanModel::Sigma);
+    QVERIFY(told.data().toString().startsWith(QString::number(visits) + u' '));
+    std::erase_if(section.rows, [](const PlanRow& row) { return row.searches.empty(); });
+    model.setPlan({section});
+    QVERIFY(told.data().toString().startsWith(u"0 "_s));
+    QVERIFY(told.siblingAtColumn(PlanModel::Leg).data().toString().contains(u'm'));
+}
+
 } // namespace
 
 /** What the plan shown took the place of: on the map and in figures. */
@@ -194,6 +209,7 @@ private slots:
             QCOMPARE(name.data(Qt::ToolTipRole).toString().contains(u"searched for in"_s),
                      isSearch);
         }
+        searchesAreNoVisits(sections.front());
     }
 
     /** The judgement of a long run ends before it does. */
