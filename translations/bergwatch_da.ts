@@ -7060,6 +7060,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Exports the log of the run: planned and flown, sightings, deviations.</source>
         <translation>Eksporterer flyvningens log: planlagt og fløjet, observationer, afvigelser.</translation>
     </message>
+    <message>
+        <source>%1, %2 % computed</source>
+        <translation>%1, %2 % beregnet</translation>
+    </message>
 </context>
 <context>
     <name>berg::FlightControls</name>
@@ -8320,6 +8324,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>mixed</source>
         <translation>forskellige</translation>
+    </message>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>Fra %1 til %2</translation>
     </message>
 </context>
 <context>

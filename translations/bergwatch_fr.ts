@@ -7060,6 +7060,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Exports the log of the run: planned and flown, sightings, deviations.</source>
         <translation>Exporte le journal du vol : planifié et effectué, observations, écarts.</translation>
     </message>
+    <message>
+        <source>%1, %2 % computed</source>
+        <translation>%1, calculée à %2 %</translation>
+    </message>
 </context>
 <context>
     <name>berg::FlightControls</name>
@@ -8320,6 +8324,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>mixed</source>
         <translation>divers</translation>
+    </message>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>De %1 à %2</translation>
     </message>
 </context>
 <context>

@@ -7060,6 +7060,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Exports the log of the run: planned and flown, sightings, deviations.</source>
         <translation>Eksporterer flygeloggen: planlagt og fløyet, observasjoner, avvik.</translation>
     </message>
+    <message>
+        <source>%1, %2 % computed</source>
+        <translation>%1, %2 % beregnet</translation>
+    </message>
 </context>
 <context>
     <name>berg::FlightControls</name>
@@ -8320,6 +8324,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>mixed</source>
         <translation>ulike</translation>
+    </message>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>Fra %1 til %2</translation>
     </message>
 </context>
 <context>

@@ -148,7 +148,8 @@ QVBoxLayout* ExportDialog::makeResult()
 QLayout* ExportDialog::makeFile()
 {
     auto* grid = new QGridLayout;
-    m_path = new QLineEdit(m_offer.suggested.path);
+    m_suggested = m_offer.suggested.path;
+    m_path = new QLineEdit(m_suggested);
     m_path->setObjectName(u"exportPath"_s);
     auto* label = new QLabel(tr("&File"));
     label->setBuddy(m_path);
@@ -170,7 +171,7 @@ QWidget* ExportDialog::makeButtons()
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
     m_export->setObjectName(u"exportButton"_s);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::acceptChoice);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     return buttons;
 }
@@ -200,13 +201,45 @@ void ExportDialog::showFormat()
     m_about->setText(u"<b>%1 · %2</b><br>%3"_s.arg(
         text.name.toHtmlEscaped(), text.tool.toHtmlEscaped(), text.about.toHtmlEscaped()));
     m_options->showFormat(format());
-    m_path->setText(withEnding(m_path->text(), format().extension));
+    const bool isSuggested = m_path->text() == m_suggested;
+    m_suggested = suggestedPath();
+    m_path->setText(isSuggested ? m_suggested : withEnding(m_path->text(), format().extension));
     request();
+}
+
+/** Several formats of one ending have names of their own, so that none takes another's place. */
+QString ExportDialog::suggestedPath() const
+{
+    const std::string_view id = format().id.substr(0, format().id.find('-'));
+    const auto sharing =
+        std::ranges::count(exportFormats(), format().extension, &ExportFormat::extension);
+    const bool isNamed = sharing > 1 && id != format().extension;
+    const QString path = withEnding(m_offer.suggested.path, format().extension);
+    if (!isNamed)
+        return path;
+    const QString ending = u'.' + stringOf(format().extension);
+    return path.chopped(ending.size()) + u'-' + stringOf(id) + ending;
+}
+
+/** At once, or when it is known that it can be. */
+void ExportDialog::acceptChoice()
+{
+    if (isUsable())
+        return accept();
+    request();
+    m_isAccepted = true;
+}
+
+/** A preview of an earlier request is not to be taken for this one. */
+bool ExportDialog::isUsable() const
+{
+    return m_preview && m_preview->request == choice() && !m_preview->error;
 }
 
 void ExportDialog::request()
 {
     m_pathPause->stop();
+    m_isAccepted = false;
     m_runner.requestExportPreview(choice());
     showState();
 }
@@ -220,6 +253,8 @@ void ExportDialog::take(const ExportPreviewPointer& preview)
         m_view->showPreview(preview);
     showNotes(*preview);
     showState();
+    if (m_isAccepted && m_export->isEnabled())
+        accept();
 }
 
 /** Changes first. */
@@ -266,20 +301,19 @@ QString ExportDialog::filesText() const
     return text;
 }
 
-/** What can be done now: a preview of an earlier request is not to be taken for this one. */
+/** What can be done now. */
 void ExportDialog::showState()
 {
     const QString fault = fileFault();
     const bool isCurrent = m_preview && m_preview->request == choice();
-    const bool isUsable = isCurrent && !m_preview->error;
-    m_view->setEnabled(isUsable);
-    m_export->setEnabled(isUsable && fault.isEmpty());
+    m_view->setEnabled(isUsable());
+    m_export->setEnabled((isUsable() || !isCurrent) && fault.isEmpty());
     if (!fault.isEmpty())
         m_fileNote->setText(fault);
     else if (!isCurrent)
         m_fileNote->setText(tr("Working ..."));
     else
-        m_fileNote->setText(isUsable ? filesText() : QString());
+        m_fileNote->setText(isUsable() ? filesText() : QString());
 }
 
 void ExportDialog::browse()

@@ -41,6 +41,9 @@ private:
     void addFormats();
     void chooseFormat(const std::string& id);
     void showFormat();
+    [[nodiscard]] QString suggestedPath() const;
+    void acceptChoice();
+    [[nodiscard]] bool isUsable() const;
     void request();
     void take(const ExportPreviewPointer& preview);
     void showNotes(const ExportPreview& preview);
@@ -62,6 +65,8 @@ private:
     QTimer* m_pathPause = nullptr; ///< until then the name of the file may still be typed
     QLabel* m_fileNote = nullptr;
     QPushButton* m_export = nullptr;
+    QString m_suggested;       ///< path; another one was named by the user
+    bool m_isAccepted = false; ///< and waits for the preview
 };
 
 } // namespace berg

@@ -74,10 +74,10 @@ Point WindDialog::wind_mps() const
 void WindDialog::judge()
 {
     const bool isStrong = wind_mps().norm() >= kStrongWind * m_airspeed_mps;
-    m_note->setText(
-        isStrong
-            ? tr("The UAV will make little way against this wind.")
-            : tr("Always slower than the UAV flies: %1.").arg(speedText(m_airspeed_mps, locale())));
+    QString airspeed = speedText(m_airspeed_mps, locale());
+    airspeed.replace(u'/', u"/\u2060"_s); // no line ends within the unit
+    m_note->setText(isStrong ? tr("The UAV will make little way against this wind.")
+                             : tr("Always slower than the UAV flies: %1.").arg(airspeed));
 }
 
 } // namespace berg

@@ -59,6 +59,7 @@ public:
 
     QTemporaryDir folder;
 
+    [[nodiscard]] ExportDialog& dialog() { return *m_dialog; }
     [[nodiscard]] ExportRequest choice() { return m_dialog->choice(); }
     template <class Widget>
     [[nodiscard]] Widget& at(const char* name)
@@ -68,7 +69,9 @@ public:
     [[nodiscard]] bool canExport() { return at<QPushButton>("exportButton").isEnabled(); }
     [[nodiscard]] bool settles()
     {
-        return QTest::qWaitFor([this] { return canExport(); }, 60000);
+        const auto& note = at<QLabel>("exportFileNote");
+        return QTest::qWaitFor([&] { return canExport() && note.text() != u"Working ..."_s; },
+                               60000);
     }
     [[nodiscard]] bool isRefused()
     {
@@ -292,6 +295,35 @@ private slots:
         QVERIFY(!dialog.canExport());
         dialog.at<QDoubleSpinBox>("exportAirspeed").setValue(0);
         QVERIFY(dialog.settles());
+    }
+
+    /** Whoever is quicker than the preview is not left without a file. */
+    void exportWaitsForThePreview()
+    {
+        Exporting dialog(withUavs(1));
+        QVERIFY(dialog.settles());
+        QSignalSpy accepted(&dialog.dialog(), &QDialog::accepted);
+        const QString path = dialog.folder.filePath(u"typed.plan"_s);
+        dialog.at<QLineEdit>("exportPath").setText(path);
+        dialog.at<QPushButton>("exportButton").click();
+        QTRY_COMPARE(accepted.size(), 1);
+        QCOMPARE(dialog.choice().path, path);
+    }
+
+    /** Two formats of one ending do not have one name, unless the user gives it. */
+    void formatsHaveNamesOfTheirOwn()
+    {
+        Exporting dialog(withUavs(1));
+        const auto pathOf = [&](const QString& format) {
+            dialog.choose(format);
+            return QFileInfo(dialog.choice().path).fileName();
+        };
+        QCOMPARE(pathOf(u"plan"_s), u"survey.plan"_s);
+        QCOMPARE(pathOf(u"brief"_s), u"survey-brief.pdf"_s);
+        QCOMPARE(pathOf(u"map-pdf"_s), u"survey-map.pdf"_s);
+        QCOMPARE(pathOf(u"csv"_s), u"survey.csv"_s);
+        dialog.at<QLineEdit>("exportPath").setText(u"/tmp/mine.csv"_s);
+        QCOMPARE(pathOf(u"brief"_s), u"mine.pdf"_s);
     }
 
     void folderMustBeThere()

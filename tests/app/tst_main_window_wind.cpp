@@ -186,7 +186,7 @@ private slots:
         const auto& note = test::child<QLabel>(dialog, u"windNote"_s);
         COMPARE_NEAR(speed.value(), 8, 0.005);
         COMPARE_NEAR(from.value(), 250, 0.05);
-        QVERIFY(note.text().contains(u"22 m/s"_s));
+        QVERIFY(note.text().contains(u"22 m/\u2060s"_s));
         QVERIFY((dialog.wind_mps() - windOf(8, 250)).norm() < 0.01);
         QVERIFY(test::child<QPushButton>(dialog, u"setWindButton"_s).isDefault());
         test::enter(speed, u"15.5"_s);
@@ -195,6 +195,11 @@ private slots:
         QVERIFY(note.text().startsWith(u"The UAV will make little way"_s));
         test::enter(speed, u"99"_s); // always slower than the UAV
         QVERIFY(dialog.wind_mps().norm() < 22);
+        speed.selectAll();
+        QTest::keyClicks(&speed, u"25"_s); // not 2, with the 5 refused
+        QTest::keyClick(&speed, Qt::Key_Tab);
+        QCOMPARE(speed.value(), speed.maximum());
+        QVERIFY(dialog.wind_mps().norm() > 21);
     }
 
     /** It says where it was at time 0; on the map it is where it was dropped, and sails on. */

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -112,6 +113,39 @@ void NumberField::finish()
     if (!std::exchange(m_editing, false))
         return;
     emit editFinished();
+}
+
+/** A number beyond the limits can be typed to its end; else its first digits would be taken. */
+QValidator::State NumberField::validate(QString& text, int& position) const
+{
+    const QValidator::State state = QDoubleSpinBox::validate(text, position);
+    if (state != QValidator::Invalid)
+        return state;
+    const std::optional<double> number = numberIn(text);
+    return number && (*number < minimum() || *number > maximum()) ? QValidator::Intermediate
+                                                                  : QValidator::Invalid;
+}
+
+/** Makes it the nearest one that can be set, and says so. */
+void NumberField::fixup(QString& text) const
+{
+    const std::optional<double> number = numberIn(text);
+    if (!number)
+        return;
+    text = prefix() + textFromValue(std::clamp(*number, minimum(), maximum())) + suffix();
+    QToolTip::showText(mapToGlobal(rect().bottomLeft()),
+                       tr("From %1 to %2").arg(textFromValue(minimum()), textFromValue(maximum())));
+}
+
+std::optional<double> NumberField::numberIn(QString text) const
+{
+    constexpr int kLongest = 20;
+    if (text.endsWith(suffix()))
+        text.chop(suffix().size());
+    bool isNumber = false;
+    const double number = locale().toDouble(text.trimmed(), &isNumber);
+    return isNumber && std::isfinite(number) && text.size() <= kLongest ? std::optional(number)
+                                                                        : std::nullopt;
 }
 
 void NumberField::finishTyping()

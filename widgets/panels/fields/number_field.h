@@ -16,7 +16,8 @@ struct Decimals
 /**
  * A number to be edited. Shows what it is given without telling anybody; tells what the user made
  * of it. Typing counts when it is finished (Return, focus leaves). It can stand for several things
- * with different numbers: then it is empty and says "mixed". The wheel needs the focus.
+ * with different numbers: then it is empty and says "mixed". A number beyond the limits becomes the
+ * nearest that can be set. The wheel needs the focus.
  */
 class NumberField : public QDoubleSpinBox
 {
@@ -50,11 +51,15 @@ signals:
 
 protected:
     [[nodiscard]] QString textFromValue(double value) const override;
+    QValidator::State validate(QString& text, int& position) const override;
+    void fixup(QString& text) const override;
 
 private:
     void showNumber(double value, bool mixed);
     void setMixed(bool mixed);
     [[nodiscard]] bool isShown(double value) const;
+    /** None: what is typed is no number. */
+    [[nodiscard]] std::optional<double> numberIn(QString text) const;
     void noteTyping(const QString& text);
     void commit(double value);
     void finish();

@@ -45,8 +45,10 @@ FlightSummary flightSummary(const FlightRecord& record, const PolicyForecastList
     FlightSummary summary{.zeta_m2s = run.metrics.zeta_m2s,
                           .predicted_m2s = predictionOf(run, forecasts),
                           .visits = run.metrics.visits};
-    if (const KnownBound bound = record.boundOfFlight(); bound.zeta_m2s > 0)
+    if (const KnownBound bound = record.boundOfFlight(); bound.zeta_m2s > 0) {
         summary.bound_m2s = bound.zeta_m2s;
+        summary.boundShare = bound.whole ? 1 : bound.share;
+    }
     if (figures.longestUnseen >= 0) {
         const auto longest = static_cast<std::size_t>(figures.longestUnseen);
         summary.longestUnseen = shownName(record.now.icebergs[longest]);
@@ -152,7 +154,12 @@ void FlightCard::showSummary(const FlightSummary& summary)
             ? u"%1 (%2)"_s.arg(changeText(summary.zeta_m2s / *summary.predicted_m2s - 1, locale()),
                                zeta(*summary.predicted_m2s))
             : noFigure());
-    showValue(*m_bound, summary.bound_m2s ? zeta(*summary.bound_m2s) : noFigure());
+    const QString bound = summary.bound_m2s ? zeta(*summary.bound_m2s) : noFigure();
+    showValue(
+        *m_bound,
+        summary.bound_m2s && summary.boundShare < 1
+            ? tr("%1, %2 % computed").arg(bound, fixedText(100 * summary.boundShare, 0, locale()))
+            : bound);
     showValue(*m_visits, fixedText(summary.visits, 0, locale()));
     showValue(*m_unseen,
               summary.longestUnseen.isEmpty()

@@ -20,6 +20,7 @@ struct FlightSummary
     double zeta_m2s = 0;
     std::optional<double> predicted_m2s; ///< before take-off; none: not known, or of another flight
     std::optional<double> bound_m2s;     ///< zeta of no flight is below
+    double boundShare = 1;               ///< of the work for it that is done; then it may rise
     int visits = 0;
     QString longestUnseen; ///< the iceberg that was out of view longest; empty: none was
     double longestUnseen_s = 0;
