@@ -308,7 +308,7 @@ SightingTable readAnyCsv(const ImportText& source)
     layout.timeNeeded = reads(layout, SightingField::Time) || reads(layout, SightingField::Date);
     layout.isMonthFirst = false;
     SightingTable table = readRows(source, layout);
-    decideOneIceberg(table);
+    decideIdentity(table);
     return table;
 }
 
@@ -352,7 +352,7 @@ SightingTable readCisBeacon(const ImportText& source)
     requirePlace(layout, source.budget.subject());
     requireField(layout, Time, source.budget.subject());
     SightingTable table = readRows(source, layout);
-    decideOneIceberg(table);
+    decideIdentity(table);
     return table;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace berg {
 
@@ -315,9 +316,16 @@ void addRow(SightingTable& table, std::variant<Sighting, RejectedRow> row, ReadB
     table.sightings.push_back(std::move(*sighting));
 }
 
-void decideOneIceberg(SightingTable& table)
+void decideIdentity(SightingTable& table)
 {
-    const std::deque<Sighting>& rows = table.sightings;
+    std::deque<Sighting>& rows = table.sightings;
+    const bool isNamed = std::ranges::all_of(rows, [](const Sighting& row) {
+        return row.id.empty() && !row.name.empty() && row.name.size() <= kLongestId;
+    });
+    if (isNamed && std::ranges::any_of(
+                       rows, [&](const Sighting& row) { return row.name != rows.front().name; }))
+        for (Sighting& row : rows)
+            row.id = std::exchange(row.name, {});
     const bool unnamed = std::all_of(rows.begin(), rows.end(), [](const Sighting& row) {
         return row.id.empty() && row.time.has_value();
     });

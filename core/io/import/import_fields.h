@@ -125,7 +125,10 @@ template <class NumberOf>
 /** Adds what was read of a row to the table. */
 void addRow(SightingTable& table, std::variant<Sighting, RejectedRow> row, ReadBudget& budget);
 
-/** Sets `oneIceberg`: rows without ids, at different times, are the track of one beacon. */
-void decideOneIceberg(SightingTable& table);
+/**
+ * Of rows without ids: where each has a name, and not all the same, the name is the id; else, at
+ * different times, they are the track of one beacon (`oneIceberg`).
+ */
+void decideIdentity(SightingTable& table);
 
 } // namespace berg

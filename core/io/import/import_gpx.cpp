@@ -15,7 +15,7 @@ public:
         const XmlEvents events{.opened = [this](XmlPath path) { opened(path.back()); },
                                .closed = [this](XmlPath path) { closed(path); }};
         readXml(m_source.text, events, m_source.budget);
-        decideOneIceberg(m_table);
+        decideIdentity(m_table);
         return std::move(m_table);
     }
 

@@ -19,6 +19,7 @@ namespace berg {
 namespace {
 
 constexpr int kMargin_px = 10;
+constexpr int kFewestLetters = 14; ///< of the name of the background that are seen
 constexpr int kFull = 100; ///< percent
 constexpr int kStep = 10;
 constexpr std::array<double, 8> kHorizons_s{600, 1800, 3600, 10800, 21600, 43200, 86400, 172800};
@@ -80,6 +81,7 @@ void LayersPanel::addBackdropRow(QFormLayout& form)
     m_open = new QPushButton;
     m_open->setObjectName(u"backdropButton"_s);
     m_open->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // as wide as there is room
+    m_open->setMinimumWidth(kFewestLetters * m_open->fontMetrics().averageCharWidth());
     m_open->setAutoDefault(false);
     m_remove = new QPushButton(tr("Remove"));
     m_remove->setObjectName(u"backdropRemoveButton"_s);

@@ -130,6 +130,16 @@ private slots:
         QVERIFY(!readText("time,lat,lon\n2024-01-01T00:00:00Z,1,2\n2024-01-01T00:00:00Z,1,3\n")
                      .oneIceberg);
         QVERIFY(!readText("lat,lon\n1,2\n1,3\n").oneIceberg);
+        // A column of names tells them apart as one of ids does.
+        const SightingTable named =
+            readText("name;lat;lon;time\nA;1;2;2024-05-01T00:00:00Z\nB;1;3;2024-05-01T01:00:00Z\n"
+                     "A;1;2;2024-05-01T02:00:00Z\n");
+        QVERIFY(!named.oneIceberg);
+        QCOMPARE(named.sightings[0].id, named.sightings[2].id);
+        QCOMPARE(named.sightings[1].id, std::string("B"));
+        QVERIFY(readText("name,lat,lon,time\nA,1,2,2024-05-01T00:00:00Z\n"
+                         "A,1,3,2024-05-01T01:00:00Z\n")
+                    .oneIceberg);
     }
 
     void commasAmongDigits_data()

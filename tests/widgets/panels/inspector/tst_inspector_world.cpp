@@ -98,6 +98,25 @@ private slots:
         QVERIFY(f.scenario() == scenario);
     }
 
+    /** What came while another tab was shown has its room when this one is. */
+    void rowsThatCameUnseenHaveRoom()
+    {
+        Fixture f;
+        f.panel.hide();
+        const std::vector<Point> near_m{{2000, 2000}, {2400, 2000}, {2400, 2300}};
+        f.document.edit(u"Airspace"_s, [&](Scenario& scenario) {
+            scenario.airspace = {
+                {.name = "a zone with a long name", .kind = "R", .corners_m = near_m},
+                {.name = "another zone", .kind = "D", .corners_m = near_m}};
+        });
+        f.panel.show();
+        QCoreApplication::processEvents();
+        for (const QString& name : {u"airspaceClose"_s, u"airspaceRemove"_s, u"observerModel"_s}) {
+            const auto& row = test::child<QWidget>(f.panel, name);
+            QVERIFY2(row.height() >= row.minimumSizeHint().height(), qPrintable(name));
+        }
+    }
+
     void observerIsEditedWhereItMatters()
     {
         Fixture f;
