@@ -6977,6 +6977,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Iceberg, UAV, place, coordinate or command</source>
         <translation>Isbjerg, drone, sted, koordinat eller kommando</translation>
     </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Intet fundet</translation>
+    </message>
 </context>
 <context>
     <name>berg::FlightCard</name>

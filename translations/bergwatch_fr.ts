@@ -6977,6 +6977,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Iceberg, UAV, place, coordinate or command</source>
         <translation>Iceberg, drone, lieu, coordonnée ou commande</translation>
     </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Rien trouvé</translation>
+    </message>
 </context>
 <context>
     <name>berg::FlightCard</name>

@@ -6977,6 +6977,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Iceberg, UAV, place, coordinate or command</source>
         <translation>Isfjell, UAV, sted, koordinat eller kommando</translation>
     </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Fant ingenting</translation>
+    </message>
 </context>
 <context>
     <name>berg::FlightCard</name>

@@ -28,7 +28,10 @@ FlightControls::FlightControls(WindowContext& context) : WindowPart(context)
     connect(panels().playback, &PlaybackBar::timeEdited, &workspace(), &Workspace::seek);
     connect(panels().events, &EventPanel::timeChosen, &workspace(), &Workspace::seek);
 
-    connect(panels().alarms, &AlarmStrip::flyOnRequested, &workspace(), &Workspace::flyOnFromHere);
+    connect(panels().alarms, &AlarmStrip::flyOnRequested, this, [this] {
+        showMessage({}, 0); // that one is looking back
+        workspace().flyOnFromHere();
+    });
     connect(panels().alarms, &AlarmStrip::bringBackRequested, &workspace(),
             &Workspace::bringBackFlight);
     connect(&workspace(), &Workspace::givenUpChanged, this, &FlightControls::showGivenUp);

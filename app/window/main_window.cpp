@@ -262,6 +262,11 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = *static_cast<QKeyEvent*>(event);
+        // Fields would take it as the end of the line.
+        if (key.modifiers() == Qt::ControlModifier && key.key() == Qt::Key_E) {
+            event->ignore();
+            return true;
+        }
         const bool plain = key.modifiers() == Qt::NoModifier;
         const bool isButton = qobject_cast<QAbstractButton*>(watched) != nullptr;
         const bool isList = qobject_cast<QComboBox*>(watched) != nullptr;

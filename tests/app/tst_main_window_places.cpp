@@ -79,8 +79,23 @@ private slots:
         QCOMPARE(w.workspace.selection().ids(), std::vector<std::string>{"berg-3"});
         find(u"overview"_s);
         QVERIFY(w.action(u"overviewAction"_s).isChecked());
+        w.trigger(u"findAction"_s);
+        QTest::keyClicks(&field, u"berg-1"_s);
+        QTest::keyClick(&field, Qt::Key_E, Qt::ControlModifier); // of the menu, not of the field
+        QCOMPARE(w.interaction.offers.size(), std::size_t{1});
         find(u"plan layout"_s); // there is no such command: nothing happens
         QVERIFY(w.action(u"overviewAction"_s).isChecked());
+    }
+
+    void saysWhenNothingIsFound()
+    {
+        WindowFixture w(fourIcebergs());
+        w.trigger(u"findAction"_s);
+        auto& field = test::child<QLineEdit>(w.window(), u"findField"_s);
+        QTest::keyClicks(&field, u"zzqq"_s);
+        QCOMPARE(test::child<QLabel>(w.window(), u"findReason"_s).text(), u"Nothing found"_s);
+        field.clear();
+        QVERIFY(!test::child<QLabel>(w.window(), u"findReason"_s).isVisible());
     }
 
     void findsWhatWasAddedInFlight()

@@ -9,13 +9,30 @@ namespace berg {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+/** With the dates and numbers of the user's country where that speaks it; English elsewhere counts
+ * days before months and to 24 hours. */
+QLocale localeOf(const QString& language)
+{
+    const QLocale system = QLocale::system();
+    const QLocale chosen(language);
+    if (language.isEmpty() || chosen.language() == system.language())
+        return system;
+    return chosen.language() == QLocale::English
+               ? QLocale(QLocale::English, QLocale::UnitedKingdom)
+               : chosen;
+}
+
+} // namespace
+
 void installLanguage(const QString& language)
 {
     static QTranslator own;
     static QTranslator qt;
     QCoreApplication::removeTranslator(&own);
     QCoreApplication::removeTranslator(&qt);
-    const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
+    const QLocale locale = localeOf(language);
     QLocale::setDefault(locale);
     for (const QLocale& spoken : {locale, QLocale(QLocale::English)})
         if (own.load(spoken, u"bergwatch"_s, u"_"_s, u":/i18n"_s)) {

@@ -156,6 +156,8 @@ void FindBox::showMatches()
     if (rows > 0)
         m_list->setFixedHeight(rows * m_list->sizeHintForRow(0) + 2 * m_list->frameWidth());
     showCurrent();
+    if (rows == 0 && !m_field->text().trimmed().isEmpty())
+        explain(tr("Nothing found"));
 }
 
 /** A coordinate that is typed may be one. */

@@ -60,7 +60,8 @@ std::unordered_map<std::string, double> arrivalsOf(const FlightRecord& record)
     std::unordered_map<std::string, double> arrivals_s;
     for (const PlanSection& section : planSections(record.shown(), record.scenario))
         for (const PlanRow& row : section.rows)
-            arrivals_s.emplace(row.id, row.arrival_s);
+            if (row.isSeen) // else on a later sortie
+                arrivals_s.emplace(row.id, row.arrival_s);
     return arrivals_s;
 }
 
@@ -89,6 +90,8 @@ struct PlaceInOrder
 std::vector<PlaceInOrder> placesOf(const MissionSnapshot& shown)
 {
     std::vector<PlaceInOrder> places(shown.icebergs.size());
+    if (shown.phase == RunPhase::Finished) // nothing of the plan is left
+        return places;
     for (const PlanEvent& plan : shown.plans)
         for (std::size_t k = 0; k < plan.order.size(); ++k)
             places[static_cast<std::size_t>(plan.order[k])] = {.place = static_cast<int>(k) + 1,

@@ -198,6 +198,15 @@ private slots:
         QVERIFY(f.cell(order[0], IcebergColumn::Arrival).startsWith(u"in "_s));
     }
 
+    void nothingIsPlannedAfterTheEnd()
+    {
+        Fixture f;
+        f.model.showRecord(recordOf(test::flown(test::fourIcebergs())));
+        for (int row = 0; row < f.model.rowCount(); ++row)
+            QVERIFY(!f.cell(row, IcebergColumn::State).contains(u"in the order"_s) ||
+                    f.cell(row, IcebergColumn::State) == u"not in the order"_s);
+    }
+
     void flightIsForReading()
     {
         Fixture f;
