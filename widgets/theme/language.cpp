@@ -19,9 +19,8 @@ QLocale localeOf(const QString& language)
     const QLocale chosen(language);
     if (language.isEmpty() || chosen.language() == system.language())
         return system;
-    return chosen.language() == QLocale::English
-               ? QLocale(QLocale::English, QLocale::UnitedKingdom)
-               : chosen;
+    return chosen.language() == QLocale::English ? QLocale(QLocale::English, QLocale::UnitedKingdom)
+                                                 : chosen;
 }
 
 } // namespace

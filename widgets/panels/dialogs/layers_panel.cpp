@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kMargin_px = 10;
 constexpr int kFewestLetters = 14; ///< of the name of the background that are seen
-constexpr int kFull = 100; ///< percent
+constexpr int kFull = 100;         ///< percent
 constexpr int kStep = 10;
 constexpr std::array<double, 8> kHorizons_s{600, 1800, 3600, 10800, 21600, 43200, 86400, 172800};
 

@@ -87,10 +87,11 @@ struct PlaceInOrder
 };
 
 /** By index. */
-std::vector<PlaceInOrder> placesOf(const MissionSnapshot& shown)
+std::vector<PlaceInOrder> placesOf(const FlightRecord& record)
 {
+    const MissionSnapshot& shown = record.shown();
     std::vector<PlaceInOrder> places(shown.icebergs.size());
-    if (shown.phase == RunPhase::Finished) // nothing of the plan is left
+    if (record.isOver()) // nothing of the plan is left
         return places;
     for (const PlanEvent& plan : shown.plans)
         for (std::size_t k = 0; k < plan.order.size(); ++k)
@@ -248,7 +249,7 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
     const MissionSnapshot& shown = record.shown();
     const std::unordered_map<std::string, double> arrivals_s = arrivalsOf(record);
     const std::vector<int> visits = visitsOf(record);
-    const std::vector<PlaceInOrder> places = placesOf(shown);
+    const std::vector<PlaceInOrder> places = placesOf(record);
     std::vector<IcebergTableRow> rows;
     rows.reserve(shown.icebergs.size());
     const LocalFrame frame(record.scenario.origin);

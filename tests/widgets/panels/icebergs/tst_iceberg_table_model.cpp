@@ -201,7 +201,9 @@ private slots:
     void nothingIsPlannedAfterTheEnd()
     {
         Fixture f;
-        f.model.showRecord(recordOf(test::flown(test::fourIcebergs())));
+        Scenario scenario = test::fourIcebergs();
+        scenario.duration_s = 60;
+        f.model.showRecord(recordAt(test::flown(scenario, 60), 60));
         for (int row = 0; row < f.model.rowCount(); ++row)
             QVERIFY(!f.cell(row, IcebergColumn::State).contains(u"in the order"_s) ||
                     f.cell(row, IcebergColumn::State) == u"not in the order"_s);
