@@ -77,6 +77,421 @@
     </message>
 </context>
 <context>
+    <name>CommandLine</name>
+    <message>
+        <source>--backends: %1 is none of %2</source>
+        <translation>--backends: %1 er ingen af %2</translation>
+    </message>
+    <message>
+        <source>solving</source>
+        <translation>løser</translation>
+    </message>
+    <message>
+        <source>interrupted: the table ends early</source>
+        <translation>afbrudt: tabellen slutter for tidligt</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>advarsel</translation>
+    </message>
+    <message>
+        <source>hint</source>
+        <translation>tip</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>%1 tilbage</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a number</source>
+        <translation>%1: %2 er ikke et tal</translation>
+    </message>
+    <message>
+        <source>interrupted, nothing written</source>
+        <translation>afbrudt, intet er skrevet</translation>
+    </message>
+    <message>
+        <source>proving the curve</source>
+        <translation>beviser kurven</translation>
+    </message>
+    <message>
+        <source>note: %1</source>
+        <translation>bemærk: %1</translation>
+    </message>
+    <message>
+        <source>--format: %1 is none of %2</source>
+        <translation>--format: %1 er ingen af %2</translation>
+    </message>
+    <message>
+        <source>--output: no format has the suffix of %1; --format names one of %2</source>
+        <translation>--output: intet format har filendelsen på %1; --format vælger et af %2</translation>
+    </message>
+    <message>
+        <source>--format %1: is painted by the program bergwatch, which was found neither beside this one nor on the PATH</source>
+        <translation>--format %1: tegnes af programmet bergwatch, som hverken findes ved siden af dette eller i PATH</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no UTC time such as 2026-05-01T12:00:00Z</source>
+        <translation>%1: %2 er ikke et UTC-tidspunkt som 2026-05-01T12:00:00Z</translation>
+    </message>
+    <message>
+        <source>--area: %1 is not SOUTH,WEST,NORTH,EAST in degrees</source>
+        <translation>--area: %1 er ikke SOUTH,WEST,NORTH,EAST (syd, vest, nord, øst) i grader</translation>
+    </message>
+    <message>
+        <source>--map: %1 is not FIELD=COLUMN with a field of %2</source>
+        <translation>--map: %1 er ikke FIELD=COLUMN med et felt af %2</translation>
+    </message>
+    <message>
+        <source>--position-error: %1 is neither metres nor one of %2</source>
+        <translation>--position-error: %1 er hverken meter eller en af %2</translation>
+    </message>
+    <message>
+        <source>--with-tracks needs --at: the tracks are what was sighted after it</source>
+        <translation>--with-tracks kræver --at: sporene er det, der blev observeret efter det tidspunkt</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>og %1 mere</translation>
+    </message>
+    <message>
+        <source>and %1 more notes on icebergs</source>
+        <translation>og %1 bemærkninger mere om isbjerge</translation>
+    </message>
+    <message>
+        <source>--format airspace needs --into, the scenario that it is added to</source>
+        <translation>--format airspace kræver --into, scenariet, som det føjes til</translation>
+    </message>
+    <message>
+        <source>the processes of MPI were given different options</source>
+        <translation>MPI-processerne har fået forskellige tilvalg</translation>
+    </message>
+    <message>
+        <source>%1 is none of %2</source>
+        <translation>%1 er ingen af %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number from %2 to %3</source>
+        <translation>%1 er ikke et helt tal fra %2 til %3</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 er ikke et tal</translation>
+    </message>
+    <message>
+        <source>%1 is an input of this command: name another file</source>
+        <translation>%1 er inddata for denne kommando: angiv en anden fil</translation>
+    </message>
+    <message>
+        <source>%1 is an input of this command (%2): name another file</source>
+        <translation>%1 er inddata for denne kommando (%2): angiv en anden fil</translation>
+    </message>
+    <message>
+        <source>%1 is the file of %2 already: name another file</source>
+        <translation>%1 er allerede filen for %2: angiv en anden fil</translation>
+    </message>
+    <message>
+        <source>%1 and --json both need standard output</source>
+        <translation>%1 og --json skal begge bruge standard output</translation>
+    </message>
+    <message>
+        <source>%1: exists; --force overwrites it</source>
+        <translation>%1: findes allerede; --force overskriver den</translation>
+    </message>
+    <message>
+        <source>%1: %2 and %3 contradict each other: one of the two is wrong. Do not trust this order.</source>
+        <translation>%1: %2 og %3 modsiger hinanden: en af de to tager fejl. Stol ikke på denne rækkefølge.</translation>
+    </message>
+    <message>
+        <source>--mu is for problem files; a scenario is planned with --tau</source>
+        <translation>--mu gælder problemfiler; et scenarie planlægges med --tau</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this</source>
+        <translation>der er ikke hukommelse nok til dette</translation>
+    </message>
+    <message>
+        <source>This is a planning problem: use &apos;solve&apos;.</source>
+        <translation>Dette er et planlægningsproblem: brug »solve«.</translation>
+    </message>
+    <message>
+        <source>This is a scenario: use &apos;plan&apos;, &apos;simulate&apos; or &apos;export&apos;.</source>
+        <translation>Dette er et scenarie: brug »plan«, »simulate« eller »export«.</translation>
+    </message>
+    <message>
+        <source>This is a run: use &apos;simulate&apos; or &apos;export&apos;.</source>
+        <translation>Dette er en flyvning: brug »simulate« eller »export«.</translation>
+    </message>
+    <message>
+        <source>This is a study: use &apos;study&apos;.</source>
+        <translation>Dette er et studie: brug »study«.</translation>
+    </message>
+    <message>
+        <source>Name the columns of a table: --map latitude=COLUMN --map longitude=COLUMN.</source>
+        <translation>Angiv kolonnerne i en tabel: --map latitude=COLUMN --map longitude=COLUMN.</translation>
+    </message>
+    <message>
+        <source>Is this a file of Bergwatch? Sightings are read by &apos;import&apos;.</source>
+        <translation>Er dette en fil fra Bergwatch? Observationer læses af »import«.</translation>
+    </message>
+    <message>
+        <source>there is no script for %1</source>
+        <translation>der findes intet script til %1</translation>
+    </message>
+    <message>
+        <source>Try &apos;%1 --help&apos;.</source>
+        <translation>Prøv »%1 --help«.</translation>
+    </message>
+    <message>
+        <source>took %1 s of processor time and %2 MB of memory</source>
+        <translation>brugte %1 s processortid og %2 MB hukommelse</translation>
+    </message>
+    <message>
+        <source>%1 is empty</source>
+        <translation>%1 er tom</translation>
+    </message>
+    <message>
+        <source>flying</source>
+        <translation>flyver</translation>
+    </message>
+    <message>
+        <source>a run file is replayed as it was flown; --tau, --policy, --duration, --dt, --seed and --no-noise are for scenarios</source>
+        <translation>en gemt flyvning afspilles, som den blev fløjet; --tau, --policy, --duration, --dt, --seed og --no-noise gælder scenarier</translation>
+    </message>
+    <message>
+        <source>replaying</source>
+        <translation>afspiller</translation>
+    </message>
+    <message>
+        <source>--bound is for what the UAV sees by itself; in this run an iceberg was reported seen</source>
+        <translation>--bound gælder det, dronen selv ser; i denne flyvning blev et isbjerg meldt set</translation>
+    </message>
+    <message>
+        <source>--bound is for the scenario&apos;s wind; in this run it changed</source>
+        <translation>--bound gælder scenariets vind; i denne flyvning ændrede den sig</translation>
+    </message>
+    <message>
+        <source>bounding</source>
+        <translation>finder nedre grænse</translation>
+    </message>
+    <message>
+        <source>interrupted: the flight is complete, its lower bound is missing</source>
+        <translation>afbrudt: flyvningen er fuldført, dens nedre grænse mangler</translation>
+    </message>
+    <message>
+        <source>not complete: %1 of %2 missions are flown; counted are the cases with all their settings</source>
+        <translation>ikke fuldført: %1 af %2 missioner er fløjet; kun tilfælde med alle indstillinger regnes med</translation>
+    </message>
+    <message>
+        <source>--reference: %1 is not POLICY[:TAU] with one of %2</source>
+        <translation>--reference: %1 er ikke POLICY[:TAU] med en af %2</translation>
+    </message>
+    <message>
+        <source>--reference: %1 is not flown in this study</source>
+        <translation>--reference: %1 flyves ikke i dette studie</translation>
+    </message>
+    <message>
+        <source>--tau: %1 is not A:B:STEP with 0 &lt;= A &lt;= B &lt;= 100</source>
+        <translation>--tau: %1 er ikke A:B:STEP med 0 &lt;= A &lt;= B &lt;= 100</translation>
+    </message>
+    <message>
+        <source>--tau: %1 makes it more than %2 values</source>
+        <translation>--tau: med %1 bliver det mere end %2 værdier</translation>
+    </message>
+    <message>
+        <source>--policies: %1 is none of %2</source>
+        <translation>--policies: %1 er ingen af %2</translation>
+    </message>
+    <message>
+        <source>--regime is for --random N; scenarios say themselves how icebergs drift</source>
+        <translation>--regime gælder --random N; scenarier siger selv, hvordan isbjerge driver</translation>
+    </message>
+    <message>
+        <source>name scenarios, or give --random N</source>
+        <translation>angiv scenarier eller --random N</translation>
+    </message>
+    <message>
+        <source>--shard: %1 is not I/N with 1 &lt;= I &lt;= N</source>
+        <translation>--shard: %1 er ikke I/N med 1 &lt;= I &lt;= N</translation>
+    </message>
+    <message>
+        <source>--shard: the part needs a file to be kept in: --study FILE</source>
+        <translation>--shard: delen kræver en fil at blive gemt i: --study FILE</translation>
+    </message>
+    <message>
+        <source>--shard: the files of all shards are written by &apos;study&apos;</source>
+        <translation>--shard: filerne for alle dele skrives af »study«</translation>
+    </message>
+    <message>
+        <source>--replace-study: is for --study FILE</source>
+        <translation>--replace-study: gælder --study FILE</translation>
+    </message>
+    <message>
+        <source>flying %1 missions</source>
+        <translation>flyver %1 missioner</translation>
+    </message>
+    <message>
+        <source>interrupted: %1 of %2 missions are kept in %3; the same command carries on</source>
+        <translation>afbrudt: %1 af %2 missioner er gemt i %3; den samme kommando fortsætter</translation>
+    </message>
+    <message>
+        <source>there is no option &apos;%1&apos;</source>
+        <translation>der findes intet tilvalg »%1«</translation>
+    </message>
+    <message>
+        <source>there is no option &apos;%1&apos;; did you mean &apos;%2&apos;?</source>
+        <translation>der findes intet tilvalg »%1«; mente du »%2«?</translation>
+    </message>
+    <message>
+        <source>there is no command &apos;%1&apos;</source>
+        <translation>der findes ingen kommando »%1«</translation>
+    </message>
+    <message>
+        <source>there is no command &apos;%1&apos;; did you mean &apos;%2&apos;?</source>
+        <translation>der findes ingen kommando »%1«; mente du »%2«?</translation>
+    </message>
+    <message>
+        <source>a command is required</source>
+        <translation>en kommando mangler</translation>
+    </message>
+    <message>
+        <source>%1 needs a value</source>
+        <translation>%1 kræver en værdi</translation>
+    </message>
+    <message>
+        <source>%1 is given more than once</source>
+        <translation>%1 er angivet mere end én gang</translation>
+    </message>
+    <message>
+        <source>not expected: %1</source>
+        <translation>uventet: %1</translation>
+    </message>
+    <message>
+        <source>%1 is required</source>
+        <translation>%1 mangler</translation>
+    </message>
+    <message>
+        <source>a file holds one UAV: %1 files are written, named after the UAVs</source>
+        <translation>en fil har plads til én drone: der skrives %1 filer med navn efter dronerne</translation>
+    </message>
+    <message>
+        <source>the scenario has no start time, so the file has no dates</source>
+        <translation>scenariet har intet starttidspunkt, så filen har ingen datoer</translation>
+    </message>
+    <message>
+        <source>the geofence is left out: the format has no place for it</source>
+        <translation>geohegnet udelades: formatet har ikke plads til det</translation>
+    </message>
+    <message>
+        <source>no-fly areas and the stand-off ring are left out: the format has no place for them</source>
+        <translation>flyveforbudsområder og sikkerhedsringen udelades: formatet har ikke plads til dem</translation>
+    </message>
+    <message>
+        <source>no-fly areas have no heights: those at the altitude of the UAV are written</source>
+        <translation>flyveforbudsområder har ingen højder: dem i dronens højde skrives</translation>
+    </message>
+    <message>
+        <source>%1 may draw the fence the long way round: it crosses the antimeridian</source>
+        <translation>%1 tegner muligvis hegnet den lange vej rundt: det krydser 180°-meridianen</translation>
+    </message>
+    <message>
+        <source>the places where icebergs were reached are written, not the track</source>
+        <translation>stederne, hvor isbjerge blev nået, skrives, ikke sporet</translation>
+    </message>
+    <message>
+        <source>the path becomes %1 waypoints within %2 m of it</source>
+        <translation>banen bliver til %1 rutepunkter inden for %2 m af den</translation>
+    </message>
+    <message>
+        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m</source>
+        <translation>%1 gemmer acceptradier op til %3 m: %2 m bliver til %3 m</translation>
+    </message>
+    <message>
+        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m</source>
+        <translation>%1 gemmer kredsradier over 255 m i trin på 10 m: %2 m bliver til %3 m</translation>
+    </message>
+    <message>
+        <source>%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact</source>
+        <translation>%1 læser marchfarten som et helt tal: %2 m/s bliver til %3 m/s; farten i missionen er nøjagtig</translation>
+    </message>
+    <message>
+        <source>the file is about the whole flight, whatever is chosen to be exported</source>
+        <translation>filen handler om hele flyvningen, uanset hvad der er valgt at eksportere</translation>
+    </message>
+    <message>
+        <source>UAVs without an iceberg to visit: %1</source>
+        <translation>Droner uden et isbjerg at besøge: %1</translation>
+    </message>
+    <message>
+        <source>straight legs that lead out of the geofence or through a no-fly area: %1; the path (--what path) leads round</source>
+        <translation>lige etaper, der fører ud af geohegnet eller gennem et flyveforbudsområde: %1; banen (--what path) fører udenom</translation>
+    </message>
+    <message>
+        <source>this sortie alone is written: icebergs of the order left for later ones: %1</source>
+        <translation>kun dette togt skrives: isbjerge i rækkefølgen, der er tilbage til senere togter: %1</translation>
+    </message>
+    <message>
+        <source>velocity unknown</source>
+        <translation>hastighed ukendt</translation>
+    </message>
+    <message>
+        <source>velocity from the file</source>
+        <translation>hastighed fra filen</translation>
+    </message>
+    <message>
+        <source>velocity limited to 5 m/s per axis</source>
+        <translation>hastighed begrænset til 5 m/s pr. akse</translation>
+    </message>
+    <message>
+        <source>q estimated</source>
+        <translation>q anslået</translation>
+    </message>
+    <message>
+        <source>q limited to 1e6 m2/s</source>
+        <translation>q begrænset til 1e6 m2/s</translation>
+    </message>
+    <message>
+        <source>stationary</source>
+        <translation>ligger stille</translation>
+    </message>
+    <message>
+        <source>sightings of one time</source>
+        <translation>flere observationer på samme tidspunkt</translation>
+    </message>
+    <message>
+        <source>sightings at impossible places not used</source>
+        <translation>observationer på umulige steder er ikke brugt</translation>
+    </message>
+    <message>
+        <source>recorded track attached</source>
+        <translation>registreret spor er tilføjet</translation>
+    </message>
+    <message>
+        <source>no track: not sighted after the start</source>
+        <translation>intet spor: ikke observeret efter starten</translation>
+    </message>
+    <message>
+        <source>older than what the scenario has</source>
+        <translation>ældre end det, scenariet har</translation>
+    </message>
+    <message>
+        <source>sighted only after the start</source>
+        <translation>først observeret efter starten</translation>
+    </message>
+    <message>
+        <source>more than 1000 km from the origin at the start</source>
+        <translation>mere end 1000 km fra origo ved starten</translation>
+    </message>
+    <message>
+        <source>the scenario is full</source>
+        <translation>scenariet er fuldt</translation>
+    </message>
+    <message>
+        <source>an aircraft has this id</source>
+        <translation>en drone har dette id</translation>
+    </message>
+</context>
+<context>
     <name>ComparedRunText</name>
     <message>
         <source>%1, changed in flight, to %2</source>
@@ -4315,6 +4730,350 @@ Tilstødende område %4</translation>
     <message>
         <source>airspace left out: its outline touches or crosses itself, has too many corners, or the ceiling is not above the floor</source>
         <translation>luftrum udeladt: omridset rører eller krydser sig selv, har for mange hjørner, eller den øvre højdegrænse er ikke over den nedre</translation>
+    </message>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>mappen %1 findes ikke</translation>
+    </message>
+    <message>
+        <source>%1 is no folder</source>
+        <translation>%1 er ikke en mappe</translation>
+    </message>
+    <message>
+        <source>is no folder</source>
+        <translation>er ikke en mappe</translation>
+    </message>
+    <message>
+        <source>cannot be made: %1</source>
+        <translation>kan ikke oprettes: %1</translation>
+    </message>
+    <message>
+        <source>could not be written</source>
+        <translation>kunne ikke skrives</translation>
+    </message>
+    <message>
+        <source>none of its %1 sightings could be taken; nothing written</source>
+        <translation>ingen af de %1 observationer kunne bruges; intet er skrevet</translation>
+    </message>
+    <message>
+        <source>dates such as %1 are read month first, which nothing in the file tells: --dates day-first or month-first says how</source>
+        <translation>datoer som %1 læses med måneden først, uden at noget i filen fortæller det: --dates day-first eller month-first siger hvordan</translation>
+    </message>
+    <message>
+        <source>differs: this is the file of another study (--replace-study replaces it)</source>
+        <translation>er forskellig: dette er filen til et andet studie (--replace-study erstatter den)</translation>
+    </message>
+    <message>
+        <source>was changed by another program: each shard needs a file of its own</source>
+        <translation>blev ændret af et andet program: hver del kræver sin egen fil</translation>
+    </message>
+    <message>
+        <source>this plan solves no problem that could be verified or certified</source>
+        <translation>denne plan løser intet problem, der kan kontrolleres eller certificeres</translation>
+    </message>
+    <message>
+        <source>this build has no MPI (BERGWATCH_WITH_MPI): fly shards with --shard I/N</source>
+        <translation>dette program er bygget uden MPI (BERGWATCH_WITH_MPI): flyv dele med --shard I/N</translation>
+    </message>
+    <message>
+        <source>must be UTF-8 text</source>
+        <translation>skal være UTF-8-tekst</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>skal være et endeligt tal</translation>
+    </message>
+    <message>
+        <source>must be two finite numbers</source>
+        <translation>skal være to endelige tal</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, not %3</source>
+        <translation>skal være fra %1 til %2, ikke %3</translation>
+    </message>
+    <message>
+        <source>must be above %1 and at most %2, not %3</source>
+        <translation>skal være over %1 og højst %2, ikke %3</translation>
+    </message>
+    <message>
+        <source>must be a UTC date and time such as 2024-05-01T06:00:00Z</source>
+        <translation>skal være en dato og et klokkeslæt i UTC, f.eks. 2024-05-01T06:00:00Z</translation>
+    </message>
+    <message>
+        <source>must have from 3 to %1 corners, not %2</source>
+        <translation>skal have fra 3 til %1 hjørner, ikke %2</translation>
+    </message>
+    <message>
+        <source>must be a polygon that neither touches nor crosses itself</source>
+        <translation>skal være en polygon, der hverken rører eller krydser sig selv</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 areas, not %2</source>
+        <translation>må højst have %1 områder, ikke %2</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 airspaces, not %2</source>
+        <translation>må højst have %1 luftrumsområder, ikke %2</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>må ikke være tom</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the id of %2 already</source>
+        <translation>»%1« er allerede id&apos;et for %2</translation>
+    </message>
+    <message>
+        <source>must hold from 1 to %1 UAVs, not %2</source>
+        <translation>skal have fra 1 til %1 droner, ikke %2</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 icebergs, not %2</source>
+        <translation>må højst have %1 isbjerge, ikke %2</translation>
+    </message>
+    <message>
+        <source>must have from 2 to %1 entries, not %2</source>
+        <translation>skal have fra 2 til %1 værdier, ikke %2</translation>
+    </message>
+    <message>
+        <source>must have one entry for each of time_s: %1, not %2</source>
+        <translation>skal have én værdi for hver i time_s: %1, ikke %2</translation>
+    </message>
+    <message>
+        <source>must be later than the entry before</source>
+        <translation>skal være senere end værdien før</translation>
+    </message>
+    <message>
+        <source>and %1 more faults</source>
+        <translation>og %1 fejl mere</translation>
+    </message>
+    <message>
+        <source>must not be longer than duration_s</source>
+        <translation>må ikke være længere end duration_s</translation>
+    </message>
+    <message>
+        <source>must be at most %1 where the endurance is limited, not %2</source>
+        <translation>må højst være %1, når udholdenheden er begrænset, ikke %2</translation>
+    </message>
+    <message>
+        <source>needs an area, area_m, to stay inside</source>
+        <translation>kræver et område, area_m, at holde sig inden for</translation>
+    </message>
+    <message>
+        <source>must have at most %1 corners to be a geofence, not %2</source>
+        <translation>må højst have %1 hjørner som geohegn, ikke %2</translation>
+    </message>
+    <message>
+        <source>must be inside the area, which is a geofence</source>
+        <translation>skal ligge inden for området, som er et geohegn</translation>
+    </message>
+    <message>
+        <source>must have, with the geofence and the stand-off ring, at most %1 corners at the altitude of a UAV, not %2</source>
+        <translation>må sammen med geohegnet og sikkerhedsringen højst have %1 hjørner i en drones højde, ikke %2</translation>
+    </message>
+    <message>
+        <source>must be outside the no-fly area &quot;%1&quot;</source>
+        <translation>skal ligge uden for flyveforbudsområdet »%1«</translation>
+    </message>
+    <message>
+        <source>must be outside the stand-off ring round the asset</source>
+        <translation>skal ligge uden for sikkerhedsringen omkring objektet</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the id of no UAV of this scenario</source>
+        <translation>»%1« er ikke id&apos;et på en drone i dette scenarie</translation>
+    </message>
+    <message>
+        <source>must be slower than the UAV flies: wind of %1 m/s, airspeed of %2 %3 m/s</source>
+        <translation>skal være svagere end dronens fart: vind på %1 m/s, flyvefart for %2 %3 m/s</translation>
+    </message>
+    <message>
+        <source>the UAV will make little way against it: wind of %1 m/s, airspeed of %2 %3 m/s</source>
+        <translation>dronen vil næsten ikke komme frem mod den: vind på %1 m/s, flyvefart for %2 %3 m/s</translation>
+    </message>
+    <message>
+        <source>drifts so fast that the UAV may not catch up with it</source>
+        <translation>driver så hurtigt, at dronen måske ikke kan indhente det</translation>
+    </message>
+    <message>
+        <source>must not be shorter than the time step dt_s</source>
+        <translation>må ikke være kortere end tidsskridtet dt_s</translation>
+    </message>
+    <message>
+        <source>must be above the floor of %1 m, not %2 m</source>
+        <translation>skal ligge over den nedre højdegrænse på %1 m, ikke %2 m</translation>
+    </message>
+    <message>
+        <source>must be longer than reserve, climb and landing: %1 s, not above %2 s</source>
+        <translation>skal være længere end reserve, stigning og landing: %1 s, ikke over %2 s</translation>
+    </message>
+    <message>
+        <source>none yet, so there is nothing to plan</source>
+        <translation>ingen endnu, så der er intet at planlægge</translation>
+    </message>
+    <message>
+        <source>is after the end of the run</source>
+        <translation>er efter flyvningens slutning</translation>
+    </message>
+    <message>
+        <source>members that this version does not know are kept, but not used</source>
+        <translation>felter, som denne version ikke kender, bevares, men bruges ikke</translation>
+    </message>
+    <message>
+        <source>icebergs outside it are not monitored; the UAV may fly beyond it</source>
+        <translation>isbjerge uden for det overvåges ikke; dronen må flyve ud over det</translation>
+    </message>
+    <message>
+        <source>is used in flight with the observer kalman only</source>
+        <translation>bruges under flyvning kun med observatøren kalman</translation>
+    </message>
+    <message>
+        <source>%1 h old: may be %2 m away (%3 x the field of view)</source>
+        <translation>%1 t gammelt: kan være %2 m væk (%3 x synsfeltet)</translation>
+    </message>
+    <message>
+        <source>with these drifts and a round of %1 minutes, %2 of %3 icebergs will be out of view at the next visit</source>
+        <translation>med denne drift og en runde på %1 minutter vil %2 af %3 isbjerge være ude af syne ved næste besøg</translation>
+    </message>
+    <message>
+        <source>starts within separation_m of another UAV of the same altitude layer</source>
+        <translation>starter inden for separation_m af en anden drone i samme højdelag</translation>
+    </message>
+    <message>
+        <source>is too short for the way home from the start</source>
+        <translation>er for kort til vejen hjem fra startstedet</translation>
+    </message>
+    <message>
+        <source>is too short for the way to the nearest iceberg and back</source>
+        <translation>er for kort til vejen til det nærmeste isbjerg og tilbage</translation>
+    </message>
+    <message>
+        <source>is used with a limited endurance only</source>
+        <translation>bruges kun, når udholdenheden er begrænset</translation>
+    </message>
+    <message>
+        <source>is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home</source>
+        <translation>er så tæt på geohegnet eller et flyveforbudsområde, at dronen ikke kan starte der igen og være sikker på at komme hjem</translation>
+    </message>
+    <message>
+        <source>has, for this heading, no path home inside the geofence and outside no-fly areas, so that no start is safe</source>
+        <translation>har med denne kurs ingen vej hjem inden for geohegnet og uden om flyveforbudsområder, så ingen start er sikker</translation>
+    </message>
+    <message>
+        <source>is so near the geofence or a no-fly area, for this heading, that the UAV cannot turn in time</source>
+        <translation>er med denne kurs så tæt på geohegnet eller et flyveforbudsområde, at dronen ikke kan nå at dreje</translation>
+    </message>
+    <message>
+        <source>is so near the geofence or in a no-fly area that the UAV, to be within the acceptance radius, cannot be sent there</source>
+        <translation>er så tæt på geohegnet, eller i et flyveforbudsområde, at dronen ikke kan sendes derhen for at komme inden for acceptradius</translation>
+    </message>
+    <message>
+        <source>is so long between two commands that the UAV cannot follow a leg</source>
+        <translation>er så lang mellem to kommandoer, at dronen ikke kan følge en etape</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: wind of %1 m/s, limit %2 m/s</source>
+        <translation>må ikke overskrides: vind på %1 m/s, grænse %2 m/s</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: gusts of %1 m/s, limit %2 m/s</source>
+        <translation>må ikke overskrides: vindstød på %1 m/s, grænse %2 m/s</translation>
+    </message>
+    <message>
+        <source>the UAV must not be flown in icing conditions, which this weather brings</source>
+        <translation>dronen må ikke flyves i isningsforhold, som dette vejr giver</translation>
+    </message>
+    <message>
+        <source>is less reserve than waiting for the other UAVs of the altitude layer may take, %1 s</source>
+        <translation>er mindre reserve, end det kan tage at vente på de andre droner i højdelaget, %1 s</translation>
+    </message>
+    <message>
+        <source>in one flight of twenty %1 s of the reserve are used to come home</source>
+        <translation>i én flyvning ud af tyve bruges %1 s af reserven på at komme hjem</translation>
+    </message>
+    <message>
+        <source>the plan leads out of the range of the ground station for %1 s</source>
+        <translation>planen fører uden for jordstationens rækkevidde i %1 s</translation>
+    </message>
+    <message>
+        <source>the operation may enter the airspace &quot;%1&quot;, which begins at %2 m</source>
+        <translation>operationen kan komme ind i luftrummet »%1«, som begynder i %2 m højde</translation>
+    </message>
+    <message>
+        <source>this policy plans without geofence and no-fly areas; they are kept in flight</source>
+        <translation>denne strategi planlægger uden geohegn og flyveforbudsområder; de overholdes under flyvningen</translation>
+    </message>
+    <message>
+        <source>the UAV starts outside the area</source>
+        <translation>dronen starter uden for området</translation>
+    </message>
+    <message>
+        <source>the turn radius is larger than half the field of view, so that an iceberg may be missed</source>
+        <translation>drejeradius er større end det halve synsfelt, så et isbjerg kan blive overset</translation>
+    </message>
+    <message>
+        <source>is smaller than the turn radius, so that the UAV flies on and comes back</source>
+        <translation>er mindre end drejeradius, så dronen flyver videre og kommer tilbage</translation>
+    </message>
+    <message>
+        <source>is larger than half the field of view, so that icebergs count as reached that are not seen</source>
+        <translation>er større end det halve synsfelt, så isbjerge, der ikke er set, tæller som nået</translation>
+    </message>
+    <message>
+        <source>lies outside the area</source>
+        <translation>ligger uden for området</translation>
+    </message>
+    <message>
+        <source>drifts out of the area before the end of the run</source>
+        <translation>driver ud af området, før flyvningen er slut</translation>
+    </message>
+    <message>
+        <source>lies where another iceberg lies: the same one?</source>
+        <translation>ligger, hvor et andet isbjerg ligger: det samme?</translation>
+    </message>
+    <message>
+        <source>is so far away that the UAV cannot get there before the end of the run</source>
+        <translation>er så langt væk, at dronen ikke kan nå derhen, før flyvningen er slut</translation>
+    </message>
+    <message>
+        <source>is over before the UAV can get to the first iceberg</source>
+        <translation>er slut, før dronen kan nå frem til det første isbjerg</translation>
+    </message>
+    <message>
+        <source>drifts faster than icebergs do: is the unit right?</source>
+        <translation>driver hurtigere, end isbjerge gør: er enheden rigtig?</translation>
+    </message>
+    <message>
+        <source>ends before the run does; from then on the iceberg stands still</source>
+        <translation>slutter før flyvningen; derefter ligger isbjerget stille</translation>
+    </message>
+    <message>
+        <source>begins so far from the estimate that the UAV will not see the iceberg there</source>
+        <translation>begynder så langt fra estimatet, at dronen ikke ser isbjerget der</translation>
+    </message>
+    <message>
+        <source>lies inside an iceberg</source>
+        <translation>ligger inde i et isbjerg</translation>
+    </message>
+    <message>
+        <source>no iceberg is uncertain at the start, so distance alone makes the first plan</source>
+        <translation>ingen isbjerge er usikre ved starten, så afstanden alene afgør den første plan</translation>
+    </message>
+    <message>
+        <source>more than can be proven optimal; the plan comes with a bound</source>
+        <translation>flere end der kan bevises optimum for; planen kommer med en grænse</translation>
+    </message>
+    <message>
+        <source>the policy plans icebergs one by one, so clusters are not made</source>
+        <translation>strategien planlægger isbjerge ét for ét, så der laves ikke grupper</translation>
+    </message>
+    <message>
+        <source>cannot plan so many icebergs; the back end auto can</source>
+        <translation>kan ikke planlægge så mange isbjerge; løseren auto kan</translation>
+    </message>
+    <message>
+        <source>proving the optimum of so many icebergs can take a minute and more</source>
+        <translation>at bevise optimum for så mange isbjerge kan tage et minut eller mere</translation>
     </message>
 </context>
 <context>

@@ -77,6 +77,421 @@
     </message>
 </context>
 <context>
+    <name>CommandLine</name>
+    <message>
+        <source>--backends: %1 is none of %2</source>
+        <translation>--backends : %1 n&apos;est aucun des suivants : %2</translation>
+    </message>
+    <message>
+        <source>solving</source>
+        <translation>résolution</translation>
+    </message>
+    <message>
+        <source>interrupted: the table ends early</source>
+        <translation>interrompu : le tableau est incomplet</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>avertissement</translation>
+    </message>
+    <message>
+        <source>hint</source>
+        <translation>conseil</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>%1 restant</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a number</source>
+        <translation>%1 : %2 n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>interrupted, nothing written</source>
+        <translation>interrompu, rien n&apos;a été écrit</translation>
+    </message>
+    <message>
+        <source>proving the curve</source>
+        <translation>démonstration de la courbe</translation>
+    </message>
+    <message>
+        <source>note: %1</source>
+        <translation>remarque : %1</translation>
+    </message>
+    <message>
+        <source>--format: %1 is none of %2</source>
+        <translation>--format : %1 n&apos;est aucun des suivants : %2</translation>
+    </message>
+    <message>
+        <source>--output: no format has the suffix of %1; --format names one of %2</source>
+        <translation>--output : aucun format n&apos;a le suffixe de %1 ; --format en choisit un parmi %2</translation>
+    </message>
+    <message>
+        <source>--format %1: is painted by the program bergwatch, which was found neither beside this one nor on the PATH</source>
+        <translation>--format %1 : est dessiné par le programme bergwatch, introuvable à côté de celui-ci comme dans PATH</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no UTC time such as 2026-05-01T12:00:00Z</source>
+        <translation>%1 : %2 n&apos;est pas une heure UTC comme 2026-05-01T12:00:00Z</translation>
+    </message>
+    <message>
+        <source>--area: %1 is not SOUTH,WEST,NORTH,EAST in degrees</source>
+        <translation>--area : %1 n&apos;est pas SOUTH,WEST,NORTH,EAST (sud, ouest, nord, est) en degrés</translation>
+    </message>
+    <message>
+        <source>--map: %1 is not FIELD=COLUMN with a field of %2</source>
+        <translation>--map : %1 n&apos;est pas FIELD=COLUMN avec un champ parmi %2</translation>
+    </message>
+    <message>
+        <source>--position-error: %1 is neither metres nor one of %2</source>
+        <translation>--position-error : %1 n&apos;est ni un nombre de mètres ni l&apos;un des suivants : %2</translation>
+    </message>
+    <message>
+        <source>--with-tracks needs --at: the tracks are what was sighted after it</source>
+        <translation>--with-tracks a besoin de --at : les traces sont ce qui a été observé après cet instant</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
+    </message>
+    <message>
+        <source>and %1 more notes on icebergs</source>
+        <translation>et %1 remarques de plus sur des icebergs</translation>
+    </message>
+    <message>
+        <source>--format airspace needs --into, the scenario that it is added to</source>
+        <translation>--format airspace a besoin de --into, le scénario auquel il est ajouté</translation>
+    </message>
+    <message>
+        <source>the processes of MPI were given different options</source>
+        <translation>les processus MPI ont reçu des options différentes</translation>
+    </message>
+    <message>
+        <source>%1 is none of %2</source>
+        <translation>%1 n&apos;est aucun des suivants : %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number from %2 to %3</source>
+        <translation>%1 n&apos;est pas un nombre entier de %2 à %3</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>%1 is an input of this command: name another file</source>
+        <translation>%1 est une entrée de cette commande : nommez un autre fichier</translation>
+    </message>
+    <message>
+        <source>%1 is an input of this command (%2): name another file</source>
+        <translation>%1 est une entrée de cette commande (%2) : nommez un autre fichier</translation>
+    </message>
+    <message>
+        <source>%1 is the file of %2 already: name another file</source>
+        <translation>%1 est déjà le fichier de %2 : nommez un autre fichier</translation>
+    </message>
+    <message>
+        <source>%1 and --json both need standard output</source>
+        <translation>%1 et --json ont tous deux besoin de la sortie standard</translation>
+    </message>
+    <message>
+        <source>%1: exists; --force overwrites it</source>
+        <translation>%1 : existe déjà ; --force l&apos;écrase</translation>
+    </message>
+    <message>
+        <source>%1: %2 and %3 contradict each other: one of the two is wrong. Do not trust this order.</source>
+        <translation>%1 : %2 et %3 se contredisent : l&apos;un des deux se trompe. Ne vous fiez pas à cet ordre.</translation>
+    </message>
+    <message>
+        <source>--mu is for problem files; a scenario is planned with --tau</source>
+        <translation>--mu vaut pour les fichiers de problème ; un scénario se planifie avec --tau</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this</source>
+        <translation>il n&apos;y a pas assez de mémoire pour cela</translation>
+    </message>
+    <message>
+        <source>This is a planning problem: use &apos;solve&apos;.</source>
+        <translation>Ceci est un problème de planification : utilisez « solve ».</translation>
+    </message>
+    <message>
+        <source>This is a scenario: use &apos;plan&apos;, &apos;simulate&apos; or &apos;export&apos;.</source>
+        <translation>Ceci est un scénario : utilisez « plan », « simulate » ou « export ».</translation>
+    </message>
+    <message>
+        <source>This is a run: use &apos;simulate&apos; or &apos;export&apos;.</source>
+        <translation>Ceci est un vol : utilisez « simulate » ou « export ».</translation>
+    </message>
+    <message>
+        <source>This is a study: use &apos;study&apos;.</source>
+        <translation>Ceci est une étude : utilisez « study ».</translation>
+    </message>
+    <message>
+        <source>Name the columns of a table: --map latitude=COLUMN --map longitude=COLUMN.</source>
+        <translation>Nommez les colonnes d&apos;un tableau : --map latitude=COLUMN --map longitude=COLUMN.</translation>
+    </message>
+    <message>
+        <source>Is this a file of Bergwatch? Sightings are read by &apos;import&apos;.</source>
+        <translation>Est-ce un fichier de Bergwatch ? Les observations sont lues par « import ».</translation>
+    </message>
+    <message>
+        <source>there is no script for %1</source>
+        <translation>il n&apos;y a pas de script pour %1</translation>
+    </message>
+    <message>
+        <source>Try &apos;%1 --help&apos;.</source>
+        <translation>Essayez « %1 --help ».</translation>
+    </message>
+    <message>
+        <source>took %1 s of processor time and %2 MB of memory</source>
+        <translation>a pris %1 s de temps de calcul et %2 Mo de mémoire</translation>
+    </message>
+    <message>
+        <source>%1 is empty</source>
+        <translation>%1 est vide</translation>
+    </message>
+    <message>
+        <source>flying</source>
+        <translation>vol en cours</translation>
+    </message>
+    <message>
+        <source>a run file is replayed as it was flown; --tau, --policy, --duration, --dt, --seed and --no-noise are for scenarios</source>
+        <translation>un vol enregistré est rejoué tel quel ; --tau, --policy, --duration, --dt, --seed et --no-noise valent pour les scénarios</translation>
+    </message>
+    <message>
+        <source>replaying</source>
+        <translation>relecture</translation>
+    </message>
+    <message>
+        <source>--bound is for what the UAV sees by itself; in this run an iceberg was reported seen</source>
+        <translation>--bound vaut pour ce que le drone voit lui-même ; dans ce vol, un iceberg a été signalé comme vu</translation>
+    </message>
+    <message>
+        <source>--bound is for the scenario&apos;s wind; in this run it changed</source>
+        <translation>--bound vaut pour le vent du scénario ; dans ce vol, il a changé</translation>
+    </message>
+    <message>
+        <source>bounding</source>
+        <translation>recherche de la borne inférieure</translation>
+    </message>
+    <message>
+        <source>interrupted: the flight is complete, its lower bound is missing</source>
+        <translation>interrompu : le vol est complet, sa borne inférieure manque</translation>
+    </message>
+    <message>
+        <source>not complete: %1 of %2 missions are flown; counted are the cases with all their settings</source>
+        <translation>incomplet : %1 missions sur %2 ont été effectuées ; seuls comptent les cas avec tous leurs réglages</translation>
+    </message>
+    <message>
+        <source>--reference: %1 is not POLICY[:TAU] with one of %2</source>
+        <translation>--reference : %1 n&apos;est pas POLICY[:TAU] avec l&apos;un des suivants : %2</translation>
+    </message>
+    <message>
+        <source>--reference: %1 is not flown in this study</source>
+        <translation>--reference : %1 n&apos;est pas joué dans cette étude</translation>
+    </message>
+    <message>
+        <source>--tau: %1 is not A:B:STEP with 0 &lt;= A &lt;= B &lt;= 100</source>
+        <translation>--tau : %1 n&apos;est pas A:B:STEP avec 0 &lt;= A &lt;= B &lt;= 100</translation>
+    </message>
+    <message>
+        <source>--tau: %1 makes it more than %2 values</source>
+        <translation>--tau : avec %1, cela fait plus de %2 valeurs</translation>
+    </message>
+    <message>
+        <source>--policies: %1 is none of %2</source>
+        <translation>--policies : %1 n&apos;est aucun des suivants : %2</translation>
+    </message>
+    <message>
+        <source>--regime is for --random N; scenarios say themselves how icebergs drift</source>
+        <translation>--regime vaut pour --random N ; les scénarios disent eux-mêmes comment les icebergs dérivent</translation>
+    </message>
+    <message>
+        <source>name scenarios, or give --random N</source>
+        <translation>nommez des scénarios ou donnez --random N</translation>
+    </message>
+    <message>
+        <source>--shard: %1 is not I/N with 1 &lt;= I &lt;= N</source>
+        <translation>--shard : %1 n&apos;est pas I/N avec 1 &lt;= I &lt;= N</translation>
+    </message>
+    <message>
+        <source>--shard: the part needs a file to be kept in: --study FILE</source>
+        <translation>--shard : la partie a besoin d&apos;un fichier où être conservée : --study FILE</translation>
+    </message>
+    <message>
+        <source>--shard: the files of all shards are written by &apos;study&apos;</source>
+        <translation>--shard : les fichiers de toutes les parties sont écrits par « study »</translation>
+    </message>
+    <message>
+        <source>--replace-study: is for --study FILE</source>
+        <translation>--replace-study : vaut pour --study FILE</translation>
+    </message>
+    <message>
+        <source>flying %1 missions</source>
+        <translation>%1 missions en cours</translation>
+    </message>
+    <message>
+        <source>interrupted: %1 of %2 missions are kept in %3; the same command carries on</source>
+        <translation>interrompu : %1 missions sur %2 sont conservées dans %3 ; la même commande reprend</translation>
+    </message>
+    <message>
+        <source>there is no option &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas d&apos;option « %1 »</translation>
+    </message>
+    <message>
+        <source>there is no option &apos;%1&apos;; did you mean &apos;%2&apos;?</source>
+        <translation>il n&apos;y a pas d&apos;option « %1 » ; vouliez-vous dire « %2 » ?</translation>
+    </message>
+    <message>
+        <source>there is no command &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas de commande « %1 »</translation>
+    </message>
+    <message>
+        <source>there is no command &apos;%1&apos;; did you mean &apos;%2&apos;?</source>
+        <translation>il n&apos;y a pas de commande « %1 » ; vouliez-vous dire « %2 » ?</translation>
+    </message>
+    <message>
+        <source>a command is required</source>
+        <translation>une commande est obligatoire</translation>
+    </message>
+    <message>
+        <source>%1 needs a value</source>
+        <translation>%1 a besoin d&apos;une valeur</translation>
+    </message>
+    <message>
+        <source>%1 is given more than once</source>
+        <translation>%1 est donné plus d&apos;une fois</translation>
+    </message>
+    <message>
+        <source>not expected: %1</source>
+        <translation>inattendu : %1</translation>
+    </message>
+    <message>
+        <source>%1 is required</source>
+        <translation>%1 est obligatoire</translation>
+    </message>
+    <message>
+        <source>a file holds one UAV: %1 files are written, named after the UAVs</source>
+        <translation>un fichier contient un seul drone : %1 fichiers sont écrits, nommés d&apos;après les drones</translation>
+    </message>
+    <message>
+        <source>the scenario has no start time, so the file has no dates</source>
+        <translation>le scénario n&apos;a pas d&apos;heure de début ; le fichier n&apos;a donc pas de dates</translation>
+    </message>
+    <message>
+        <source>the geofence is left out: the format has no place for it</source>
+        <translation>la barrière virtuelle est omise : le format ne la prévoit pas</translation>
+    </message>
+    <message>
+        <source>no-fly areas and the stand-off ring are left out: the format has no place for them</source>
+        <translation>les zones interdites et l&apos;anneau de sécurité sont omis : le format ne les prévoit pas</translation>
+    </message>
+    <message>
+        <source>no-fly areas have no heights: those at the altitude of the UAV are written</source>
+        <translation>les zones interdites n&apos;ont pas de hauteurs : celles à l&apos;altitude du drone sont écrites</translation>
+    </message>
+    <message>
+        <source>%1 may draw the fence the long way round: it crosses the antimeridian</source>
+        <translation>%1 peut tracer la barrière en faisant le tour du globe : elle franchit l&apos;antiméridien</translation>
+    </message>
+    <message>
+        <source>the places where icebergs were reached are written, not the track</source>
+        <translation>les lieux où les icebergs ont été atteints sont écrits, pas la trace</translation>
+    </message>
+    <message>
+        <source>the path becomes %1 waypoints within %2 m of it</source>
+        <translation>la trajectoire devient %1 points de cheminement à moins de %2 m d&apos;elle</translation>
+    </message>
+    <message>
+        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m</source>
+        <translation>%1 conserve les rayons d&apos;acceptation jusqu&apos;à %3 m : %2 m devient %3 m</translation>
+    </message>
+    <message>
+        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m</source>
+        <translation>%1 conserve les rayons d&apos;attente supérieurs à 255 m par pas de 10 m : %2 m devient %3 m</translation>
+    </message>
+    <message>
+        <source>%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact</source>
+        <translation>%1 lit la vitesse de croisière en nombre entier : %2 m/s devient %3 m/s ; la vitesse dans la mission est exacte</translation>
+    </message>
+    <message>
+        <source>the file is about the whole flight, whatever is chosen to be exported</source>
+        <translation>le fichier porte sur tout le vol, quel que soit le choix à exporter</translation>
+    </message>
+    <message>
+        <source>UAVs without an iceberg to visit: %1</source>
+        <translation>Drones sans iceberg à visiter : %1</translation>
+    </message>
+    <message>
+        <source>straight legs that lead out of the geofence or through a no-fly area: %1; the path (--what path) leads round</source>
+        <translation>segments droits qui sortent de la barrière virtuelle ou traversent une zone interdite : %1 ; la trajectoire (--what path) les contourne</translation>
+    </message>
+    <message>
+        <source>this sortie alone is written: icebergs of the order left for later ones: %1</source>
+        <translation>seule cette sortie est écrite : icebergs de l&apos;ordre laissés aux sorties suivantes : %1</translation>
+    </message>
+    <message>
+        <source>velocity unknown</source>
+        <translation>vitesse inconnue</translation>
+    </message>
+    <message>
+        <source>velocity from the file</source>
+        <translation>vitesse tirée du fichier</translation>
+    </message>
+    <message>
+        <source>velocity limited to 5 m/s per axis</source>
+        <translation>vitesse limitée à 5 m/s par axe</translation>
+    </message>
+    <message>
+        <source>q estimated</source>
+        <translation>q estimé</translation>
+    </message>
+    <message>
+        <source>q limited to 1e6 m2/s</source>
+        <translation>q limité à 1e6 m2/s</translation>
+    </message>
+    <message>
+        <source>stationary</source>
+        <translation>stationnaire</translation>
+    </message>
+    <message>
+        <source>sightings of one time</source>
+        <translation>plusieurs observations au même instant</translation>
+    </message>
+    <message>
+        <source>sightings at impossible places not used</source>
+        <translation>observations en des lieux impossibles, non utilisées</translation>
+    </message>
+    <message>
+        <source>recorded track attached</source>
+        <translation>trace enregistrée ajoutée</translation>
+    </message>
+    <message>
+        <source>no track: not sighted after the start</source>
+        <translation>aucune trace : pas observé après le début</translation>
+    </message>
+    <message>
+        <source>older than what the scenario has</source>
+        <translation>plus ancien que ce que contient le scénario</translation>
+    </message>
+    <message>
+        <source>sighted only after the start</source>
+        <translation>observé seulement après le début</translation>
+    </message>
+    <message>
+        <source>more than 1000 km from the origin at the start</source>
+        <translation>à plus de 1000 km de l&apos;origine au début</translation>
+    </message>
+    <message>
+        <source>the scenario is full</source>
+        <translation>le scénario est plein</translation>
+    </message>
+    <message>
+        <source>an aircraft has this id</source>
+        <translation>un drone a cet identifiant</translation>
+    </message>
+</context>
+<context>
     <name>ComparedRunText</name>
     <message>
         <source>%1, changed in flight, to %2</source>
@@ -4315,6 +4730,350 @@ Zone adjacente %4</translation>
     <message>
         <source>airspace left out: its outline touches or crosses itself, has too many corners, or the ceiling is not above the floor</source>
         <translation>espace aérien omis : son contour se touche ou se croise lui-même, a trop de sommets, ou le plafond n&apos;est pas au-dessus du plancher</translation>
+    </message>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>il n&apos;y a pas de dossier %1</translation>
+    </message>
+    <message>
+        <source>%1 is no folder</source>
+        <translation>%1 n&apos;est pas un dossier</translation>
+    </message>
+    <message>
+        <source>is no folder</source>
+        <translation>n&apos;est pas un dossier</translation>
+    </message>
+    <message>
+        <source>cannot be made: %1</source>
+        <translation>ne peut pas être créé : %1</translation>
+    </message>
+    <message>
+        <source>could not be written</source>
+        <translation>n&apos;a pas pu être écrit</translation>
+    </message>
+    <message>
+        <source>none of its %1 sightings could be taken; nothing written</source>
+        <translation>aucune de ses %1 observations n&apos;a pu être reprise ; rien n&apos;a été écrit</translation>
+    </message>
+    <message>
+        <source>dates such as %1 are read month first, which nothing in the file tells: --dates day-first or month-first says how</source>
+        <translation>les dates telles que %1 sont lues mois d&apos;abord, sans que rien dans le fichier ne l&apos;indique : --dates day-first ou month-first dit comment</translation>
+    </message>
+    <message>
+        <source>differs: this is the file of another study (--replace-study replaces it)</source>
+        <translation>diffère : c&apos;est le fichier d&apos;une autre étude (--replace-study le remplace)</translation>
+    </message>
+    <message>
+        <source>was changed by another program: each shard needs a file of its own</source>
+        <translation>a été modifié par un autre programme : chaque partie a besoin de son propre fichier</translation>
+    </message>
+    <message>
+        <source>this plan solves no problem that could be verified or certified</source>
+        <translation>ce plan ne résout aucun problème qui puisse être vérifié ou certifié</translation>
+    </message>
+    <message>
+        <source>this build has no MPI (BERGWATCH_WITH_MPI): fly shards with --shard I/N</source>
+        <translation>ce programme est compilé sans MPI (BERGWATCH_WITH_MPI) : jouez des parties avec --shard I/N</translation>
+    </message>
+    <message>
+        <source>must be UTF-8 text</source>
+        <translation>doit être du texte UTF-8</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>doit être un nombre fini</translation>
+    </message>
+    <message>
+        <source>must be two finite numbers</source>
+        <translation>doit être donné par deux nombres finis</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, not %3</source>
+        <translation>doit être de %1 à %2, et non %3</translation>
+    </message>
+    <message>
+        <source>must be above %1 and at most %2, not %3</source>
+        <translation>doit être supérieur à %1 et au plus %2, et non %3</translation>
+    </message>
+    <message>
+        <source>must be a UTC date and time such as 2024-05-01T06:00:00Z</source>
+        <translation>doit être une date et une heure UTC, par exemple 2024-05-01T06:00:00Z</translation>
+    </message>
+    <message>
+        <source>must have from 3 to %1 corners, not %2</source>
+        <translation>doit avoir de 3 à %1 sommets, et non %2</translation>
+    </message>
+    <message>
+        <source>must be a polygon that neither touches nor crosses itself</source>
+        <translation>doit être un polygone qui ne se touche ni ne se croise lui-même</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 areas, not %2</source>
+        <translation>doit contenir au plus %1 zones, et non %2</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 airspaces, not %2</source>
+        <translation>doit contenir au plus %1 zones d&apos;espace aérien, et non %2</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>ne doit pas être vide</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the id of %2 already</source>
+        <translation>« %1 » est déjà l&apos;identifiant de %2</translation>
+    </message>
+    <message>
+        <source>must hold from 1 to %1 UAVs, not %2</source>
+        <translation>doit contenir de 1 à %1 drones, et non %2</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 icebergs, not %2</source>
+        <translation>doit contenir au plus %1 icebergs, et non %2</translation>
+    </message>
+    <message>
+        <source>must have from 2 to %1 entries, not %2</source>
+        <translation>doit avoir de 2 à %1 valeurs, et non %2</translation>
+    </message>
+    <message>
+        <source>must have one entry for each of time_s: %1, not %2</source>
+        <translation>doit avoir une valeur pour chacune de time_s : %1, et non %2</translation>
+    </message>
+    <message>
+        <source>must be later than the entry before</source>
+        <translation>doit être postérieur à la valeur précédente</translation>
+    </message>
+    <message>
+        <source>and %1 more faults</source>
+        <translation>et %1 erreurs de plus</translation>
+    </message>
+    <message>
+        <source>must not be longer than duration_s</source>
+        <translation>ne doit pas dépasser duration_s</translation>
+    </message>
+    <message>
+        <source>must be at most %1 where the endurance is limited, not %2</source>
+        <translation>doit être au plus %1 si l&apos;autonomie est limitée, et non %2</translation>
+    </message>
+    <message>
+        <source>needs an area, area_m, to stay inside</source>
+        <translation>a besoin d&apos;une zone, area_m, dans laquelle rester</translation>
+    </message>
+    <message>
+        <source>must have at most %1 corners to be a geofence, not %2</source>
+        <translation>doit avoir au plus %1 sommets pour être une barrière virtuelle, et non %2</translation>
+    </message>
+    <message>
+        <source>must be inside the area, which is a geofence</source>
+        <translation>doit se trouver dans la zone, qui est une barrière virtuelle</translation>
+    </message>
+    <message>
+        <source>must have, with the geofence and the stand-off ring, at most %1 corners at the altitude of a UAV, not %2</source>
+        <translation>doit avoir, avec la barrière virtuelle et l&apos;anneau de sécurité, au plus %1 sommets à l&apos;altitude d&apos;un drone, et non %2</translation>
+    </message>
+    <message>
+        <source>must be outside the no-fly area &quot;%1&quot;</source>
+        <translation>doit se trouver hors de la zone interdite « %1 »</translation>
+    </message>
+    <message>
+        <source>must be outside the stand-off ring round the asset</source>
+        <translation>doit se trouver hors de l&apos;anneau de sécurité autour du bien protégé</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the id of no UAV of this scenario</source>
+        <translation>« %1 » n&apos;est l&apos;identifiant d&apos;aucun drone de ce scénario</translation>
+    </message>
+    <message>
+        <source>must be slower than the UAV flies: wind of %1 m/s, airspeed of %2 %3 m/s</source>
+        <translation>doit être plus lent que le drone : vent de %1 m/s, vitesse air de %2 %3 m/s</translation>
+    </message>
+    <message>
+        <source>the UAV will make little way against it: wind of %1 m/s, airspeed of %2 %3 m/s</source>
+        <translation>le drone progressera peu contre lui : vent de %1 m/s, vitesse air de %2 %3 m/s</translation>
+    </message>
+    <message>
+        <source>drifts so fast that the UAV may not catch up with it</source>
+        <translation>dérive si vite que le drone risque de ne pas le rattraper</translation>
+    </message>
+    <message>
+        <source>must not be shorter than the time step dt_s</source>
+        <translation>ne doit pas être inférieur au pas de temps dt_s</translation>
+    </message>
+    <message>
+        <source>must be above the floor of %1 m, not %2 m</source>
+        <translation>doit être au-dessus du plancher de %1 m, et non %2 m</translation>
+    </message>
+    <message>
+        <source>must be longer than reserve, climb and landing: %1 s, not above %2 s</source>
+        <translation>doit dépasser réserve, montée et atterrissage : %1 s, pas plus de %2 s</translation>
+    </message>
+    <message>
+        <source>none yet, so there is nothing to plan</source>
+        <translation>aucun pour l&apos;instant ; il n&apos;y a donc rien à planifier</translation>
+    </message>
+    <message>
+        <source>is after the end of the run</source>
+        <translation>est après la fin du vol</translation>
+    </message>
+    <message>
+        <source>members that this version does not know are kept, but not used</source>
+        <translation>les champs que cette version ne connaît pas sont conservés, mais pas utilisés</translation>
+    </message>
+    <message>
+        <source>icebergs outside it are not monitored; the UAV may fly beyond it</source>
+        <translation>les icebergs en dehors ne sont pas surveillés ; le drone peut en sortir</translation>
+    </message>
+    <message>
+        <source>is used in flight with the observer kalman only</source>
+        <translation>n&apos;est utilisé en vol qu&apos;avec l&apos;observateur kalman</translation>
+    </message>
+    <message>
+        <source>%1 h old: may be %2 m away (%3 x the field of view)</source>
+        <translation>vieux de %1 h : peut se trouver à %2 m (%3 x le champ de vision)</translation>
+    </message>
+    <message>
+        <source>with these drifts and a round of %1 minutes, %2 of %3 icebergs will be out of view at the next visit</source>
+        <translation>avec ces dérives et un tour de %1 minutes, %2 icebergs sur %3 seront hors de vue à la visite suivante</translation>
+    </message>
+    <message>
+        <source>starts within separation_m of another UAV of the same altitude layer</source>
+        <translation>part à moins de separation_m d&apos;un autre drone de la même tranche d&apos;altitude</translation>
+    </message>
+    <message>
+        <source>is too short for the way home from the start</source>
+        <translation>est insuffisante pour rentrer à la base depuis le départ</translation>
+    </message>
+    <message>
+        <source>is too short for the way to the nearest iceberg and back</source>
+        <translation>est insuffisante pour aller à l&apos;iceberg le plus proche et en revenir</translation>
+    </message>
+    <message>
+        <source>is used with a limited endurance only</source>
+        <translation>n&apos;est utilisé qu&apos;avec une autonomie limitée</translation>
+    </message>
+    <message>
+        <source>is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home</source>
+        <translation>est si proche de la barrière virtuelle ou d&apos;une zone interdite que le drone ne peut pas y redécoller en étant sûr de rentrer</translation>
+    </message>
+    <message>
+        <source>has, for this heading, no path home inside the geofence and outside no-fly areas, so that no start is safe</source>
+        <translation>n&apos;a, avec ce cap, aucun trajet vers la base à l&apos;intérieur de la barrière virtuelle et hors des zones interdites : aucun départ n&apos;est sûr</translation>
+    </message>
+    <message>
+        <source>is so near the geofence or a no-fly area, for this heading, that the UAV cannot turn in time</source>
+        <translation>est, avec ce cap, si proche de la barrière virtuelle ou d&apos;une zone interdite que le drone ne peut pas virer à temps</translation>
+    </message>
+    <message>
+        <source>is so near the geofence or in a no-fly area that the UAV, to be within the acceptance radius, cannot be sent there</source>
+        <translation>est si proche de la barrière virtuelle, ou dans une zone interdite, que le drone ne peut pas y être envoyé pour arriver à moins du rayon d&apos;acceptation</translation>
+    </message>
+    <message>
+        <source>is so long between two commands that the UAV cannot follow a leg</source>
+        <translation>est si long entre deux commandes que le drone ne peut pas suivre un segment</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: wind of %1 m/s, limit %2 m/s</source>
+        <translation>ne doit pas être dépassé : vent de %1 m/s, limite %2 m/s</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: gusts of %1 m/s, limit %2 m/s</source>
+        <translation>ne doit pas être dépassé : rafales de %1 m/s, limite %2 m/s</translation>
+    </message>
+    <message>
+        <source>the UAV must not be flown in icing conditions, which this weather brings</source>
+        <translation>le drone ne doit pas voler dans des conditions givrantes, que cette météo apporte</translation>
+    </message>
+    <message>
+        <source>is less reserve than waiting for the other UAVs of the altitude layer may take, %1 s</source>
+        <translation>est une réserve inférieure à ce que peut durer l&apos;attente des autres drones de la tranche d&apos;altitude, %1 s</translation>
+    </message>
+    <message>
+        <source>in one flight of twenty %1 s of the reserve are used to come home</source>
+        <translation>un vol sur vingt utilise %1 s de la réserve pour rentrer à la base</translation>
+    </message>
+    <message>
+        <source>the plan leads out of the range of the ground station for %1 s</source>
+        <translation>le plan sort de la portée de la station sol pendant %1 s</translation>
+    </message>
+    <message>
+        <source>the operation may enter the airspace &quot;%1&quot;, which begins at %2 m</source>
+        <translation>l&apos;opération peut entrer dans l&apos;espace aérien « %1 », qui commence à %2 m</translation>
+    </message>
+    <message>
+        <source>this policy plans without geofence and no-fly areas; they are kept in flight</source>
+        <translation>cette stratégie planifie sans barrière virtuelle ni zones interdites ; elles sont respectées en vol</translation>
+    </message>
+    <message>
+        <source>the UAV starts outside the area</source>
+        <translation>le drone part de l&apos;extérieur de la zone</translation>
+    </message>
+    <message>
+        <source>the turn radius is larger than half the field of view, so that an iceberg may be missed</source>
+        <translation>le rayon de virage dépasse la moitié du champ de vision ; un iceberg peut donc être manqué</translation>
+    </message>
+    <message>
+        <source>is smaller than the turn radius, so that the UAV flies on and comes back</source>
+        <translation>est inférieur au rayon de virage ; le drone continue donc et revient</translation>
+    </message>
+    <message>
+        <source>is larger than half the field of view, so that icebergs count as reached that are not seen</source>
+        <translation>dépasse la moitié du champ de vision ; des icebergs comptent donc comme atteints sans être vus</translation>
+    </message>
+    <message>
+        <source>lies outside the area</source>
+        <translation>se trouve hors de la zone</translation>
+    </message>
+    <message>
+        <source>drifts out of the area before the end of the run</source>
+        <translation>dérive hors de la zone avant la fin du vol</translation>
+    </message>
+    <message>
+        <source>lies where another iceberg lies: the same one?</source>
+        <translation>se trouve là où se trouve un autre iceberg : le même ?</translation>
+    </message>
+    <message>
+        <source>is so far away that the UAV cannot get there before the end of the run</source>
+        <translation>est si loin que le drone ne peut pas y arriver avant la fin du vol</translation>
+    </message>
+    <message>
+        <source>is over before the UAV can get to the first iceberg</source>
+        <translation>se termine avant que le drone puisse atteindre le premier iceberg</translation>
+    </message>
+    <message>
+        <source>drifts faster than icebergs do: is the unit right?</source>
+        <translation>dérive plus vite que ne le font les icebergs : l&apos;unité est-elle correcte ?</translation>
+    </message>
+    <message>
+        <source>ends before the run does; from then on the iceberg stands still</source>
+        <translation>se termine avant le vol ; l&apos;iceberg reste ensuite immobile</translation>
+    </message>
+    <message>
+        <source>begins so far from the estimate that the UAV will not see the iceberg there</source>
+        <translation>commence si loin de l&apos;estimation que le drone n&apos;y verra pas l&apos;iceberg</translation>
+    </message>
+    <message>
+        <source>lies inside an iceberg</source>
+        <translation>se trouve à l&apos;intérieur d&apos;un iceberg</translation>
+    </message>
+    <message>
+        <source>no iceberg is uncertain at the start, so distance alone makes the first plan</source>
+        <translation>aucun iceberg n&apos;est incertain au début ; la distance seule détermine donc le premier plan</translation>
+    </message>
+    <message>
+        <source>more than can be proven optimal; the plan comes with a bound</source>
+        <translation>plus qu&apos;il n&apos;est possible d&apos;en prouver optimal ; le plan est accompagné d&apos;une borne</translation>
+    </message>
+    <message>
+        <source>the policy plans icebergs one by one, so clusters are not made</source>
+        <translation>la stratégie planifie les icebergs un par un ; ils ne sont donc pas groupés</translation>
+    </message>
+    <message>
+        <source>cannot plan so many icebergs; the back end auto can</source>
+        <translation>ne peut pas planifier autant d&apos;icebergs ; le solveur auto le peut</translation>
+    </message>
+    <message>
+        <source>proving the optimum of so many icebergs can take a minute and more</source>
+        <translation>prouver l&apos;optimum pour autant d&apos;icebergs peut prendre une minute ou plus</translation>
     </message>
 </context>
 <context>

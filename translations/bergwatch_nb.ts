@@ -77,6 +77,421 @@
     </message>
 </context>
 <context>
+    <name>CommandLine</name>
+    <message>
+        <source>--backends: %1 is none of %2</source>
+        <translation>--backends: %1 er ingen av %2</translation>
+    </message>
+    <message>
+        <source>solving</source>
+        <translation>løser</translation>
+    </message>
+    <message>
+        <source>interrupted: the table ends early</source>
+        <translation>avbrutt: tabellen slutter for tidlig</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>advarsel</translation>
+    </message>
+    <message>
+        <source>hint</source>
+        <translation>tips</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>%1 igjen</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a number</source>
+        <translation>%1: %2 er ikke et tall</translation>
+    </message>
+    <message>
+        <source>interrupted, nothing written</source>
+        <translation>avbrutt, ingenting er skrevet</translation>
+    </message>
+    <message>
+        <source>proving the curve</source>
+        <translation>beviser kurven</translation>
+    </message>
+    <message>
+        <source>note: %1</source>
+        <translation>merk: %1</translation>
+    </message>
+    <message>
+        <source>--format: %1 is none of %2</source>
+        <translation>--format: %1 er ingen av %2</translation>
+    </message>
+    <message>
+        <source>--output: no format has the suffix of %1; --format names one of %2</source>
+        <translation>--output: ingen formater har filendelsen til %1; --format velger ett av %2</translation>
+    </message>
+    <message>
+        <source>--format %1: is painted by the program bergwatch, which was found neither beside this one nor on the PATH</source>
+        <translation>--format %1: tegnes av programmet bergwatch, som verken finnes ved siden av dette eller i PATH</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no UTC time such as 2026-05-01T12:00:00Z</source>
+        <translation>%1: %2 er ikke et UTC-tidspunkt som 2026-05-01T12:00:00Z</translation>
+    </message>
+    <message>
+        <source>--area: %1 is not SOUTH,WEST,NORTH,EAST in degrees</source>
+        <translation>--area: %1 er ikke SOUTH,WEST,NORTH,EAST (sør, vest, nord, øst) i grader</translation>
+    </message>
+    <message>
+        <source>--map: %1 is not FIELD=COLUMN with a field of %2</source>
+        <translation>--map: %1 er ikke FIELD=COLUMN med et felt av %2</translation>
+    </message>
+    <message>
+        <source>--position-error: %1 is neither metres nor one of %2</source>
+        <translation>--position-error: %1 er verken meter eller en av %2</translation>
+    </message>
+    <message>
+        <source>--with-tracks needs --at: the tracks are what was sighted after it</source>
+        <translation>--with-tracks trenger --at: sporene er det som ble observert etter det tidspunktet</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>og %1 til</translation>
+    </message>
+    <message>
+        <source>and %1 more notes on icebergs</source>
+        <translation>og %1 merknader til om isfjell</translation>
+    </message>
+    <message>
+        <source>--format airspace needs --into, the scenario that it is added to</source>
+        <translation>--format airspace trenger --into, scenarioet som det legges til i</translation>
+    </message>
+    <message>
+        <source>the processes of MPI were given different options</source>
+        <translation>MPI-prosessene har fått ulike valg</translation>
+    </message>
+    <message>
+        <source>%1 is none of %2</source>
+        <translation>%1 er ingen av %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number from %2 to %3</source>
+        <translation>%1 er ikke et heltall fra %2 til %3</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 er ikke et tall</translation>
+    </message>
+    <message>
+        <source>%1 is an input of this command: name another file</source>
+        <translation>%1 er inndata for denne kommandoen: oppgi en annen fil</translation>
+    </message>
+    <message>
+        <source>%1 is an input of this command (%2): name another file</source>
+        <translation>%1 er inndata for denne kommandoen (%2): oppgi en annen fil</translation>
+    </message>
+    <message>
+        <source>%1 is the file of %2 already: name another file</source>
+        <translation>%1 er allerede filen til %2: oppgi en annen fil</translation>
+    </message>
+    <message>
+        <source>%1 and --json both need standard output</source>
+        <translation>%1 og --json trenger begge standard ut</translation>
+    </message>
+    <message>
+        <source>%1: exists; --force overwrites it</source>
+        <translation>%1: finnes allerede; --force overskriver den</translation>
+    </message>
+    <message>
+        <source>%1: %2 and %3 contradict each other: one of the two is wrong. Do not trust this order.</source>
+        <translation>%1: %2 og %3 motsier hverandre: én av de to tar feil. Stol ikke på denne rekkefølgen.</translation>
+    </message>
+    <message>
+        <source>--mu is for problem files; a scenario is planned with --tau</source>
+        <translation>--mu gjelder problemfiler; et scenario planlegges med --tau</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this</source>
+        <translation>det er ikke nok minne til dette</translation>
+    </message>
+    <message>
+        <source>This is a planning problem: use &apos;solve&apos;.</source>
+        <translation>Dette er et planleggingsproblem: bruk «solve».</translation>
+    </message>
+    <message>
+        <source>This is a scenario: use &apos;plan&apos;, &apos;simulate&apos; or &apos;export&apos;.</source>
+        <translation>Dette er et scenario: bruk «plan», «simulate» eller «export».</translation>
+    </message>
+    <message>
+        <source>This is a run: use &apos;simulate&apos; or &apos;export&apos;.</source>
+        <translation>Dette er en flyging: bruk «simulate» eller «export».</translation>
+    </message>
+    <message>
+        <source>This is a study: use &apos;study&apos;.</source>
+        <translation>Dette er en studie: bruk «study».</translation>
+    </message>
+    <message>
+        <source>Name the columns of a table: --map latitude=COLUMN --map longitude=COLUMN.</source>
+        <translation>Oppgi kolonnene i en tabell: --map latitude=COLUMN --map longitude=COLUMN.</translation>
+    </message>
+    <message>
+        <source>Is this a file of Bergwatch? Sightings are read by &apos;import&apos;.</source>
+        <translation>Er dette en fil fra Bergwatch? Observasjoner leses av «import».</translation>
+    </message>
+    <message>
+        <source>there is no script for %1</source>
+        <translation>det finnes ikke noe skript for %1</translation>
+    </message>
+    <message>
+        <source>Try &apos;%1 --help&apos;.</source>
+        <translation>Prøv «%1 --help».</translation>
+    </message>
+    <message>
+        <source>took %1 s of processor time and %2 MB of memory</source>
+        <translation>brukte %1 s prosessortid og %2 MB minne</translation>
+    </message>
+    <message>
+        <source>%1 is empty</source>
+        <translation>%1 er tom</translation>
+    </message>
+    <message>
+        <source>flying</source>
+        <translation>flyr</translation>
+    </message>
+    <message>
+        <source>a run file is replayed as it was flown; --tau, --policy, --duration, --dt, --seed and --no-noise are for scenarios</source>
+        <translation>en lagret flyging spilles av slik den ble fløyet; --tau, --policy, --duration, --dt, --seed og --no-noise gjelder scenarioer</translation>
+    </message>
+    <message>
+        <source>replaying</source>
+        <translation>spiller av</translation>
+    </message>
+    <message>
+        <source>--bound is for what the UAV sees by itself; in this run an iceberg was reported seen</source>
+        <translation>--bound gjelder det UAV-en selv ser; i denne flygingen ble et isfjell meldt sett</translation>
+    </message>
+    <message>
+        <source>--bound is for the scenario&apos;s wind; in this run it changed</source>
+        <translation>--bound gjelder vinden i scenarioet; i denne flygingen endret den seg</translation>
+    </message>
+    <message>
+        <source>bounding</source>
+        <translation>finner nedre grense</translation>
+    </message>
+    <message>
+        <source>interrupted: the flight is complete, its lower bound is missing</source>
+        <translation>avbrutt: flygingen er fullført, den nedre grensen mangler</translation>
+    </message>
+    <message>
+        <source>not complete: %1 of %2 missions are flown; counted are the cases with all their settings</source>
+        <translation>ikke fullført: %1 av %2 oppdrag er fløyet; bare tilfeller med alle innstillinger regnes med</translation>
+    </message>
+    <message>
+        <source>--reference: %1 is not POLICY[:TAU] with one of %2</source>
+        <translation>--reference: %1 er ikke POLICY[:TAU] med en av %2</translation>
+    </message>
+    <message>
+        <source>--reference: %1 is not flown in this study</source>
+        <translation>--reference: %1 flys ikke i denne studien</translation>
+    </message>
+    <message>
+        <source>--tau: %1 is not A:B:STEP with 0 &lt;= A &lt;= B &lt;= 100</source>
+        <translation>--tau: %1 er ikke A:B:STEP med 0 &lt;= A &lt;= B &lt;= 100</translation>
+    </message>
+    <message>
+        <source>--tau: %1 makes it more than %2 values</source>
+        <translation>--tau: med %1 blir det mer enn %2 verdier</translation>
+    </message>
+    <message>
+        <source>--policies: %1 is none of %2</source>
+        <translation>--policies: %1 er ingen av %2</translation>
+    </message>
+    <message>
+        <source>--regime is for --random N; scenarios say themselves how icebergs drift</source>
+        <translation>--regime gjelder --random N; scenarioer sier selv hvordan isfjell driver</translation>
+    </message>
+    <message>
+        <source>name scenarios, or give --random N</source>
+        <translation>oppgi scenarioer eller --random N</translation>
+    </message>
+    <message>
+        <source>--shard: %1 is not I/N with 1 &lt;= I &lt;= N</source>
+        <translation>--shard: %1 er ikke I/N med 1 &lt;= I &lt;= N</translation>
+    </message>
+    <message>
+        <source>--shard: the part needs a file to be kept in: --study FILE</source>
+        <translation>--shard: delen trenger en fil å lagres i: --study FILE</translation>
+    </message>
+    <message>
+        <source>--shard: the files of all shards are written by &apos;study&apos;</source>
+        <translation>--shard: filene for alle delene skrives av «study»</translation>
+    </message>
+    <message>
+        <source>--replace-study: is for --study FILE</source>
+        <translation>--replace-study: gjelder --study FILE</translation>
+    </message>
+    <message>
+        <source>flying %1 missions</source>
+        <translation>flyr %1 oppdrag</translation>
+    </message>
+    <message>
+        <source>interrupted: %1 of %2 missions are kept in %3; the same command carries on</source>
+        <translation>avbrutt: %1 av %2 oppdrag er lagret i %3; den samme kommandoen fortsetter</translation>
+    </message>
+    <message>
+        <source>there is no option &apos;%1&apos;</source>
+        <translation>det finnes ikke noe valg «%1»</translation>
+    </message>
+    <message>
+        <source>there is no option &apos;%1&apos;; did you mean &apos;%2&apos;?</source>
+        <translation>det finnes ikke noe valg «%1»; mente du «%2»?</translation>
+    </message>
+    <message>
+        <source>there is no command &apos;%1&apos;</source>
+        <translation>det finnes ingen kommando «%1»</translation>
+    </message>
+    <message>
+        <source>there is no command &apos;%1&apos;; did you mean &apos;%2&apos;?</source>
+        <translation>det finnes ingen kommando «%1»; mente du «%2»?</translation>
+    </message>
+    <message>
+        <source>a command is required</source>
+        <translation>en kommando mangler</translation>
+    </message>
+    <message>
+        <source>%1 needs a value</source>
+        <translation>%1 trenger en verdi</translation>
+    </message>
+    <message>
+        <source>%1 is given more than once</source>
+        <translation>%1 er oppgitt mer enn én gang</translation>
+    </message>
+    <message>
+        <source>not expected: %1</source>
+        <translation>uventet: %1</translation>
+    </message>
+    <message>
+        <source>%1 is required</source>
+        <translation>%1 mangler</translation>
+    </message>
+    <message>
+        <source>a file holds one UAV: %1 files are written, named after the UAVs</source>
+        <translation>en fil har plass til én UAV: %1 filer skrives, med navn etter UAV-ene</translation>
+    </message>
+    <message>
+        <source>the scenario has no start time, so the file has no dates</source>
+        <translation>scenarioet har ikke noe starttidspunkt, så filen har ingen datoer</translation>
+    </message>
+    <message>
+        <source>the geofence is left out: the format has no place for it</source>
+        <translation>geogjerdet utelates: formatet har ikke plass til det</translation>
+    </message>
+    <message>
+        <source>no-fly areas and the stand-off ring are left out: the format has no place for them</source>
+        <translation>flyforbudsområder og sikkerhetsringen utelates: formatet har ikke plass til dem</translation>
+    </message>
+    <message>
+        <source>no-fly areas have no heights: those at the altitude of the UAV are written</source>
+        <translation>flyforbudsområder har ingen høyder: de i UAV-ens høyde skrives</translation>
+    </message>
+    <message>
+        <source>%1 may draw the fence the long way round: it crosses the antimeridian</source>
+        <translation>%1 kan tegne gjerdet den lange veien rundt: det krysser datolinjen</translation>
+    </message>
+    <message>
+        <source>the places where icebergs were reached are written, not the track</source>
+        <translation>stedene der isfjell ble nådd, skrives, ikke sporet</translation>
+    </message>
+    <message>
+        <source>the path becomes %1 waypoints within %2 m of it</source>
+        <translation>banen blir %1 veipunkter innenfor %2 m fra den</translation>
+    </message>
+    <message>
+        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m</source>
+        <translation>%1 lagrer passeringsradier opp til %3 m: %2 m blir %3 m</translation>
+    </message>
+    <message>
+        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m</source>
+        <translation>%1 lagrer sirkelradier over 255 m i trinn på 10 m: %2 m blir %3 m</translation>
+    </message>
+    <message>
+        <source>%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact</source>
+        <translation>%1 leser marsjfarten som heltall: %2 m/s blir %3 m/s; farten i oppdraget er nøyaktig</translation>
+    </message>
+    <message>
+        <source>the file is about the whole flight, whatever is chosen to be exported</source>
+        <translation>filen handler om hele flygingen, uansett hva som er valgt å eksportere</translation>
+    </message>
+    <message>
+        <source>UAVs without an iceberg to visit: %1</source>
+        <translation>UAV-er uten et isfjell å besøke: %1</translation>
+    </message>
+    <message>
+        <source>straight legs that lead out of the geofence or through a no-fly area: %1; the path (--what path) leads round</source>
+        <translation>rette etapper som fører ut av geogjerdet eller gjennom et flyforbudsområde: %1; banen (--what path) fører utenom</translation>
+    </message>
+    <message>
+        <source>this sortie alone is written: icebergs of the order left for later ones: %1</source>
+        <translation>bare dette toktet skrives: isfjell i rekkefølgen som er igjen til senere tokt: %1</translation>
+    </message>
+    <message>
+        <source>velocity unknown</source>
+        <translation>hastigheten er ukjent</translation>
+    </message>
+    <message>
+        <source>velocity from the file</source>
+        <translation>hastigheten er fra filen</translation>
+    </message>
+    <message>
+        <source>velocity limited to 5 m/s per axis</source>
+        <translation>hastigheten er begrenset til 5 m/s per akse</translation>
+    </message>
+    <message>
+        <source>q estimated</source>
+        <translation>q er anslått</translation>
+    </message>
+    <message>
+        <source>q limited to 1e6 m2/s</source>
+        <translation>q er begrenset til 1e6 m2/s</translation>
+    </message>
+    <message>
+        <source>stationary</source>
+        <translation>ligger stille</translation>
+    </message>
+    <message>
+        <source>sightings of one time</source>
+        <translation>flere observasjoner til samme tid</translation>
+    </message>
+    <message>
+        <source>sightings at impossible places not used</source>
+        <translation>observasjoner på umulige steder er ikke brukt</translation>
+    </message>
+    <message>
+        <source>recorded track attached</source>
+        <translation>registrert spor er lagt til</translation>
+    </message>
+    <message>
+        <source>no track: not sighted after the start</source>
+        <translation>uten spor: ikke observert etter starten</translation>
+    </message>
+    <message>
+        <source>older than what the scenario has</source>
+        <translation>eldre enn det scenarioet har</translation>
+    </message>
+    <message>
+        <source>sighted only after the start</source>
+        <translation>først observert etter starten</translation>
+    </message>
+    <message>
+        <source>more than 1000 km from the origin at the start</source>
+        <translation>mer enn 1000 km fra origo ved starten</translation>
+    </message>
+    <message>
+        <source>the scenario is full</source>
+        <translation>scenarioet er fullt</translation>
+    </message>
+    <message>
+        <source>an aircraft has this id</source>
+        <translation>en UAV har denne id-en</translation>
+    </message>
+</context>
+<context>
     <name>ComparedRunText</name>
     <message>
         <source>%1, changed in flight, to %2</source>
@@ -4315,6 +4730,350 @@ Tilstøtende område %4</translation>
     <message>
         <source>holds no airspace</source>
         <translation>inneholder ikke luftrom</translation>
+    </message>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>mappen %1 finnes ikke</translation>
+    </message>
+    <message>
+        <source>%1 is no folder</source>
+        <translation>%1 er ikke en mappe</translation>
+    </message>
+    <message>
+        <source>is no folder</source>
+        <translation>er ikke en mappe</translation>
+    </message>
+    <message>
+        <source>cannot be made: %1</source>
+        <translation>kan ikke lages: %1</translation>
+    </message>
+    <message>
+        <source>could not be written</source>
+        <translation>kunne ikke skrives</translation>
+    </message>
+    <message>
+        <source>none of its %1 sightings could be taken; nothing written</source>
+        <translation>ingen av de %1 observasjonene kunne brukes; ingenting er skrevet</translation>
+    </message>
+    <message>
+        <source>dates such as %1 are read month first, which nothing in the file tells: --dates day-first or month-first says how</source>
+        <translation>datoer som %1 leses med måneden først, uten at noe i filen forteller det: --dates day-first eller month-first sier hvordan</translation>
+    </message>
+    <message>
+        <source>differs: this is the file of another study (--replace-study replaces it)</source>
+        <translation>er ulik: dette er filen til en annen studie (--replace-study erstatter den)</translation>
+    </message>
+    <message>
+        <source>was changed by another program: each shard needs a file of its own</source>
+        <translation>ble endret av et annet program: hver del trenger sin egen fil</translation>
+    </message>
+    <message>
+        <source>this plan solves no problem that could be verified or certified</source>
+        <translation>denne planen løser ikke noe problem som kan kontrolleres eller sertifiseres</translation>
+    </message>
+    <message>
+        <source>this build has no MPI (BERGWATCH_WITH_MPI): fly shards with --shard I/N</source>
+        <translation>dette programmet er bygd uten MPI (BERGWATCH_WITH_MPI): fly deler med --shard I/N</translation>
+    </message>
+    <message>
+        <source>must be UTF-8 text</source>
+        <translation>må være UTF-8-tekst</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>må være et endelig tall</translation>
+    </message>
+    <message>
+        <source>must be two finite numbers</source>
+        <translation>må være to endelige tall</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, not %3</source>
+        <translation>må være fra %1 til %2, ikke %3</translation>
+    </message>
+    <message>
+        <source>must be above %1 and at most %2, not %3</source>
+        <translation>må være over %1 og høyst %2, ikke %3</translation>
+    </message>
+    <message>
+        <source>must be a UTC date and time such as 2024-05-01T06:00:00Z</source>
+        <translation>må være dato og klokkeslett i UTC, for eksempel 2024-05-01T06:00:00Z</translation>
+    </message>
+    <message>
+        <source>must have from 3 to %1 corners, not %2</source>
+        <translation>må ha fra 3 til %1 hjørner, ikke %2</translation>
+    </message>
+    <message>
+        <source>must be a polygon that neither touches nor crosses itself</source>
+        <translation>må være et polygon som verken berører eller krysser seg selv</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 areas, not %2</source>
+        <translation>kan ha høyst %1 områder, ikke %2</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 airspaces, not %2</source>
+        <translation>kan ha høyst %1 luftromsområder, ikke %2</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>kan ikke være tom</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the id of %2 already</source>
+        <translation>«%1» er allerede id-en til %2</translation>
+    </message>
+    <message>
+        <source>must hold from 1 to %1 UAVs, not %2</source>
+        <translation>må ha fra 1 til %1 UAV-er, ikke %2</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 icebergs, not %2</source>
+        <translation>kan ha høyst %1 isfjell, ikke %2</translation>
+    </message>
+    <message>
+        <source>must have from 2 to %1 entries, not %2</source>
+        <translation>må ha fra 2 til %1 verdier, ikke %2</translation>
+    </message>
+    <message>
+        <source>must have one entry for each of time_s: %1, not %2</source>
+        <translation>må ha én verdi for hver i time_s: %1, ikke %2</translation>
+    </message>
+    <message>
+        <source>must be later than the entry before</source>
+        <translation>må være senere enn verdien før</translation>
+    </message>
+    <message>
+        <source>and %1 more faults</source>
+        <translation>og %1 feil til</translation>
+    </message>
+    <message>
+        <source>must not be longer than duration_s</source>
+        <translation>kan ikke være lengre enn duration_s</translation>
+    </message>
+    <message>
+        <source>must be at most %1 where the endurance is limited, not %2</source>
+        <translation>må være høyst %1 når utholdenheten er begrenset, ikke %2</translation>
+    </message>
+    <message>
+        <source>needs an area, area_m, to stay inside</source>
+        <translation>trenger et område, area_m, å holde seg innenfor</translation>
+    </message>
+    <message>
+        <source>must have at most %1 corners to be a geofence, not %2</source>
+        <translation>kan ha høyst %1 hjørner som geogjerde, ikke %2</translation>
+    </message>
+    <message>
+        <source>must be inside the area, which is a geofence</source>
+        <translation>må ligge innenfor området, som er et geogjerde</translation>
+    </message>
+    <message>
+        <source>must have, with the geofence and the stand-off ring, at most %1 corners at the altitude of a UAV, not %2</source>
+        <translation>kan sammen med geogjerdet og sikkerhetsringen ha høyst %1 hjørner i høyden til en UAV, ikke %2</translation>
+    </message>
+    <message>
+        <source>must be outside the no-fly area &quot;%1&quot;</source>
+        <translation>må ligge utenfor flyforbudsområdet «%1»</translation>
+    </message>
+    <message>
+        <source>must be outside the stand-off ring round the asset</source>
+        <translation>må ligge utenfor sikkerhetsringen rundt objektet</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the id of no UAV of this scenario</source>
+        <translation>«%1» er ikke id-en til noen UAV i dette scenarioet</translation>
+    </message>
+    <message>
+        <source>must be slower than the UAV flies: wind of %1 m/s, airspeed of %2 %3 m/s</source>
+        <translation>må være svakere enn UAV-ens fart: vind på %1 m/s, flyfart for %2 %3 m/s</translation>
+    </message>
+    <message>
+        <source>the UAV will make little way against it: wind of %1 m/s, airspeed of %2 %3 m/s</source>
+        <translation>UAV-en kommer knapt fremover mot den: vind på %1 m/s, flyfart for %2 %3 m/s</translation>
+    </message>
+    <message>
+        <source>drifts so fast that the UAV may not catch up with it</source>
+        <translation>driver så fort at UAV-en kanskje ikke tar det igjen</translation>
+    </message>
+    <message>
+        <source>must not be shorter than the time step dt_s</source>
+        <translation>kan ikke være kortere enn tidssteget dt_s</translation>
+    </message>
+    <message>
+        <source>must be above the floor of %1 m, not %2 m</source>
+        <translation>må ligge over gulvet på %1 m, ikke %2 m</translation>
+    </message>
+    <message>
+        <source>must be longer than reserve, climb and landing: %1 s, not above %2 s</source>
+        <translation>må være lengre enn reserve, stigning og landing: %1 s, ikke over %2 s</translation>
+    </message>
+    <message>
+        <source>none yet, so there is nothing to plan</source>
+        <translation>ingen ennå, så det er ingenting å planlegge</translation>
+    </message>
+    <message>
+        <source>is after the end of the run</source>
+        <translation>er etter at flygingen er slutt</translation>
+    </message>
+    <message>
+        <source>members that this version does not know are kept, but not used</source>
+        <translation>felter som denne versjonen ikke kjenner, beholdes, men brukes ikke</translation>
+    </message>
+    <message>
+        <source>icebergs outside it are not monitored; the UAV may fly beyond it</source>
+        <translation>isfjell utenfor det overvåkes ikke; UAV-en kan fly utenfor det</translation>
+    </message>
+    <message>
+        <source>is used in flight with the observer kalman only</source>
+        <translation>brukes under flyging bare med observatøren kalman</translation>
+    </message>
+    <message>
+        <source>%1 h old: may be %2 m away (%3 x the field of view)</source>
+        <translation>%1 t gammelt: kan være %2 m unna (%3 x synsfeltet)</translation>
+    </message>
+    <message>
+        <source>with these drifts and a round of %1 minutes, %2 of %3 icebergs will be out of view at the next visit</source>
+        <translation>med denne driften og en runde på %1 minutter er %2 av %3 isfjell utenfor synsfeltet ved neste besøk</translation>
+    </message>
+    <message>
+        <source>starts within separation_m of another UAV of the same altitude layer</source>
+        <translation>starter innenfor separation_m fra en annen UAV i samme høydelag</translation>
+    </message>
+    <message>
+        <source>is too short for the way home from the start</source>
+        <translation>er for kort til hjemveien fra startstedet</translation>
+    </message>
+    <message>
+        <source>is too short for the way to the nearest iceberg and back</source>
+        <translation>er for kort til veien til nærmeste isfjell og tilbake</translation>
+    </message>
+    <message>
+        <source>is used with a limited endurance only</source>
+        <translation>brukes bare når utholdenheten er begrenset</translation>
+    </message>
+    <message>
+        <source>is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home</source>
+        <translation>er så nær geogjerdet eller et flyforbudsområde at UAV-en ikke kan ta av der igjen og være sikker på å komme hjem</translation>
+    </message>
+    <message>
+        <source>has, for this heading, no path home inside the geofence and outside no-fly areas, so that no start is safe</source>
+        <translation>har, med denne kursen, ingen vei hjem innenfor geogjerdet og utenom flyforbudsområdene, så ingen start er trygg</translation>
+    </message>
+    <message>
+        <source>is so near the geofence or a no-fly area, for this heading, that the UAV cannot turn in time</source>
+        <translation>er så nær geogjerdet eller et flyforbudsområde, med denne kursen, at UAV-en ikke rekker å svinge</translation>
+    </message>
+    <message>
+        <source>is so near the geofence or in a no-fly area that the UAV, to be within the acceptance radius, cannot be sent there</source>
+        <translation>er så nær geogjerdet, eller i et flyforbudsområde, at UAV-en ikke kan sendes dit for å komme innenfor godkjenningsradien</translation>
+    </message>
+    <message>
+        <source>is so long between two commands that the UAV cannot follow a leg</source>
+        <translation>er så lang mellom to kommandoer at UAV-en ikke kan følge en etappe</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: wind of %1 m/s, limit %2 m/s</source>
+        <translation>kan ikke overskrides: vind på %1 m/s, grense %2 m/s</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: gusts of %1 m/s, limit %2 m/s</source>
+        <translation>kan ikke overskrides: vindkast på %1 m/s, grense %2 m/s</translation>
+    </message>
+    <message>
+        <source>the UAV must not be flown in icing conditions, which this weather brings</source>
+        <translation>UAV-en kan ikke flys i isingsforhold, som dette været gir</translation>
+    </message>
+    <message>
+        <source>is less reserve than waiting for the other UAVs of the altitude layer may take, %1 s</source>
+        <translation>er mindre reserve enn det kan ta å vente på de andre UAV-ene i høydelaget, %1 s</translation>
+    </message>
+    <message>
+        <source>in one flight of twenty %1 s of the reserve are used to come home</source>
+        <translation>i én av tjue flyginger brukes %1 s av reserven for å komme hjem</translation>
+    </message>
+    <message>
+        <source>the plan leads out of the range of the ground station for %1 s</source>
+        <translation>planen går utenfor bakkestasjonens rekkevidde i %1 s</translation>
+    </message>
+    <message>
+        <source>the operation may enter the airspace &quot;%1&quot;, which begins at %2 m</source>
+        <translation>operasjonen kan komme inn i luftrommet «%1», som begynner i %2 m</translation>
+    </message>
+    <message>
+        <source>this policy plans without geofence and no-fly areas; they are kept in flight</source>
+        <translation>denne strategien planlegger uten geogjerde og flyforbudsområder; de overholdes under flygingen</translation>
+    </message>
+    <message>
+        <source>the UAV starts outside the area</source>
+        <translation>UAV-en starter utenfor området</translation>
+    </message>
+    <message>
+        <source>the turn radius is larger than half the field of view, so that an iceberg may be missed</source>
+        <translation>svingradien er større enn halve synsfeltet, så et isfjell kan bli oversett</translation>
+    </message>
+    <message>
+        <source>is smaller than the turn radius, so that the UAV flies on and comes back</source>
+        <translation>er mindre enn svingradien, så UAV-en flyr videre og kommer tilbake</translation>
+    </message>
+    <message>
+        <source>is larger than half the field of view, so that icebergs count as reached that are not seen</source>
+        <translation>er større enn halve synsfeltet, så isfjell regnes som nådd uten å være sett</translation>
+    </message>
+    <message>
+        <source>lies outside the area</source>
+        <translation>ligger utenfor området</translation>
+    </message>
+    <message>
+        <source>drifts out of the area before the end of the run</source>
+        <translation>driver ut av området før flygingen er slutt</translation>
+    </message>
+    <message>
+        <source>lies where another iceberg lies: the same one?</source>
+        <translation>ligger der et annet isfjell ligger: det samme?</translation>
+    </message>
+    <message>
+        <source>is so far away that the UAV cannot get there before the end of the run</source>
+        <translation>er så langt unna at UAV-en ikke rekker dit før flygingen er slutt</translation>
+    </message>
+    <message>
+        <source>is over before the UAV can get to the first iceberg</source>
+        <translation>er slutt før UAV-en rekker fram til det første isfjellet</translation>
+    </message>
+    <message>
+        <source>drifts faster than icebergs do: is the unit right?</source>
+        <translation>driver fortere enn isfjell gjør: er enheten riktig?</translation>
+    </message>
+    <message>
+        <source>ends before the run does; from then on the iceberg stands still</source>
+        <translation>slutter før flygingen; deretter ligger isfjellet stille</translation>
+    </message>
+    <message>
+        <source>begins so far from the estimate that the UAV will not see the iceberg there</source>
+        <translation>begynner så langt fra estimatet at UAV-en ikke ser isfjellet der</translation>
+    </message>
+    <message>
+        <source>lies inside an iceberg</source>
+        <translation>ligger inne i et isfjell</translation>
+    </message>
+    <message>
+        <source>no iceberg is uncertain at the start, so distance alone makes the first plan</source>
+        <translation>ingen isfjell er usikre ved start, så avstanden alene avgjør den første planen</translation>
+    </message>
+    <message>
+        <source>more than can be proven optimal; the plan comes with a bound</source>
+        <translation>flere enn det kan bevises optimum for; planen kommer med en skranke</translation>
+    </message>
+    <message>
+        <source>the policy plans icebergs one by one, so clusters are not made</source>
+        <translation>strategien planlegger isfjell ett for ett, så grupper lages ikke</translation>
+    </message>
+    <message>
+        <source>cannot plan so many icebergs; the back end auto can</source>
+        <translation>kan ikke planlegge så mange isfjell; løseren auto kan</translation>
+    </message>
+    <message>
+        <source>proving the optimum of so many icebergs can take a minute and more</source>
+        <translation>å bevise optimum for så mange isfjell kan ta et minutt eller mer</translation>
     </message>
 </context>
 <context>

@@ -81,8 +81,8 @@ std::vector<BenchmarkSolver> benchmarkSolversOf(const std::string& names)
     for (const std::string& name : split(names, ',')) {
         const auto solver = valueOf(kBenchmarkSolverNames, name == "cbc" ? "cbc-position" : name);
         if (!solver)
-            throw UsageError{"--backends: " + name + " is none of " +
-                             allowedNames(kBenchmarkSolverNames)};
+            throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--backends: %1 is none of %2"),
+                             {name, allowedNames(kBenchmarkSolverNames)});
         solvers.push_back(*solver);
     }
     return solvers;
@@ -100,7 +100,7 @@ int benchmark(const BenchmarkArguments& arguments, const std::stop_token& stop)
                 .json = arguments.json});
     std::vector<BenchmarkRow> rows;
     {
-        ProgressBar bar("solving", !arguments.json);
+        ProgressBar bar(said(QT_TRANSLATE_NOOP("CommandLine", "solving"), {}), !arguments.json);
         rows = runBenchmark(spec, stop, [&bar](const BenchmarkProgress& progress) {
             bar.update(static_cast<double>(progress.done) / static_cast<double>(progress.count));
         });
@@ -112,7 +112,7 @@ int benchmark(const BenchmarkArguments& arguments, const std::stop_token& stop)
     deliver(files, arguments.json ? benchmarkJson(rows) : benchmarkTable(rows));
     if (!stop.stop_requested())
         return kDone;
-    std::fputs("interrupted: the table ends early\n", stderr);
+    tell(said(QT_TRANSLATE_NOOP("CommandLine", "interrupted: the table ends early"), {}));
     return kInterrupted;
 }
 

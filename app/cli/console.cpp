@@ -50,7 +50,7 @@ Interrupts& interrupts()
 
 [[noreturn]] void endAtOnce()
 {
-    ::dprintf(STDERR_FILENO, "%s\n", kNothingWritten);
+    ::dprintf(STDERR_FILENO, "%s\n", said(kNothingWritten).data());
     _exit(kInterrupted);
 }
 
@@ -147,7 +147,7 @@ void print(const std::string& text)
     const std::string printed = shown(text);
     const bool written = std::fwrite(printed.data(), 1, printed.size(), stdout) == printed.size();
     if (std::fflush(stdout) != 0 || !written)
-        throw Error(ErrorCode::FileUnwritable, "standard output", "could not be written");
+        throw Error(ErrorCode::FileUnwritable, "standard output", {IssueId::StreamUnwritable});
 }
 
 namespace {
@@ -164,9 +164,10 @@ void printWarnings(const std::string& subject, const std::vector<Issue>& issues)
     for (const Issue& issue : issues) {
         if (isQuiet || issue.severity == Severity::Error)
             continue;
-        const char* kind = issue.severity == Severity::Warning ? "warning" : "hint";
-        tell(word(subject) + ": " + kind + ": " + issue.field + (issue.field.empty() ? "" : ": ") +
-             issue.message());
+        const char* const kind = issue.severity == Severity::Warning
+                                     ? QT_TRANSLATE_NOOP("CommandLine", "warning")
+                                     : QT_TRANSLATE_NOOP("CommandLine", "hint");
+        tell(word(subject) + ": " + said(kind, {}) + ": " + said(issue));
     }
 }
 
@@ -198,8 +199,8 @@ void ProgressBar::update(double fraction)
     const double elapsed_s = time_s - m_start_s;
     const double now = fraction - m_first;
     const std::string left = now > 0.01 ? clock(elapsed_s * (1 - fraction) / now) : "--:--";
-    std::fprintf(stderr, "\r\033[K%s [%s] %3.0f %%  %s left", m_label.c_str(), bar.c_str(),
-                 100 * fraction, left.c_str());
+    std::fprintf(stderr, "\r\033[K%s [%s] %3.0f %%  %s", m_label.c_str(), bar.c_str(),
+                 100 * fraction, said(QT_TRANSLATE_NOOP("CommandLine", "%1 left"), {left}).c_str());
     std::fflush(stderr);
 }
 
@@ -238,7 +239,8 @@ double numberOf(const std::string& option, const std::string& text)
     double value = 0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (failure != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-        throw UsageError{option + ": " + text + " is not a number"};
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1: %2 is not a number"),
+                         {option, text});
     return value;
 }
 

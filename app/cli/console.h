@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/error.h"
+#include "app/cli/language.h"
 
 #include <stop_token>
 #include <string>
@@ -19,7 +19,8 @@ inline constexpr int kLimitWithoutPlan = 4;
 inline constexpr int kInterrupted = 130;
 
 /** What is said when `Interrupted` ends a command. */
-inline constexpr const char* kNothingWritten = "interrupted, nothing written";
+inline constexpr std::string_view kNothingWritten =
+    QT_TRANSLATE_NOOP("CommandLine", "interrupted, nothing written");
 
 /** Thrown where Ctrl-C ended a command; main turns it into `kInterrupted`. */
 struct Interrupted
@@ -29,7 +30,12 @@ struct Interrupted
 /** Thrown for options that contradict each other. */
 struct UsageError
 {
-    std::string message;
+    explicit UsageError(Sentence words) : message(std::move(words)) {}
+    explicit UsageError(std::string_view pattern, const std::vector<IssueArgument>& arguments = {})
+        : message(sentence(pattern, arguments))
+    {
+    }
+    Sentence message;
 };
 
 /**

@@ -85,7 +85,8 @@ int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
     const Stopwatch watch;
     TauCurve curve;
     {
-        ProgressBar bar("proving the curve", !arguments.json);
+        ProgressBar bar(said(QT_TRANSLATE_NOOP("CommandLine", "proving the curve"), {}),
+                        !arguments.json);
         curve = tauCurve(
             task.problem, task.betweenStarts_m,
             {.tauMax = arguments.tauMax, .stop = stop, .onProgress = [&bar](const TauCurve& known) {

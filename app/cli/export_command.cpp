@@ -39,7 +39,8 @@ struct ExportArguments
 void printNotes(const ExportFormat& format, const ExportContent& content)
 {
     for (const ExportNote& note : exportNotes(format, content))
-        tell("note: " + word(noteText(note)));
+        tell(said(QT_TRANSLATE_NOOP("CommandLine", "note: %1"),
+                  {word(said(notePattern(note.kind), noteArguments(note)))}));
 }
 
 /** Adds what is made of `source` to the set and tells what the user should know. Options that
@@ -62,7 +63,8 @@ try {
 } catch (const Error& error) {
     if (error.code() != ErrorCode::InvalidInput)
         throw;
-    throw UsageError{std::string("--") + error.what()};
+    throw UsageError(
+        Sentence{.english = std::string("--") + error.what(), .said = "--" + said(error)});
 }
 
 /** Adds the rows of each sample, so that memory does not grow with the length of the flight. */
@@ -143,13 +145,16 @@ const ExportFormat& chosenFormat(const ExportArguments& arguments)
     if (const ExportFormat* format = findExportFormat(arguments.format))
         return *format;
     if (!arguments.format.empty())
-        throw UsageError{"--format: " + arguments.format + " is none of " + formatIds()};
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--format: %1 is none of %2"),
+                         {arguments.format, formatIds()});
     const std::string suffix = std::filesystem::path(arguments.outputFile).extension().string();
     for (const ExportFormat& format : exportFormats())
         if (suffix == '.' + std::string(format.extension))
             return format;
-    throw UsageError{"--output: no format has the suffix of " + arguments.outputFile +
-                     "; --format names one of " + formatIds()};
+    throw UsageError(
+        QT_TRANSLATE_NOOP("CommandLine",
+                          "--output: no format has the suffix of %1; --format names one of %2"),
+        {arguments.outputFile, formatIds()});
 }
 
 /** Returns only where there is no such program. */
@@ -159,10 +164,10 @@ int handOver(const ExportArguments& arguments)
                 .outputs = {{.option = "--output", .path = arguments.outputFile}},
                 .force = arguments.force});
     becomeBergwatch(arguments.argv);
-    std::fprintf(stderr,
-                 "--format %s: is painted by the program bergwatch, which was found neither beside "
-                 "this one nor on the PATH\n",
-                 std::string(chosenFormat(arguments).id).c_str());
+    tell(said(QT_TRANSLATE_NOOP("CommandLine",
+                                "--format %1: is painted by the program bergwatch, which was found "
+                                "neither beside this one nor on the PATH"),
+              {std::string(chosenFormat(arguments).id)}));
     return kFailure;
 }
 

@@ -63,7 +63,9 @@ std::optional<UtcTime> timeOf(const std::string& option, const std::string& text
         return std::nullopt;
     const std::optional<UtcTime> time = parseUtc(text);
     if (!time)
-        throw UsageError{option + ": " + text + " is no UTC time such as 2026-05-01T12:00:00Z"};
+        throw UsageError(
+            QT_TRANSLATE_NOOP("CommandLine", "%1: %2 is no UTC time such as 2026-05-01T12:00:00Z"),
+            {option, text});
     return time;
 }
 
@@ -84,7 +86,9 @@ std::optional<GeoBox> areaOf(const std::string& text)
         at = next + (last ? 0 : 1);
     }
     if (!ok)
-        throw UsageError{"--area: " + text + " is not SOUTH,WEST,NORTH,EAST in degrees"};
+        throw UsageError(
+            QT_TRANSLATE_NOOP("CommandLine", "--area: %1 is not SOUTH,WEST,NORTH,EAST in degrees"),
+            {text});
     return GeoBox{.south_deg = edges_deg[0],
                   .west_deg = edges_deg[1],
                   .north_deg = edges_deg[2],
@@ -97,8 +101,9 @@ FieldColumn mappingOf(const std::string& text)
     const std::size_t equals = text.find('=');
     const std::optional<SightingField> field = valueOf(kSightingFieldNames, text.substr(0, equals));
     if (equals == std::string::npos || !field)
-        throw UsageError{"--map: " + text + " is not FIELD=COLUMN with a field of " +
-                         allowedNames(kSightingFieldNames)};
+        throw UsageError(
+            QT_TRANSLATE_NOOP("CommandLine", "--map: %1 is not FIELD=COLUMN with a field of %2"),
+            {text, allowedNames(kSightingFieldNames)});
     return {.field = *field, .column = text.substr(equals + 1)};
 }
 
@@ -112,8 +117,9 @@ std::optional<double> positionErrorOf(const std::string& text)
     double error_m = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), error_m);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(error_m))
-        throw UsageError{"--position-error: " + text + " is neither metres nor one of " +
-                         allowedNames(kPositionErrorNames)};
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine",
+                                           "--position-error: %1 is neither metres nor one of %2"),
+                         {text, allowedNames(kPositionErrorNames)});
     return error_m;
 }
 
@@ -130,7 +136,9 @@ ImportOptions optionsOf(const ImportArguments& arguments)
     drift.velocityTime_s = arguments.velocityTime_s.value_or(drift.velocityTime_s);
     options.q_m2ps = arguments.q_m2ps.value_or(options.q_m2ps);
     if (options.withTracks && !options.at)
-        throw UsageError{"--with-tracks needs --at: the tracks are what was sighted after it"};
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine",
+                                           "--with-tracks needs --at: the tracks are what was "
+                                           "sighted after it"));
     return options;
 }
 
@@ -164,6 +172,12 @@ std::string summary(const SightingTable& table, const ImportResult& result)
     return text;
 }
 
+/** Where a row is, and why it was not taken. */
+std::string rowText(const RejectedRow& row)
+{
+    return said(Issue{Severity::Error, "line " + std::to_string(row.line), reasonOf(row)});
+}
+
 /** What was not taken, and why, on stderr; the start of a long list. */
 void printDetails(const std::string& file, const ImportResult& result)
 {
@@ -171,19 +185,22 @@ void printDetails(const std::string& file, const ImportResult& result)
     std::size_t told = 0;
     for (const RejectedRow& row : result.rejected.first)
         if (told++ < kMostRows)
-            tell(word(file) + ": line " + std::to_string(row.line) + ": " +
-                 englishText(reasonOf(row)));
+            tell(word(file) + ": " + rowText(row));
     if (result.rejected.count > kMostRows)
-        tell(word(file) + ": and " + std::to_string(result.rejected.count - kMostRows) + " more");
+        tell(word(file) + ": " +
+             said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more"),
+                  {countOf(result.rejected.count - kMostRows)}));
     std::size_t notes = 0;
     for (const ImportedIceberg& iceberg : result.icebergs)
         for (const ImportNote note : iceberg.notes)
             if ((iceberg.outcome == ImportOutcome::LeftOut || note == ImportNote::VelocityClamped ||
                  note == ImportNote::GrowthClamped || note == ImportNote::Jumped) &&
                 notes++ < kMostRows)
-                tell(word(file) + ": " + word(iceberg.id) + ": " + importNoteText(note));
+                tell(word(file) + ": " + word(iceberg.id) + ": " + said(importNoteText(note), {}));
     if (notes > kMostRows)
-        tell(word(file) + ": and " + std::to_string(notes - kMostRows) + " more notes on icebergs");
+        tell(word(file) + ": " +
+             said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more notes on icebergs"),
+                  {countOf(notes - kMostRows)}));
 }
 
 SightingTable sightingsOf(const std::string& file, const ReadOptions& formats)
@@ -226,7 +243,7 @@ imported(const ImportArguments& arguments, const ReadOptions& formats, const Imp
 std::string airspaceSummary(const std::string& file, const AirspaceResult& result)
 {
     for (const RejectedRow& row : result.rejected.first)
-        tell(word(file) + ": line " + std::to_string(row.line) + ": " + englishText(reasonOf(row)));
+        tell(word(file) + ": " + rowText(row));
     std::string text = "added      " + std::to_string(result.added) + " areas\n";
     if (result.known > 0)
         text += "known      " + std::to_string(result.known) + " areas\n";
@@ -241,7 +258,8 @@ std::string airspaceSummary(const std::string& file, const AirspaceResult& resul
 int importAirspaceFile(const ImportArguments& arguments)
 {
     if (arguments.intoFile.empty())
-        throw UsageError{"--format airspace needs --into, the scenario that it is added to"};
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine", "--format airspace needs --into, the scenario that it is added to"));
     checkFiles({.inputs = {arguments.file},
                 .outputs = {{.option = "--output", .path = arguments.outputFile}},
                 .force = arguments.force,
@@ -267,7 +285,8 @@ int importFile(const ImportArguments& arguments)
     if (arguments.format == kAirspaceFormat)
         return importAirspaceFile(arguments);
     if (arguments.format != "auto" && findImportFormat(arguments.format) == nullptr)
-        throw UsageError{"--format: " + arguments.format + " is none of " + formatList()};
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--format: %1 is none of %2"),
+                         {arguments.format, formatList()});
     ReadOptions formats{.format = arguments.format, .mapping = {}, .dates = arguments.dates};
     for (const std::string& mapping : arguments.mappings)
         formats.mapping.push_back(mappingOf(mapping));
@@ -279,19 +298,14 @@ int importFile(const ImportArguments& arguments)
                 .json = arguments.json});
     const auto [table, result] = reading([&] { return imported(arguments, formats, options); });
     if (!table.guessedDate.empty())
-        printWarnings(arguments.file,
-                      {{Severity::Warning,
-                        "line " + std::to_string(table.guessedLine),
-                        {IssueId::Verbatim,
-                         {"dates such as " + table.guessedDate +
-                          " are read month first, which nothing in the file tells: --dates "
-                          "day-first or month-first says how"}}}});
+        printWarnings(arguments.file, {{Severity::Warning,
+                                        "line " + std::to_string(table.guessedLine),
+                                        {IssueId::MonthFirst, {table.guessedDate}}}});
     if (!arguments.json)
         printDetails(arguments.file, result);
     if (result.added + result.updated + result.unchanged == 0)
         throw Error(ErrorCode::InvalidInput, arguments.file,
-                    "none of its " + std::to_string(table.sightings.size()) +
-                        " sightings could be taken; nothing written");
+                    {IssueId::NothingTaken, {countOf(table.sightings.size())}});
     const NewFile file{.path = arguments.outputFile, .content = scenarioToJson(result.scenario)};
     deliver({&file, 1}, arguments.json ? importJson(table, result) : summary(table, result));
     return kDone;

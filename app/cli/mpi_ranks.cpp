@@ -197,7 +197,8 @@ Study prepareForAll(const MpiWorld& world, const SweepLead& lead, bool sameOptio
 {
     try {
         if (!sameOptions)
-            throw UsageError{"the processes of MPI were given different options"};
+            throw UsageError(QT_TRANSLATE_NOOP(
+                "CommandLine", "the processes of MPI were given different options"));
         Study study = lead.prepare();
         static_cast<void>(world.shared(studyToJson(study)));
         return study;

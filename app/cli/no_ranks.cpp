@@ -5,8 +5,7 @@ namespace berg::cli {
 int flyOnRanks(const SweepLead& /*lead*/, const StudyOptions& /*options*/,
                const std::string& /*commandLine*/)
 {
-    throw Error(ErrorCode::Unsupported, "sweep",
-                "this build has no MPI (BERGWATCH_WITH_MPI): fly shards with --shard I/N");
+    throw Error(ErrorCode::Unsupported, "sweep", {IssueId::NoMpi});
 }
 
 } // namespace berg::cli

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/cli/console.h"
+#include "app/cli/usage.h"
 #include "core/base/number_text.h"
 #include "core/plan/solve/names.h"
 #include "core/scenario/checks.h"
@@ -21,7 +23,9 @@ CLI::Option* addNamed(CLI::App& command, const std::string& option, std::optiona
     const auto assign = [&value, &table, option](const std::string& text) {
         value = valueOf(table, text);
         if (!value)
-            throw CLI::ValidationError(option, text + " is none of " + allowedNames(table));
+            throw CLI::ValidationError(
+                option, inOne(sentence(QT_TRANSLATE_NOOP("CommandLine", "%1 is none of %2"),
+                                       {word(text), allowedNames(table)})));
     };
     return command.add_option_function<std::string>(option, assign,
                                                     help + ": " + allowedNames(table));
@@ -34,12 +38,14 @@ CLI::Option* addNamed(CLI::App& command, const std::string& option, std::optiona
 inline CLI::Validator wholeFrom(std::int64_t low, std::int64_t high)
 {
     const std::string range = std::to_string(low) + " to " + std::to_string(high);
-    return {[low, high, range](std::string& text) {
+    return {[low, high](std::string& text) {
                 std::int64_t value = 0;
                 const char* const end = text.data() + text.size();
                 const auto [last, failure] = std::from_chars(text.data(), end, value);
                 if (failure != std::errc() || last != end || value < low || value > high)
-                    return text + " is not a whole number from " + range;
+                    return inOne(sentence(
+                        QT_TRANSLATE_NOOP("CommandLine", "%1 is not a whole number from %2 to %3"),
+                        {word(text), low, high}));
                 text = std::to_string(value);
                 return std::string();
             },
@@ -54,9 +60,11 @@ inline CLI::Validator numberFrom(double low, double high)
                 const char* const end = text.data() + text.size();
                 const auto [last, failure] = std::from_chars(text.data(), end, value);
                 if (failure != std::errc() || last != end)
-                    return text + " is not a number";
+                    return inOne(sentence(QT_TRANSLATE_NOOP("CommandLine", "%1 is not a number"),
+                                          {word(text)}));
                 const auto fault = outOfLimits(value, {.low = low, .high = high});
-                return fault ? englishText(*fault) : std::string();
+                return fault ? inOne({.english = englishText(*fault), .said = said(*fault)})
+                             : std::string();
             },
             "(" + numberText(low) + " to " + numberText(high) + ")"};
 }

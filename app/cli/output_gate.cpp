@@ -62,18 +62,25 @@ void checkApart(const CommandFiles& files)
             continue;
         for (const std::string& input : files.inputs)
             if (identityOf(input) == identity)
-                throw UsageError{named(output) + " is an input of this command" +
-                                 (input == output.path ? "" : " (" + input + ")") +
-                                 ": name another file"};
+                throw UsageError(
+                    input == output.path
+                        ? QT_TRANSLATE_NOOP("CommandLine",
+                                            "%1 is an input of this command: name another file")
+                        : QT_TRANSLATE_NOOP(
+                              "CommandLine",
+                              "%1 is an input of this command (%2): name another file"),
+                    {named(output), input});
         for (const auto& [other, earlier] : known)
             if (other == *identity)
-                throw UsageError{named(output) + " is the file of " + earlier->option +
-                                 " already: name another file"};
+                throw UsageError(
+                    QT_TRANSLATE_NOOP("CommandLine",
+                                      "%1 is the file of %2 already: name another file"),
+                    {named(output), earlier->option});
         known.emplace_back(*identity, &output);
     }
 }
 
-[[noreturn]] void fail(const Output& output, const std::string& why)
+[[noreturn]] void fail(const Output& output, const IssueReason& why)
 {
     throw Error(ErrorCode::FileUnwritable, named(output), why);
 }
@@ -85,25 +92,28 @@ void checkFolder(const Output& output)
     std::error_code failure;
     const fs::file_status status = fs::status(folder.empty() ? "." : folder, failure);
     if (!fs::exists(status))
-        fail(output, "there is no folder " + folder.string());
+        fail(output, {IssueId::NoFolder, {folder.string()}});
     if (!fs::is_directory(status))
-        fail(output, folder.string() + " is no folder");
+        fail(output, {IssueId::OtherNoFolder, {folder.string()}});
 }
 
 void checkOne(const Output& output, const CommandFiles& files)
 {
     if (files.json && isStandardOutput(output.path))
-        throw UsageError{named(output) + " and --json both need standard output"};
+        throw UsageError(
+            QT_TRANSLATE_NOOP("CommandLine", "%1 and --json both need standard output"),
+            {named(output)});
     if (isOpenDescriptor(output.path))
         return;
     checkFolder(output);
     std::error_code failure;
     if (!output.mayExist && !files.force && fs::is_regular_file(output.path, failure))
-        throw UsageError{named(output) + ": exists; --force overwrites it"};
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1: exists; --force overwrites it"),
+                         {named(output)});
     try {
         checkWritable(output.path);
     } catch (const Error& error) {
-        fail(output, error.issues().front().message());
+        fail(output, error.issues().front().reason);
     }
 }
 
@@ -144,14 +154,14 @@ std::vector<Output> outputsIn(const std::string& option, const std::string& fold
     const fs::file_status status = fs::status(there, failure);
     const Output asked{.option = option, .path = folder};
     if (fs::exists(status) && !fs::is_directory(status))
-        fail(asked, "is no folder");
+        fail(asked, {IssueId::ItselfNoFolder});
     if (!fs::exists(status)) { // nothing is in the way in it, but it has to be made
         while (!fs::exists(there, failure) && there.has_relative_path())
             there = there.parent_path();
         if (!fs::is_directory(there, failure))
-            fail(asked, there.string() + " is no folder");
+            fail(asked, {IssueId::OtherNoFolder, {there.string()}});
         if (::access(there.c_str(), W_OK | X_OK) != 0)
-            fail(asked, "cannot be made: " + std::generic_category().message(errno));
+            fail(asked, {IssueId::CannotMakeIt, {std::generic_category().message(errno)}});
         return {};
     }
     std::vector<Output> outputs;

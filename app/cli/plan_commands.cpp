@@ -235,8 +235,7 @@ void checkProblem(const PlanReport& report, const SolveArguments& arguments)
         return;
     if (!isFleetPlan(report.problem, report.outcome.plan) ||
         (certifies && report.problem.icebergCount() == 0))
-        throw Error(ErrorCode::Unsupported, arguments.file,
-                    "this plan solves no problem that could be verified or certified");
+        throw Error(ErrorCode::Unsupported, arguments.file, {IssueId::NoProblemSolved});
 }
 
 int conclude(PlanReport& report, const SolveArguments& arguments, const SolveOptions& options)
@@ -256,11 +255,11 @@ int conclude(PlanReport& report, const SolveArguments& arguments, const SolveOpt
         return kLimitWithoutPlan;
     if (!report.secondOpinion || report.secondOpinion->verdict != Verdict::Disagrees)
         return kDone;
-    const std::string message =
-        arguments.file + ": " + nameOf(kSourceNames, report.outcome.source) + " and " +
-        nameOfSecond(*report.secondOpinion) +
-        " contradict each other: one of the two is wrong. Do not trust this order.\n";
-    std::fputs(message.c_str(), stderr);
+    tell(said(QT_TRANSLATE_NOOP("CommandLine",
+                                "%1: %2 and %3 contradict each other: one of the two is wrong. Do "
+                                "not trust this order."),
+              {arguments.file, nameOf(kSourceNames, report.outcome.source),
+               nameOfSecond(*report.secondOpinion)}));
     return kFailure;
 }
 
@@ -286,7 +285,8 @@ int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
 int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
 {
     if (arguments.mu)
-        throw UsageError{"--mu is for problem files; a scenario is planned with --tau"};
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine", "--mu is for problem files; a scenario is planned with --tau"));
     checkSolveFiles(arguments);
     Scenario scenario = reading([&] { return loadScenario(arguments.file); });
     PlannerSettings& planner = scenario.planner;

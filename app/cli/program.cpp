@@ -21,7 +21,9 @@ namespace berg::cli {
 
 namespace {
 
-constexpr const char* kNoMemory = "there is not enough memory for this";
+constexpr const char* kNoMemory =
+    QT_TRANSLATE_NOOP("CommandLine", "there is not enough memory for this");
+constexpr const char* kInternal = "internal error: %1"; // for who looks into it
 
 int exitCodeOf(const Error& error)
 {
@@ -48,21 +50,32 @@ int exitCodeOf(const Error& error)
 std::string hintOf(const Error& error)
 {
     static constexpr std::pair<std::string_view, std::string_view> kHints[] = {
-        {"bergwatch-problem", "This is a planning problem: use 'solve'."},
-        {"bergwatch-scenario", "This is a scenario: use 'plan', 'simulate' or 'export'."},
-        {"bergwatch-run", "This is a run: use 'simulate' or 'export'."},
-        {"bergwatch-study", "This is a study: use 'study'."}};
+        {"bergwatch-problem",
+         QT_TRANSLATE_NOOP("CommandLine", "This is a planning problem: use 'solve'.")},
+        {"bergwatch-scenario",
+         QT_TRANSLATE_NOOP("CommandLine",
+                           "This is a scenario: use 'plan', 'simulate' or 'export'.")},
+        {"bergwatch-run",
+         QT_TRANSLATE_NOOP("CommandLine", "This is a run: use 'simulate' or 'export'.")},
+        {"bergwatch-study", QT_TRANSLATE_NOOP("CommandLine", "This is a study: use 'study'.")}};
     const IssueReason& reason = error.issues().front().reason;
     if (reason.id == IssueId::UnknownFormat)
-        return "\nName the columns of a table: --map latitude=COLUMN --map longitude=COLUMN.";
+        return said(
+            QT_TRANSLATE_NOOP(
+                "CommandLine",
+                "Name the columns of a table: --map latitude=COLUMN --map longitude=COLUMN."),
+            {});
     constexpr std::int64_t kLiteral = 5; // a word may begin as "false" does
     if (reason.id == IssueId::JsonSyntax && std::get<std::int64_t>(reason.arguments[0]) == 1 &&
         std::get<std::int64_t>(reason.arguments[1]) <= kLiteral)
-        return "\nIs this a file of Bergwatch? Sightings are read by 'import'.";
+        return said(
+            QT_TRANSLATE_NOOP("CommandLine",
+                              "Is this a file of Bergwatch? Sightings are read by 'import'."),
+            {});
     if (reason.id == IssueId::OtherFormat)
         for (const auto& [given, hint] : kHints)
             if (std::get<std::string>(reason.arguments.back()) == given)
-                return '\n' + std::string(hint);
+                return said(hint, {});
     return {};
 }
 
@@ -85,11 +98,11 @@ int failed(const Line& line, int exitCode, const std::string& text, const std::s
     return exitCode;
 }
 
-int failed(const Line& line, int exitCode, const char* kind, const std::string& text)
+int failed(const Line& line, int exitCode, const char* kind, const Sentence& text)
 {
-    const FileFindings finding{.file = {},
-                               .issues = {{Severity::Error, {}, {IssueId::Verbatim, {text}}}}};
-    return failed(line, exitCode, text, failureJson(kind, finding));
+    const FileFindings finding{
+        .file = {}, .issues = {{Severity::Error, {}, {IssueId::Verbatim, {text.english}}}}};
+    return failed(line, exitCode, text.said, failureJson(kind, finding));
 }
 
 void addCompletion(CLI::App& app, Action& action)
@@ -100,7 +113,11 @@ void addCompletion(CLI::App& app, Action& action)
         ->required()
         ->check(CLI::Validator(
             [](const std::string& name) {
-                return name == "bash" ? std::string() : "there is no script for " + name;
+                return name == "bash"
+                           ? std::string()
+                           : inOne(sentence(
+                                 QT_TRANSLATE_NOOP("CommandLine", "there is no script for %1"),
+                                 {word(name)}));
             },
             ""));
     command->callback([shell, &app, &action] {
@@ -112,12 +129,14 @@ void addCompletion(CLI::App& app, Action& action)
 }
 
 /** How the line is wrong, in one sentence, and where to read how it should be. */
-int wrongUsage(const CLI::App& app, const Line& line, const std::string& fault)
+int wrongUsage(const CLI::App& app, const Line& line, const Sentence& fault)
 {
     const std::string command = commandOf(app, line.words);
-    const FileFindings finding{.file = command,
-                               .issues = {{Severity::Error, {}, {IssueId::Verbatim, {fault}}}}};
-    return failed(line, kWrongUsage, command + ": " + fault + "\nTry '" + command + " --help'.",
+    const FileFindings finding{
+        .file = command, .issues = {{Severity::Error, {}, {IssueId::Verbatim, {fault.english}}}}};
+    return failed(line, kWrongUsage,
+                  command + ": " + fault.said + '\n' +
+                      said(QT_TRANSLATE_NOOP("CommandLine", "Try '%1 --help'."), {command}),
                   failureJson("wrong-usage", finding));
 }
 
@@ -130,9 +149,9 @@ void reportEffort()
     const auto seconds = [](const timeval& time) {
         return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     };
-    tell("took " + fixed(seconds(used.ru_utime) + seconds(used.ru_stime), 2) +
-         " s of processor time and " + grouped(static_cast<double>(used.ru_maxrss) / 1e3) +
-         " MB of memory");
+    tell(said(QT_TRANSLATE_NOOP("CommandLine", "took %1 s of processor time and %2 MB of memory"),
+              {fixed(seconds(used.ru_utime) + seconds(used.ru_stime), 2),
+               grouped(static_cast<double>(used.ru_maxrss) / 1e3)}));
 }
 
 int run(const Line& line, const std::stop_token& stop)
@@ -152,7 +171,7 @@ int run(const Line& line, const std::stop_token& stop)
         command->add_flag_callback("-q,--quiet", beQuiet, "No progress, warnings and hints");
         command->add_flag("-v,--verbose", isVerbose, "Tell the time and memory taken");
     }
-    if (const std::optional<std::string> fault = unknownCommand(app, words))
+    if (const std::optional<Sentence> fault = unknownCommand(app, words))
         return wrongUsage(app, line, *fault);
     try {
         app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // from the back
@@ -166,7 +185,8 @@ int run(const Line& line, const std::stop_token& stop)
         return wrongUsage(app, line, unknownWord(app, words).value_or(plainWords(error)));
     }
     if (const std::string name = emptyOption(app); !name.empty())
-        return wrongUsage(app, line, name + " is empty");
+        return wrongUsage(app, line,
+                          sentence(QT_TRANSLATE_NOOP("CommandLine", "%1 is empty"), {name}));
     try {
         const int exitCode = action(stop);
         if (isVerbose && !program.isSilent)
@@ -186,20 +206,21 @@ int runProgram(const Program& program, int argc, char** argv, const std::stop_to
     try {
         return run(line, stop);
     } catch (const Interrupted&) {
-        return failed(line, kInterrupted, "interrupted", kNothingWritten);
+        return failed(line, kInterrupted, "interrupted", sentence(kNothingWritten));
     } catch (const Error& error) {
-        return failed(line, exitCodeOf(error), error.what() + hintOf(error), failureJson(error));
+        const std::string hint = hintOf(error);
+        return failed(line, exitCodeOf(error), said(error) + (hint.empty() ? "" : "\n") + hint,
+                      failureJson(error));
     } catch (const std::bad_alloc&) {
         if (!program.isSilent)
-            std::fprintf(stderr, "%s\n", kNoMemory); // which takes none
+            std::fprintf(stderr, "%s\n", said(kNoMemory).data()); // which takes none
         return kFailure;
     } catch (const std::system_error& error) {
         const bool isScarce = error.code() == std::errc::resource_unavailable_try_again;
         return failed(line, kFailure, isScarce ? "no-memory" : "internal-error",
-                      isScarce ? kNoMemory : std::string("internal error: ") + error.what());
+                      isScarce ? sentence(kNoMemory) : sentence(kInternal, {error.what()}));
     } catch (const std::exception& error) {
-        return failed(line, kFailure, "internal-error",
-                      std::string("internal error: ") + error.what());
+        return failed(line, kFailure, "internal-error", sentence(kInternal, {error.what()}));
     }
 }
 

@@ -77,7 +77,7 @@ Flown flyScenario(const SimulateArguments& arguments, const std::string& text,
     flown.files = filesOf(arguments, scenario, {});
     if (flown.files)
         flown.mission.handSamplesOn(flown.files->sink());
-    ProgressBar bar("flying", !arguments.json);
+    ProgressBar bar(said(QT_TRANSLATE_NOOP("CommandLine", "flying"), {}), !arguments.json);
     const auto status = flown.mission.advance(scenario.duration_s, stop, [&](double time_s) {
         bar.update(time_s / scenario.duration_s);
     });
@@ -94,11 +94,12 @@ Flown replayRun(const SimulateArguments& arguments, const std::string& text,
                 const std::stop_token& stop)
 {
     if (arguments.changesScenario())
-        throw UsageError{"a run file is replayed as it was flown; --tau, --policy, "
-                         "--duration, --dt, --seed and --no-noise are for scenarios"};
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine", "a run file is replayed as it was flown; --tau, --policy, "
+                           "--duration, --dt, --seed and --no-noise are for scenarios"));
     const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
     std::unique_ptr<FlightFiles> files = filesOf(arguments, run.scenario, run.interventions);
-    ProgressBar bar("replaying", !arguments.json);
+    ProgressBar bar(said(QT_TRANSLATE_NOOP("CommandLine", "replaying"), {}), !arguments.json);
     Mission mission = replay(
         run, stop,
         [&](double time_s) { bar.update(run.flownUntil_s > 0 ? time_s / run.flownUntil_s : 1); },
@@ -117,12 +118,14 @@ std::optional<double> lowerBound_m2s(const Mission& mission, bool quiet,
 {
     if (std::ranges::any_of(mission.interventions(),
                             [](const Intervention& change) { return change.seen.has_value(); }))
-        throw UsageError{"--bound is for what the UAV sees by itself; in this run an "
-                         "iceberg was reported seen"};
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine", "--bound is for what the UAV sees by itself; in this run an "
+                           "iceberg was reported seen"));
     if (std::ranges::any_of(mission.interventions(),
                             [](const Intervention& change) { return change.wind_mps.has_value(); }))
-        throw UsageError{"--bound is for the scenario's wind; in this run it changed"};
-    ProgressBar bar("bounding", !quiet);
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine", "--bound is for the scenario's wind; in this run it changed"));
+    ProgressBar bar(said(QT_TRANSLATE_NOOP("CommandLine", "bounding"), {}), !quiet);
     const ZetaBound bound = zetaLowerBound(
         mission.scenario(), {.stop = stop, .onProgress = [&](const BoundProgress& progress) {
                                  bar.update(progress.share);
@@ -195,7 +198,9 @@ int simulate(const SimulateArguments& arguments, const std::stop_token& stop)
     });
     if (!arguments.bound || bound_m2s)
         return kDone;
-    std::fputs("interrupted: the flight is complete, its lower bound is missing\n", stderr);
+    tell(said(QT_TRANSLATE_NOOP("CommandLine",
+                                "interrupted: the flight is complete, its lower bound is missing"),
+              {}));
     return kInterrupted;
 }
 

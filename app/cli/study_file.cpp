@@ -43,12 +43,8 @@ Study StudyFile::open(StudySpec spec)
     if (member.empty())
         return found;
     if (!m_mayReplace)
-        throw Error(
-            ErrorCode::InvalidInput, m_path,
-            {{Severity::Error,
-              member,
-              {IssueId::Verbatim,
-               {"differs: this is the file of another study (--replace-study replaces it)"}}}});
+        throw Error(ErrorCode::InvalidInput, m_path,
+                    {{Severity::Error, member, {IssueId::FileOfOtherStudy}}});
     return {.spec = std::move(spec)};
 }
 
@@ -63,8 +59,7 @@ void StudyFile::save(const Study& study)
 void StudyFile::checkUnchanged() const
 {
     if (stampOf(m_path) != m_stamp)
-        throw Error(ErrorCode::FileUnwritable, m_path,
-                    "was changed by another program: each shard needs a file of its own");
+        throw Error(ErrorCode::FileUnwritable, m_path, {IssueId::ChangedByOther});
 }
 
 void StudyFile::write(const Study& study)

@@ -101,11 +101,10 @@ void sayWhenIncomplete(const Study& study)
 {
     const std::size_t flown = flownCount(study);
     if (const std::size_t count = missionCount(study.spec); flown < count)
-        std::fprintf(stderr,
-                     "not complete: %s of %s missions are flown; counted are the cases with all "
-                     "their settings\n",
-                     grouped(static_cast<double>(flown)).c_str(),
-                     grouped(static_cast<double>(count)).c_str());
+        tell(said(QT_TRANSLATE_NOOP("CommandLine",
+                                    "not complete: %1 of %2 missions are flown; counted are the "
+                                    "cases with all their settings"),
+                  {grouped(static_cast<double>(flown)), grouped(static_cast<double>(count))}));
 }
 
 } // namespace
@@ -142,8 +141,9 @@ std::size_t referenceOf(const StudySpec& spec, const StudyOutput& output)
     const std::vector<std::string> parts = split(output.reference, ':');
     const auto policy = valueOf(kPolicyNames, parts.front());
     if (!policy || parts.size() > 2)
-        throw UsageError{"--reference: " + output.reference + " is not POLICY[:TAU] with one of " +
-                         allowedNames(kPolicyNames)};
+        throw UsageError(
+            QT_TRANSLATE_NOOP("CommandLine", "--reference: %1 is not POLICY[:TAU] with one of %2"),
+            {output.reference, allowedNames(kPolicyNames)});
     const bool hasTau = parts.size() == 2;
     const double tau = hasTau ? numberOf("--reference", parts[1]) : 0;
     const std::vector<StudySetting> settings = settingsOf(spec);
@@ -151,7 +151,8 @@ std::size_t referenceOf(const StudySpec& spec, const StudyOutput& output)
         if (settings[i].policy == *policy && settings[i].tau.has_value() == hasTau &&
             std::abs(settings[i].tau.value_or(tau) - tau) < kSameTau)
             return i;
-    throw UsageError{"--reference: " + output.reference + " is not flown in this study"};
+    throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--reference: %1 is not flown in this study"),
+                     {output.reference});
 }
 
 void writeResults(const Study& study, const StudyOutput& output, const std::function<void()>& save,

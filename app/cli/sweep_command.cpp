@@ -28,10 +28,13 @@ std::vector<double> tausOf(const std::string& text)
         const double step = range.size() > 2 ? numberOf("--tau", range[2]) : 1;
         if (range.size() == 2 || range.size() > 3 || !(step > 0) || first < 0 || last < first ||
             last > 100)
-            throw UsageError{"--tau: " + part + " is not A:B:STEP with 0 <= A <= B <= 100"};
+            throw UsageError(QT_TRANSLATE_NOOP("CommandLine",
+                                               "--tau: %1 is not A:B:STEP with 0 <= A <= B <= 100"),
+                             {part});
         if (static_cast<double>(taus.size()) + (last - first) / step >= static_cast<double>(kMost))
-            throw UsageError{"--tau: " + part + " makes it more than " + std::to_string(kMost) +
-                             " values"};
+            throw UsageError(
+                QT_TRANSLATE_NOOP("CommandLine", "--tau: %1 makes it more than %2 values"),
+                {part, countOf(kMost)});
         const auto count = static_cast<int>(std::floor((last - first) / step + 1e-9));
         for (int k = 0; k <= count; ++k)
             taus.push_back(std::round((first + k * step) * kPerUnit) / kPerUnit);
@@ -59,7 +62,8 @@ std::vector<PolicyKind> policiesOf(const std::string& names)
     for (const std::string& name : split(names, ',')) {
         const auto policy = valueOf(kPolicyNames, name);
         if (!policy)
-            throw UsageError{"--policies: " + name + " is none of " + allowedNames(kPolicyNames)};
+            throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--policies: %1 is none of %2"),
+                             {name, allowedNames(kPolicyNames)});
         policies.push_back(*policy);
     }
     return policies;
@@ -73,10 +77,12 @@ StudySpec specOf(const SweepArguments& arguments)
                    .policies = policiesOf(arguments.policies),
                    .runs = arguments.runs};
     if (arguments.regime && arguments.random == 0)
-        throw UsageError{"--regime is for --random N; scenarios say themselves how icebergs drift"};
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine",
+            "--regime is for --random N; scenarios say themselves how icebergs drift"));
     spec.field.regime = arguments.regime.value_or(FieldRegime::Published);
     if (arguments.files.empty() && arguments.random == 0)
-        throw UsageError{"name scenarios, or give --random N"};
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "name scenarios, or give --random N"));
     for (const std::string& file : arguments.files)
         spec.scenarios.push_back(loadScenario(file));
     return spec;
@@ -90,7 +96,8 @@ Shard shardOf(const std::string& text)
     char rest = 0;
     if (std::sscanf(text.c_str(), "%9d/%9d%c", &shard.index, &shard.count, &rest) != 2 ||
         shard.index < 1 || shard.index > shard.count)
-        throw UsageError{"--shard: " + text + " is not I/N with 1 <= I <= N"};
+        throw UsageError(
+            QT_TRANSLATE_NOOP("CommandLine", "--shard: %1 is not I/N with 1 <= I <= N"), {text});
     return shard;
 }
 
@@ -98,11 +105,13 @@ void checkTogether(const SweepArguments& arguments)
 {
     const bool isPart = shardOf(arguments.shard).count > 1;
     if (isPart && arguments.output.studyFile.empty())
-        throw UsageError{"--shard: the part needs a file to be kept in: --study FILE"};
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine", "--shard: the part needs a file to be kept in: --study FILE"));
     if (isPart && arguments.output.writesFiles())
-        throw UsageError{"--shard: the files of all shards are written by 'study'"};
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine", "--shard: the files of all shards are written by 'study'"));
     if (arguments.output.replaceStudy && arguments.output.studyFile.empty())
-        throw UsageError{"--replace-study: is for --study FILE"};
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--replace-study: is for --study FILE"));
 }
 
 /** One `sweep` of the command line. */
@@ -143,7 +152,8 @@ private:
     void progress(const Study& study, std::size_t done, std::size_t count)
     {
         if (!m_bar)
-            m_bar.emplace("flying " + grouped(static_cast<double>(count)) + " missions",
+            m_bar.emplace(said(QT_TRANSLATE_NOOP("CommandLine", "flying %1 missions"),
+                               {grouped(static_cast<double>(count))}),
                           !m_arguments.output.json);
         m_bar->update(count > 0 ? static_cast<double>(done) / static_cast<double>(count) : 1);
         m_file.saveSometimes(study);
@@ -171,10 +181,11 @@ private:
         reportWhatWasNotStored();
         if (!m_file.isStored())
             throw Interrupted{};
-        std::fprintf(
-            stderr, "interrupted: %s of %s missions are kept in %s; the same command carries on\n",
-            grouped(static_cast<double>(flownCount(study))).c_str(),
-            grouped(static_cast<double>(missionCount(study.spec))).c_str(), m_file.path().c_str());
+        tell(said(QT_TRANSLATE_NOOP("CommandLine",
+                                    "interrupted: %1 of %2 missions are kept in %3; the same "
+                                    "command carries on"),
+                  {grouped(static_cast<double>(flownCount(study))),
+                   grouped(static_cast<double>(missionCount(study.spec))), m_file.path()}));
         return kInterrupted;
     }
 

@@ -23,6 +23,7 @@ constexpr std::size_t kHelpColumn = 34; ///< where explanations begin
 constexpr std::size_t kLeastWidth = 60; ///< narrower than this, lines are left to the terminal
 constexpr std::size_t kUsualWidth = 80;
 constexpr std::size_t kMostWidth = 120; ///< longer lines are hard to read
+constexpr char kBetween = '\x1F';       ///< the English and the other words of a fault
 
 /** Insertions, deletions and changes of a character from one word to the other. */
 std::size_t editDistance(const std::string& from, const std::string& to)
@@ -40,15 +41,15 @@ std::size_t editDistance(const std::string& from, const std::string& to)
     return row.back();
 }
 
-/** "; did you mean x?", empty when nothing known is near. */
-std::string suggestion(const std::string& word, const std::vector<std::string>& known)
+/** What of the known is near; empty: nothing. */
+std::string nearestOf(const std::string& word, const std::vector<std::string>& known)
 {
     const auto nearest = std::ranges::min_element(
         known, {}, [&word](const std::string& one) { return editDistance(word, one); });
     if (nearest == known.end() ||
         editDistance(word, *nearest) > std::max<std::size_t>(1, word.size() / 3))
         return {};
-    return "; did you mean '" + *nearest + "'?";
+    return *nearest;
 }
 
 std::vector<const CLI::App*> commandsOf(const CLI::App& app)
@@ -56,11 +57,14 @@ std::vector<const CLI::App*> commandsOf(const CLI::App& app)
     return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
-std::string unknownOption(const std::string& name, const std::vector<std::string>& known)
+Sentence unknownOption(const std::string& name, const std::vector<std::string>& known)
 {
     constexpr std::size_t kShort = 2; // all of those are near
-    return "there is no option '" + name + '\'' +
-           (name.size() > kShort ? suggestion(name, known) : std::string());
+    const std::string nearest = name.size() > kShort ? nearestOf(name, known) : std::string();
+    if (nearest.empty())
+        return sentence(QT_TRANSLATE_NOOP("CommandLine", "there is no option '%1'"), {name});
+    return sentence(QT_TRANSLATE_NOOP("CommandLine", "there is no option '%1'; did you mean '%2'?"),
+                    {name, nearest});
 }
 
 /** "--tau", "-t", ... */
@@ -135,21 +139,26 @@ std::vector<std::string> wordsOf(int argc, const char* const* argv)
     return words;
 }
 
-std::optional<std::string> unknownCommand(const CLI::App& app,
-                                          const std::vector<std::string>& words)
+std::optional<Sentence> unknownCommand(const CLI::App& app, const std::vector<std::string>& words)
 {
     if (words.empty() || words.front().starts_with('-') || chosen(app, words) != nullptr)
         return std::nullopt;
     std::vector<std::string> names;
     for (const CLI::App* one : commandsOf(app))
         names.push_back(one->get_name());
-    return "there is no command '" + words.front() + '\'' + suggestion(words.front(), names);
+    const std::string nearest = nearestOf(words.front(), names);
+    if (nearest.empty())
+        return sentence(QT_TRANSLATE_NOOP("CommandLine", "there is no command '%1'"),
+                        {words.front()});
+    return sentence(
+        QT_TRANSLATE_NOOP("CommandLine", "there is no command '%1'; did you mean '%2'?"),
+        {words.front(), nearest});
 }
 
-std::optional<std::string> unknownWord(const CLI::App& app, const std::vector<std::string>& words)
+std::optional<Sentence> unknownWord(const CLI::App& app, const std::vector<std::string>& words)
 {
     if (words.empty())
-        return "a command is required";
+        return sentence(QT_TRANSLATE_NOOP("CommandLine", "a command is required"));
     const CLI::App* command = chosen(app, words);
     if (command == nullptr)
         return words.front().starts_with('-') ? unknownOption(words.front(), optionsOf(app))
@@ -192,16 +201,31 @@ std::string emptyOption(const CLI::App& app)
     return {};
 }
 
-std::string plainWords(const CLI::ParseError& error)
+std::string inOne(const Sentence& fault)
+{
+    return fault.english + kBetween + fault.said;
+}
+
+Sentence plainWords(const CLI::ParseError& error)
 {
     std::string text = error.what();
     const std::string subject = text.substr(0, text.find(": "));
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
-        return subject +
-               (text.ends_with("missing") ? " needs a value" : " is given more than once");
+        return sentence(text.ends_with("missing")
+                            ? QT_TRANSLATE_NOOP("CommandLine", "%1 needs a value")
+                            : QT_TRANSLATE_NOOP("CommandLine", "%1 is given more than once"),
+                        {subject});
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
-        return "not expected: " + text.substr(subject.size() + 2);
-    return text;
+        return sentence(QT_TRANSLATE_NOOP("CommandLine", "not expected: %1"),
+                        {text.substr(subject.size() + 2)});
+    constexpr std::string_view kRequired = " is required";
+    if (text.ends_with(kRequired))
+        return sentence(QT_TRANSLATE_NOOP("CommandLine", "%1 is required"),
+                        {text.substr(0, text.size() - kRequired.size())});
+    if (const std::size_t between = text.rfind(kBetween); between != std::string::npos)
+        return {.english = text.substr(0, between),
+                .said = subject + ": " + text.substr(between + 1)};
+    return {.english = text, .said = text};
 }
 
 std::string commandOf(const CLI::App& app, const std::vector<std::string>& words)

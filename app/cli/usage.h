@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/cli/language.h"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,12 +20,12 @@ namespace berg::cli {
  * The first command or option of `words` that does not exist, as a sentence with the nearest one
  * that does; none when all exist.
  */
-[[nodiscard]] std::optional<std::string> unknownWord(const CLI::App& app,
-                                                     const std::vector<std::string>& words);
+[[nodiscard]] std::optional<Sentence> unknownWord(const CLI::App& app,
+                                                  const std::vector<std::string>& words);
 
 /** The same of the command alone, which CLI11 overlooks beside --help. */
-[[nodiscard]] std::optional<std::string> unknownCommand(const CLI::App& app,
-                                                        const std::vector<std::string>& words);
+[[nodiscard]] std::optional<Sentence> unknownCommand(const CLI::App& app,
+                                                     const std::vector<std::string>& words);
 
 /** A file to read that is `-` becomes /dev/stdin. */
 void readDashFromStandardInput(CLI::App& app);
@@ -31,8 +33,10 @@ void readDashFromStandardInput(CLI::App& app);
 /** The first option or argument of the command that was given as an empty text; none: "". */
 [[nodiscard]] std::string emptyOption(const CLI::App& app);
 
+/** What a check of CLI11's is to say, in one text: it knows no two languages. */
+[[nodiscard]] std::string inOne(const Sentence& fault);
 /** What CLI11 found wrong, in words of a user. */
-[[nodiscard]] std::string plainWords(const CLI::ParseError& error);
+[[nodiscard]] Sentence plainWords(const CLI::ParseError& error);
 
 /** "bergwatch-cli plan": the program and the command that `words` name. */
 [[nodiscard]] std::string commandOf(const CLI::App& app, const std::vector<std::string>& words);

@@ -33,7 +33,7 @@ class Error : public std::runtime_error
 {
 public:
     Error(ErrorCode code, std::string subject, IssueReason reason);
-    /** In words of another program, or of the command line, that nobody translates. */
+    /** In words of another program that nobody translates. */
     Error(ErrorCode code, std::string subject, std::string words);
     /** `issues` not empty; `what()` has one line "subject: field: message" for each. */
     Error(ErrorCode code, std::string subject, std::vector<Issue> issues);

@@ -144,9 +144,14 @@ struct IssueReason
  * has for an argument follows the words in quotes.
  */
 [[nodiscard]] std::string_view englishWords(IssueId id);
+/** "an array" */
+[[nodiscard]] std::string_view englishWords(ValueKind kind);
 
-/** The reason in English, without field and file: for the command line and for files. An argument
- * that is missing is empty text. */
+/** Such words, in whatever language, with the arguments; one that is missing is empty text. */
+[[nodiscard]] std::string filledIn(std::string_view pattern,
+                                   const std::vector<IssueArgument>& arguments);
+
+/** The reason in English, without field and file: for JSON and for files. */
 [[nodiscard]] std::string englishText(const IssueReason& reason);
 
 /** One finding about a scenario or a file. */

@@ -2,6 +2,7 @@
 # and looks at what comes out. Needs bash and python3 only, so that it also runs where there is no Qt.
 # The scripts are called as SCRIPT CLI SOURCE_DIR WORK_DIR ... and work in that folder, empty at first.
 set -u
+export LC_ALL=C.UTF-8
 cli=$1
 source_dir=$2
 work=$3

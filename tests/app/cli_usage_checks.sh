@@ -74,6 +74,51 @@ check "completion: of a command" test "$(completes bergwatch-cli sim)" = simulat
 check "completion: of an option" test "$(completes bergwatch-cli plan --certi)" = --certificate
 check "completion: of a file" test "$(completes bergwatch-cli plan four)" = four.berg
 
+# --- languages -------------------------------------------------------------------------------
+# As LC_ALL, LC_MESSAGES or LANG say; such a locale need not be installed.
+speaks() { # language, then what is said of a file, a field, an option, a value, a warning and a row
+    local locale=$1
+    told() { # name, exit code, words, command...
+        local name="$locale: $1" code=$2 words=$3
+        shift 3
+        check "$name" exits "$code" env LC_ALL="$locale" "$cli" "$@"
+        check "$name: words" says "$words"
+    }
+    told "a missing file" 3 "missing.berg: $2" plan missing.berg
+    told "a field" 3 "negative.berg: icebergs[0].sigma0_m2: $3" plan negative.berg
+    told "an option" 2 "$4" simulate four.berg --duraton 60
+    told "a value" 2 "--tau: $5" plan four.berg --tau 101
+    told "a hint" 0 "$6" validate "$source_dir/resources/scenarios/flemish-pass-appearing.berg"
+    told "a row" 3 "sightings.csv: $7" import sightings.csv --output sightings.berg
+}
+speaks nb_NO.UTF-8 "kan ikke åpnes: filen eller mappen finnes ikke" "må være fra 0 til 1000000000000, ikke -1" \
+    "det finnes ikke noe valg «--duraton»; mente du «--duration»?" "må være fra 0 til 100, ikke 101" \
+    "tips: icebergs[2].velocity_mps: driver ut av området" "linje 2: bredden er ikke et tall fra −90 til 90"
+speaks da_DK "kan ikke åbnes: ingen sådan fil eller mappe" "skal være fra 0 til 1000000000000, ikke -1" \
+    "der findes intet tilvalg »--duraton«; mente du »--duration«?" "skal være fra 0 til 100, ikke 101" \
+    "tip: icebergs[2].velocity_mps: driver ud af området" "linje 2: "
+s=$'\xc2\xa0' # a space that breaks no line
+speaks fr_FR.UTF-8@euro "ne peut pas être ouvert$s: fichier ou dossier inexistant" "doit être de 0 à 1000000000000, et non -1" \
+    "il n'y a pas d'option «$s--duraton$s»$s; vouliez-vous dire «$s--duration$s»$s?" "doit être de 0 à 100, et non 101" \
+    "conseil: icebergs[2].velocity_mps: dérive hors de la zone" "ligne 2: "
+for locale in C POSIX de_DE.UTF-8 nbx; do
+    check "$locale is English" exits 3 env LC_ALL=$locale LC_MESSAGES=nb_NO.UTF-8 LANG=nb_NO.UTF-8 "$cli" plan missing.berg
+    check "$locale is English: words" says "missing.berg: cannot be opened: No such file or directory"
+done
+check "LC_MESSAGES before LANG" exits 3 env LC_ALL= LC_MESSAGES=da LANG=fr_FR.UTF-8 "$cli" plan missing.berg
+check "LC_MESSAGES before LANG: Danish" says "kan ikke åbnes"
+check "LANG alone, by its old name" exits 3 env -u LC_ALL -u LC_MESSAGES LANG=no_NO "$cli" plan missing.berg
+check "LANG alone, by its old name: Norwegian" says "kan ikke åpnes"
+for words in "plan missing.berg" "plan negative.berg" "simulate four.berg --duration nan" "plan four.berg --frobnicate" \
+             "simulate four.berg --output run" "validate negative.berg" "plan four.berg" "import sightings.csv -o s.berg"; do
+    for locale in C.UTF-8 nb_NO.UTF-8; do
+        LC_ALL=$locale "$cli" $words --json 2>/dev/null | grep -v '"seconds"' >"json.$locale"
+    done
+    check "--json speaks English: $words" cmp json.C.UTF-8 json.nb_NO.UTF-8
+    check "--json has no second language: $words" test -z "$(grep -aF '\u001f' json.nb_NO.UTF-8)"
+done
+check "help is English" cmp -s <(LC_ALL=nb_NO.UTF-8 "$cli" help plan) <("$cli" help plan)
+
 # --- pipes and JSON --------------------------------------------------------------------------
 check "plan from a pipe" exits 0 "$cli" plan - --json <four.berg
 grep -v '"seconds"' stdout.txt >piped.json

@@ -2,6 +2,7 @@
 # A sweep flown by two MPI processes against the same sweep in one.
 # Use: mpi_checks.sh MPIRUN CLI WORK_DIR
 set -u
+export LC_ALL=C.UTF-8
 mpirun=$1
 cli=$2
 work=$3

@@ -257,17 +257,10 @@ QString kindText(ValueKind kind)
     return {};
 }
 
-/** Why the system refuses a file: the C library may know another language than the window. */
 constexpr std::pair<int, const char*> kRefusals[] = {
-    {ENOENT, QT_TRANSLATE_NOOP("IssueText", "no such file or folder")},
-    {EACCES, QT_TRANSLATE_NOOP("IssueText", "no permission")},
-    {EISDIR, QT_TRANSLATE_NOOP("IssueText", "it is a folder")},
-    {ENOTDIR, QT_TRANSLATE_NOOP("IssueText", "part of the path is no folder")},
-    {ENOSPC, QT_TRANSLATE_NOOP("IssueText", "the disk is full")},
-    {EDQUOT, QT_TRANSLATE_NOOP("IssueText", "the quota is used up")},
-    {EROFS, QT_TRANSLATE_NOOP("IssueText", "the disk is read-only")},
-    {EIO, QT_TRANSLATE_NOOP("IssueText", "the disk is faulty")},
-    {ENAMETOOLONG, QT_TRANSLATE_NOOP("IssueText", "the name is too long")},
+#define REFUSAL(number, words) {number, words},
+#include "core/base/refusals.inc"
+#undef REFUSAL
 };
 
 bool isRefusal(IssueId id)

@@ -1,6 +1,7 @@
 #include "core/io/export/export_notes.h"
 
 #include "core/base/number_text.h"
+#include "core/base/translate_noop.h"
 #include "core/io/export/export_files.h"
 #include "core/io/export/mission_items.h"
 #include "core/scenario/fence.h"
@@ -167,49 +168,95 @@ std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportCont
     return notes.take();
 }
 
-std::string noteText(const ExportNote& note)
+std::string_view notePattern(ExportNoteKind kind)
+{
+    switch (kind) {
+    case ExportNoteKind::OneFileEach:
+        return QT_TRANSLATE_NOOP(
+            "CommandLine", "a file holds one UAV: %1 files are written, named after the UAVs");
+    case ExportNoteKind::NoTimes:
+        return QT_TRANSLATE_NOOP("CommandLine",
+                                 "the scenario has no start time, so the file has no dates");
+    case ExportNoteKind::NoFence:
+        return QT_TRANSLATE_NOOP("CommandLine",
+                                 "the geofence is left out: the format has no place for it");
+    case ExportNoteKind::NoNoFly:
+        return QT_TRANSLATE_NOOP(
+            "CommandLine",
+            "no-fly areas and the stand-off ring are left out: the format has no place for them");
+    case ExportNoteKind::NoHeights:
+        return QT_TRANSLATE_NOOP(
+            "CommandLine",
+            "no-fly areas have no heights: those at the altitude of the UAV are written");
+    case ExportNoteKind::FenceAcross180:
+        return QT_TRANSLATE_NOOP(
+            "CommandLine", "%1 may draw the fence the long way round: it crosses the antimeridian");
+    case ExportNoteKind::VisitsOnly:
+        return QT_TRANSLATE_NOOP(
+            "CommandLine", "the places where icebergs were reached are written, not the track");
+    case ExportNoteKind::PathAsWaypoints:
+        return QT_TRANSLATE_NOOP("CommandLine", "the path becomes %1 waypoints within %2 m of it");
+    case ExportNoteKind::AcceptanceCut:
+        return QT_TRANSLATE_NOOP("CommandLine",
+                                 "%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m");
+    case ExportNoteKind::LoiterInSteps:
+        return QT_TRANSLATE_NOOP(
+            "CommandLine", "%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m");
+    case ExportNoteKind::WholeSpeed:
+        return QT_TRANSLATE_NOOP("CommandLine",
+                                 "%1 reads the cruise speed as a whole number: %2 m/s becomes %3 "
+                                 "m/s; the speed in the mission is exact");
+    case ExportNoteKind::ChoiceNotUsed:
+        return QT_TRANSLATE_NOOP(
+            "CommandLine", "the file is about the whole flight, whatever is chosen to be exported");
+    case ExportNoteKind::NothingToFly:
+        return QT_TRANSLATE_NOOP("CommandLine", "UAVs without an iceberg to visit: %1");
+    case ExportNoteKind::LegsCross:
+        return QT_TRANSLATE_NOOP("CommandLine",
+                                 "straight legs that lead out of the geofence or through a no-fly "
+                                 "area: %1; the path (--what path) leads round");
+    case ExportNoteKind::LaterSorties:
+        return QT_TRANSLATE_NOOP(
+            "CommandLine",
+            "this sortie alone is written: icebergs of the order left for later ones: %1");
+    }
+    throw std::logic_error("notePattern: unknown kind");
+}
+
+std::vector<IssueArgument> noteArguments(const ExportNote& note)
 {
     const std::string tool(note.tool);
     const std::string value = fixedText(note.value, 0);
     const std::string limit = fixedText(note.limit, 0);
     switch (note.kind) {
     case ExportNoteKind::OneFileEach:
-        return "a file holds one UAV: " + value + " files are written, named after the UAVs";
-    case ExportNoteKind::NoTimes:
-        return "the scenario has no start time, so the file has no dates";
-    case ExportNoteKind::NoFence:
-        return "the geofence is left out: the format has no place for it";
-    case ExportNoteKind::NoNoFly:
-        return "no-fly areas and the stand-off ring are left out: the format has no place for them";
-    case ExportNoteKind::NoHeights:
-        return "no-fly areas have no heights: those at the altitude of the UAV are written";
-    case ExportNoteKind::FenceAcross180:
-        return tool + " may draw the fence the long way round: it crosses the antimeridian";
-    case ExportNoteKind::VisitsOnly:
-        return "the places where icebergs were reached are written, not the track";
-    case ExportNoteKind::PathAsWaypoints:
-        return "the path becomes " + value + " waypoints within " + fixedText(kPathTolerance_m, 0) +
-               " m of it";
-    case ExportNoteKind::AcceptanceCut:
-        return tool + " keeps acceptance radii up to " + limit + " m: " + value + " m becomes " +
-               limit + " m";
-    case ExportNoteKind::LoiterInSteps:
-        return tool + " keeps loiter radii above 255 m in steps of 10 m: " + value + " m becomes " +
-               limit + " m";
-    case ExportNoteKind::WholeSpeed:
-        return tool + " reads the cruise speed as a whole number: " + fixedText(note.value, 2) +
-               " m/s becomes " + limit + " m/s; the speed in the mission is exact";
-    case ExportNoteKind::ChoiceNotUsed:
-        return "the file is about the whole flight, whatever is chosen to be exported";
     case ExportNoteKind::NothingToFly:
-        return "UAVs without an iceberg to visit: " + value;
     case ExportNoteKind::LegsCross:
-        return "straight legs that lead out of the geofence or through a no-fly area: " + value +
-               "; the path (--what path) leads round";
     case ExportNoteKind::LaterSorties:
-        return "this sortie alone is written: icebergs of the order left for later ones: " + value;
+        return {value};
+    case ExportNoteKind::FenceAcross180:
+        return {tool};
+    case ExportNoteKind::PathAsWaypoints:
+        return {value, fixedText(kPathTolerance_m, 0)};
+    case ExportNoteKind::AcceptanceCut:
+    case ExportNoteKind::LoiterInSteps:
+        return {tool, value, limit};
+    case ExportNoteKind::WholeSpeed:
+        return {tool, fixedText(note.value, 2), limit};
+    case ExportNoteKind::NoTimes:
+    case ExportNoteKind::NoFence:
+    case ExportNoteKind::NoNoFly:
+    case ExportNoteKind::NoHeights:
+    case ExportNoteKind::VisitsOnly:
+    case ExportNoteKind::ChoiceNotUsed:
+        return {};
     }
-    throw std::logic_error("noteText: unknown kind");
+    throw std::logic_error("noteArguments: unknown kind");
+}
+
+std::string noteText(const ExportNote& note)
+{
+    return filledIn(notePattern(note.kind), noteArguments(note));
 }
 
 } // namespace berg

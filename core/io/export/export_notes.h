@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/issue.h"
 #include "core/io/export/formats.h"
 
 #include <string>
@@ -47,7 +48,10 @@ struct ExportNote
  * of the path, which is flown round, none. */
 [[nodiscard]] std::size_t legsThatCross(const ExportContent& content);
 
-/** A sentence, English. */
+/** A sentence in English, with %1, %2, ... for the arguments. */
+[[nodiscard]] std::string_view notePattern(ExportNoteKind kind);
+[[nodiscard]] std::vector<IssueArgument> noteArguments(const ExportNote& note);
+/** Both put together. */
 [[nodiscard]] std::string noteText(const ExportNote& note);
 
 } // namespace berg

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/stopped.h"
+#include "core/base/translate_noop.h"
 #include "core/io/import/import_icebergs.h"
 #include "core/io/import/import_selection.h"
 #include "core/io/import/import_setting.h"
@@ -181,35 +182,35 @@ std::string importNoteText(ImportNote note)
 {
     switch (note) {
     case ImportNote::VelocityUnknown:
-        return "velocity unknown";
+        return QT_TRANSLATE_NOOP("CommandLine", "velocity unknown");
     case ImportNote::VelocityGiven:
-        return "velocity from the file";
+        return QT_TRANSLATE_NOOP("CommandLine", "velocity from the file");
     case ImportNote::VelocityClamped:
-        return "velocity limited to 5 m/s per axis";
+        return QT_TRANSLATE_NOOP("CommandLine", "velocity limited to 5 m/s per axis");
     case ImportNote::GrowthEstimated:
-        return "q estimated";
+        return QT_TRANSLATE_NOOP("CommandLine", "q estimated");
     case ImportNote::GrowthClamped:
-        return "q limited to 1e6 m2/s";
+        return QT_TRANSLATE_NOOP("CommandLine", "q limited to 1e6 m2/s");
     case ImportNote::Stationary:
-        return "stationary";
+        return QT_TRANSLATE_NOOP("CommandLine", "stationary");
     case ImportNote::Repeated:
-        return "sightings of one time";
+        return QT_TRANSLATE_NOOP("CommandLine", "sightings of one time");
     case ImportNote::Jumped:
-        return "sightings at impossible places not used";
+        return QT_TRANSLATE_NOOP("CommandLine", "sightings at impossible places not used");
     case ImportNote::TrackAttached:
-        return "recorded track attached";
+        return QT_TRANSLATE_NOOP("CommandLine", "recorded track attached");
     case ImportNote::NoTrack:
-        return "no track: not sighted after the start";
+        return QT_TRANSLATE_NOOP("CommandLine", "no track: not sighted after the start");
     case ImportNote::Older:
-        return "older than what the scenario has";
+        return QT_TRANSLATE_NOOP("CommandLine", "older than what the scenario has");
     case ImportNote::SeenLater:
-        return "sighted only after the start";
+        return QT_TRANSLATE_NOOP("CommandLine", "sighted only after the start");
     case ImportNote::DriftedAway:
-        return "more than 1000 km from the origin at the start";
+        return QT_TRANSLATE_NOOP("CommandLine", "more than 1000 km from the origin at the start");
     case ImportNote::TooMany:
-        return "the scenario is full";
+        return QT_TRANSLATE_NOOP("CommandLine", "the scenario is full");
     case ImportNote::IdTaken:
-        return "an aircraft has this id";
+        return QT_TRANSLATE_NOOP("CommandLine", "an aircraft has this id");
     }
     return {};
 }

@@ -28,6 +28,16 @@ private slots:
                  std::string("must be from 1 to 2, not "));
     }
 
+    void patternIsFilledIn()
+    {
+        const std::string name = "%2";
+        QCOMPARE(filledIn("%2 av %1: %3", {name, 7, ValueKind::Array}),
+                 std::string("7 av %2: an array"));
+        QCOMPARE(filledIn("har ingen tid", {}), std::string("har ingen tid"));
+        QCOMPARE(filledIn("er ikke et tall", {name}), std::string("er ikke et tall: \"%2\""));
+        QCOMPARE(filledIn("100 %", {}), std::string("100 %"));
+    }
+
     void messageWithoutSubject()
     {
         const Error error(ErrorCode::Unsupported, "", "not in this build");
