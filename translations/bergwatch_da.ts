@@ -1324,25 +1324,6 @@
     </message>
 </context>
 <context>
-    <name>FindBox</name>
-    <message>
-        <source>Iceberg</source>
-        <translation>Isbjerg</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Sted</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>Kommando</translation>
-    </message>
-    <message>
-        <source>UAV</source>
-        <translation>Drone</translation>
-    </message>
-</context>
-<context>
     <name>FlightBrief</name>
     <message>
         <source>Times count from the start of the run</source>
@@ -7739,6 +7720,22 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Nothing found</source>
         <translation>Intet fundet</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isbjerg</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Kommando</translation>
     </message>
 </context>
 <context>

@@ -1324,25 +1324,6 @@
     </message>
 </context>
 <context>
-    <name>FindBox</name>
-    <message>
-        <source>Iceberg</source>
-        <translation>Iceberg</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Lieu</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>Commande</translation>
-    </message>
-    <message>
-        <source>UAV</source>
-        <translation>Drone</translation>
-    </message>
-</context>
-<context>
     <name>FlightBrief</name>
     <message>
         <source>Times count from the start of the run</source>
@@ -7739,6 +7720,22 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Nothing found</source>
         <translation>Rien trouvé</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Iceberg</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lieu</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
     </message>
 </context>
 <context>

@@ -1324,25 +1324,6 @@
     </message>
 </context>
 <context>
-    <name>FindBox</name>
-    <message>
-        <source>Iceberg</source>
-        <translation>Isfjell</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Sted</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>Kommando</translation>
-    </message>
-    <message>
-        <source>UAV</source>
-        <translation>UAV</translation>
-    </message>
-</context>
-<context>
     <name>FlightBrief</name>
     <message>
         <source>Times count from the start of the run</source>
@@ -7739,6 +7720,22 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Nothing found</source>
         <translation>Fant ingenting</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>UAV</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Kommando</translation>
     </message>
 </context>
 <context>

@@ -38,6 +38,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QSettings>
@@ -45,6 +46,16 @@
 using namespace Qt::StringLiterals;
 
 namespace berg {
+
+namespace {
+
+/** As the menu key, which many keyboards lack; Qt takes it for that on Windows alone. */
+bool opensMenu(const QKeyEvent& key)
+{
+    return key.key() == Qt::Key_F10 && key.modifiers() == Qt::ShiftModifier;
+}
+
+} // namespace
 
 /** In the order of what they use. */
 struct MainWindow::Parts
@@ -276,6 +287,14 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
             return true;
         }
     }
+    if (event->type() == QEvent::KeyPress && opensMenu(static_cast<const QKeyEvent&>(*event)))
+        if (auto* widget = qobject_cast<QWidget*>(watched)) {
+            const QPoint middle = widget->rect().center();
+            QContextMenuEvent menu(QContextMenuEvent::Keyboard, middle,
+                                   widget->mapToGlobal(middle));
+            QCoreApplication::sendEvent(widget, &menu);
+            return true;
+        }
     return QMainWindow::eventFilter(watched, event);
 }
 

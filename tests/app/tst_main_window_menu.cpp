@@ -63,6 +63,18 @@ class TestMainWindowMenu : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    /** Where there is no menu key. */
+    void shiftF10OpensIt()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.workspace.selection().set({"berg-1"});
+        w.map().setFocus();
+        QTest::keyClick(&w.map(), Qt::Key_F10, Qt::ShiftModifier);
+        auto& menu = test::child<QMenu>(w.window(), u"mapMenu"_s);
+        QVERIFY(textsOf(menu).contains(u"Edit in the inspector"_s));
+        menu.close();
+    }
+
     void everyObjectOffersItsOwn_data()
     {
         QTest::addColumn<Point>("place_m");

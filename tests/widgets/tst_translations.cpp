@@ -162,6 +162,17 @@ private slots:
         }
     }
 
+    /** lupdate takes some tr() for one of a class without its namespace: nobody would find that. */
+    void contextsHaveTheirNamespace()
+    {
+        std::set<QString> contexts;
+        for (const Message& message : textsOfTheProgram({}))
+            contexts.insert(message.context);
+        QVERIFY(contexts.contains(u"berg::FindBox"_s));
+        for (const QString& context : contexts)
+            QVERIFY2(!contexts.contains(u"berg::"_s + context), qPrintable(context));
+    }
+
     void translationsAreNotCopies_data()
     {
         QTest::addColumn<QString>("language");

@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -25,19 +26,14 @@ constexpr int kWidth_px = 460;
 constexpr double kRadius_px = 7;
 constexpr std::size_t kMostShown = 9;
 
+/** By kind. */
+constexpr std::array kKindTexts{
+    QT_TRANSLATE_NOOP("berg::FindBox", "Iceberg"), QT_TRANSLATE_NOOP("berg::FindBox", "UAV"),
+    QT_TRANSLATE_NOOP("berg::FindBox", "Place"), QT_TRANSLATE_NOOP("berg::FindBox", "Command")};
+
 QString kindText(FindKind kind)
 {
-    switch (kind) {
-    case FindKind::Iceberg:
-        return FindBox::tr("Iceberg");
-    case FindKind::Uav:
-        return FindBox::tr("UAV");
-    case FindKind::Place:
-        return FindBox::tr("Place");
-    case FindKind::Command:
-        return FindBox::tr("Command");
-    }
-    return {};
+    return FindBox::tr(kKindTexts.at(static_cast<std::size_t>(kind)));
 }
 
 QString rowText(const FindItem& item)
