@@ -490,6 +490,10 @@
         <source>an aircraft has this id</source>
         <translation>en drone har dette id</translation>
     </message>
+    <message>
+        <source>--format airspace goes with --into, --output, --force and --json alone</source>
+        <translation>--format airspace kan kun bruges sammen med --into, --output, --force og --json</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>

@@ -490,6 +490,10 @@
         <source>an aircraft has this id</source>
         <translation>un drone a cet identifiant</translation>
     </message>
+    <message>
+        <source>--format airspace goes with --into, --output, --force and --json alone</source>
+        <translation>--format airspace ne va qu&apos;avec --into, --output, --force et --json</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>

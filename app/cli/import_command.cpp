@@ -178,18 +178,24 @@ std::string rowText(const RejectedRow& row)
     return said(Issue{Severity::Error, "line " + std::to_string(row.line), reasonOf(row)});
 }
 
+constexpr std::size_t kMostRows = 100; ///< of a list on stderr
+
+void printRejected(const std::string& file, const Rejections& rejected)
+{
+    std::size_t told = 0;
+    for (const RejectedRow& row : rejected.first)
+        if (told++ < kMostRows)
+            tell(word(file) + ": " + rowText(row));
+    if (rejected.count > kMostRows)
+        tell(word(file) + ": " +
+             said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more"),
+                  {countOf(rejected.count - kMostRows)}));
+}
+
 /** What was not taken, and why, on stderr; the start of a long list. */
 void printDetails(const std::string& file, const ImportResult& result)
 {
-    constexpr std::size_t kMostRows = 100;
-    std::size_t told = 0;
-    for (const RejectedRow& row : result.rejected.first)
-        if (told++ < kMostRows)
-            tell(word(file) + ": " + rowText(row));
-    if (result.rejected.count > kMostRows)
-        tell(word(file) + ": " +
-             said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more"),
-                  {countOf(result.rejected.count - kMostRows)}));
+    printRejected(file, result.rejected);
     std::size_t notes = 0;
     for (const ImportedIceberg& iceberg : result.icebergs)
         for (const ImportNote note : iceberg.notes)
@@ -242,8 +248,7 @@ imported(const ImportArguments& arguments, const ReadOptions& formats, const Imp
 /** What of the file was not taken, on stderr, and how much was. */
 std::string airspaceSummary(const std::string& file, const AirspaceResult& result)
 {
-    for (const RejectedRow& row : result.rejected.first)
-        tell(word(file) + ": " + rowText(row));
+    printRejected(file, result.rejected);
     std::string text = "added      " + std::to_string(result.added) + " areas\n";
     if (result.known > 0)
         text += "known      " + std::to_string(result.known) + " areas\n";
@@ -252,7 +257,18 @@ std::string airspaceSummary(const std::string& file, const AirspaceResult& resul
     if (result.tooMany > 0)
         text += "left out   " + std::to_string(result.tooMany) + " areas: a scenario holds " +
                 std::to_string(kMostAirspaceAreas) + '\n';
+    if (result.rejected.count > 0)
+        text += "rejected   " + std::to_string(result.rejected.count) + " areas\n";
     return text;
+}
+
+/** Whether there is an option that is about sightings. */
+bool isAboutSightings(const ImportArguments& given)
+{
+    const auto isGiven = [](const std::string& text) { return !text.empty(); };
+    return !given.mappings.empty() || given.dates || given.spread_mps || given.velocityTime_s ||
+           given.q_m2ps || given.withTracks || isGiven(given.at) || isGiven(given.since) ||
+           isGiven(given.until) || isGiven(given.area) || isGiven(given.positionError);
 }
 
 int importAirspaceFile(const ImportArguments& arguments)
@@ -260,6 +276,10 @@ int importAirspaceFile(const ImportArguments& arguments)
     if (arguments.intoFile.empty())
         throw UsageError(QT_TRANSLATE_NOOP(
             "CommandLine", "--format airspace needs --into, the scenario that it is added to"));
+    if (isAboutSightings(arguments))
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine",
+            "--format airspace goes with --into, --output, --force and --json alone"));
     checkFiles({.inputs = {arguments.file},
                 .outputs = {{.option = "--output", .path = arguments.outputFile}},
                 .force = arguments.force,

@@ -169,7 +169,8 @@ std::optional<Sentence> unknownWord(const CLI::App& app, const std::vector<std::
     for (std::size_t i = 1; i < words.size() && words[i] != "--"; ++i) {
         const std::string name = words[i].substr(0, words[i].find('='));
         const bool isLong = name.starts_with("--");
-        const bool isShort = name.size() > 1 && name[0] == '-' && std::isalpha(name[1]) != 0;
+        const bool isShort = name.size() > 1 && name[0] == '-' &&
+                             std::isalpha(static_cast<unsigned char>(name[1])) != 0;
         if ((isLong && !exists(name)) || (isShort && !exists(name.substr(0, 2))))
             return unknownOption(name, optionsOf(*command));
         if (isShort && exists('-' + name)) // -tau would be -t with the value au

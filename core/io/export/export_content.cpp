@@ -249,6 +249,10 @@ void checkContent(const ExportContent& content)
     }
     for (const ExportIceberg& iceberg : content.icebergs)
         checkPlace(iceberg.iceberg.id, "", iceberg.position_m, content.now_s);
+    if (content.operation)
+        for (const std::vector<Point>& outline_m : content.operation->outlines_m)
+            for (const Point& corner_m : outline_m)
+                checkPlace("operation", "", corner_m, content.now_s);
     if (content.asset)
         checkPlace("asset", "", assetPlace_m(content), content.now_s);
 }

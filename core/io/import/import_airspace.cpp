@@ -75,6 +75,8 @@ FileAirspace describedBy(const Json* properties)
         heightAt(properties, "floor_m", {"floor", "lower", "lowerLimit", "LOWER"}).value_or(0);
     area.floor_m = std::clamp(floor_m, 0.0, kLargestLength_m);
     area.ceiling_m = heightAt(properties, "ceiling_m", {"ceiling", "upper", "upperLimit", "UPPER"});
+    if (area.kind == "airspace") // that of all of them in files of ours
+        area.kind.clear();
     if (area.ceiling_m && !(*area.ceiling_m <= kLargestLength_m))
         area.ceiling_m.reset();
     return area;
@@ -132,11 +134,15 @@ std::optional<std::vector<Point>> outlineOf(const FileAirspace& area, const Loca
     return fits ? std::optional(std::move(corners_m)) : std::nullopt;
 }
 
-bool isFar(const FileAirspace& area, const LocalFrame& frame)
+bool isBeyond(const Point& corner_m)
 {
-    return std::ranges::all_of(area.rings.front(), [&](const LatLon& place) {
-        return frame.toPlane(place).cwiseAbs().maxCoeff() > kLargestCoordinate_m;
-    });
+    return corner_m.cwiseAbs().maxCoeff() > kLargestCoordinate_m;
+}
+
+/** All of its corners are, and it does not enclose the place. */
+bool isFar(const std::vector<Point>& ring_m, const Point& place_m)
+{
+    return std::ranges::all_of(ring_m, isBeyond) && !insidePolygon(ring_m, place_m);
 }
 
 } // namespace
@@ -187,14 +193,19 @@ AirspaceResult importAirspace(const Scenario& base, std::string_view bytes,
     std::vector<AirspaceArea>& airspace = result.scenario.airspace;
     for (const FileAirspace& area : table.areas) {
         throwIfStopped(stop);
-        if (isFar(area, frame)) {
+        std::vector<Point> ring_m;
+        for (const LatLon& place : area.rings.front())
+            ring_m.push_back(frame.toPlane(place));
+        if (isFar(ring_m, near_m.front())) {
             ++result.far;
             continue;
         }
         std::optional<std::vector<Point>> corners_m = outlineOf(area, frame);
         if (!corners_m || (area.ceiling_m && *area.ceiling_m <= area.floor_m)) {
             result.rejected.add({.line = area.line,
-                                 .fault = IssueId::AirspaceOutline,
+                                 .fault = std::ranges::any_of(ring_m, isBeyond)
+                                              ? IssueId::TooFar
+                                              : IssueId::AirspaceOutline,
                                  .detail = cleanText(area.name, 60)});
             continue;
         }

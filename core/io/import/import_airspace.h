@@ -70,7 +70,7 @@ inline constexpr double kNearAirspace_m = 100'000;
 
 /**
  * The scenario with the airspace of the file's bytes that is near the operation
- * (`operationVolume`), OpenAir or GeoJSON by their content. Throws as `readSightings`; NoSightings
+ * (`operationVolume`), OpenAir or GeoJSON by their content. Throws as `readSightings`; NoAirspace
  * where no area is found.
  */
 [[nodiscard]] AirspaceResult importAirspace(const Scenario& base, std::string_view bytes,

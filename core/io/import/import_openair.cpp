@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace berg {
 
@@ -90,18 +91,16 @@ bool takeComma(std::string_view& text)
     return true;
 }
 
-/** "2026-05-01T12:00Z/2026-05-01T14:00Z". */
-void readTimes(std::string_view text, FileAirspace& area)
+/** "2026-05-01T12:00Z/2026-05-01T14:00Z". Of several the whole span; empty: not understood. */
+std::optional<std::pair<std::string, std::string>> timesOf(std::string_view text)
 {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos)
-        return;
-    const std::string_view from = trimmed(text.substr(0, slash));
-    const std::string_view until = trimmed(text.substr(slash + 1));
-    if (isUtcTime(from) && isUtcTime(until)) {
-        area.fromUtc = from;
-        area.untilUtc = until;
-    }
+        return std::nullopt;
+    const std::string from(trimmed(text.substr(0, slash)));
+    const std::string until(trimmed(text.substr(slash + 1)));
+    return isUtcTime(from) && isUtcTime(until) ? std::optional(std::pair(from, until))
+                                               : std::nullopt;
 }
 
 /** Reads one text line by line. */
@@ -148,11 +147,26 @@ private:
         else if (tag == "AH")
             setCeiling(value);
         else if (tag == "AA")
-            readTimes(value, *m_area);
+            addTimes(value);
         else if (tag == "V")
             readVariable(value);
         else if (tag == "DP" || tag == "DC" || tag == "DA" || tag == "DB")
             readShape(tag, value);
+    }
+
+    /** From the first to the last of all; always where one of them is not understood. */
+    void addTimes(std::string_view value)
+    {
+        const auto times = timesOf(value);
+        m_isAlways = m_isAlways || !times;
+        if (m_isAlways) {
+            m_area->fromUtc.clear();
+            m_area->untilUtc.clear();
+            return;
+        }
+        const auto& [from, until] = *times;
+        m_area->fromUtc = m_area->fromUtc.empty() ? from : std::min(m_area->fromUtc, from);
+        m_area->untilUtc = std::max(m_area->untilUtc, until);
     }
 
     void setCeiling(std::string_view value)
@@ -247,8 +261,11 @@ private:
     {
         const double turn_rad = to.bearing_rad - from.bearing_rad;
         const double turns = turn_rad / (2 * kPi);
-        to.bearing_rad = from.bearing_rad + 2 * kPi * (turns - std::floor(turns)) -
-                         (m_isClockwise ? 0 : 2 * kPi);
+        const double part = turns - std::floor(turns); // 0: the whole circle
+        to.bearing_rad = from.bearing_rad + 2 * kPi *
+                                                (!m_isClockwise ? part - 1
+                                                 : part > 0     ? part
+                                                                : 1);
         return addTurn(from, to);
     }
 
@@ -288,8 +305,12 @@ private:
 
     void finish()
     {
-        if (m_area && m_ring.empty() && !m_isRejected)
-            reject(m_area->name);
+        if (m_area && m_ring.empty() && !m_isRejected) {
+            m_isRejected = true;
+            m_table.rejected.add({.line = m_area->line,
+                                  .fault = IssueId::AirspaceUnreadable,
+                                  .detail = cleanText(m_area->name, 60)});
+        }
         if (m_area && !m_isRejected) {
             m_budget.takeRow(sizeof(FileAirspace) + m_area->name.size() + m_area->kind.size());
             m_area->rings.push_back(std::move(m_ring));
@@ -300,6 +321,7 @@ private:
         m_centre.reset();
         m_isClockwise = true;
         m_isRejected = false;
+        m_isAlways = false;
     }
 
     std::string_view m_rest;
@@ -311,6 +333,7 @@ private:
     std::optional<LatLon> m_centre;
     bool m_isClockwise = true;
     bool m_isRejected = false;
+    bool m_isAlways = false; ///< a time of the area was not understood
 };
 
 } // namespace
@@ -333,9 +356,10 @@ std::optional<double> airspaceHeight_m(std::string_view given)
     const std::optional<double> number = takeNumber(text);
     if (!number)
         return std::nullopt;
+    if (text.starts_with(',') || text.starts_with('E')) // "3,500", "1E+15"
+        return std::nullopt;
     skipBlanks(text);
-    const bool isMetres = text == "M" || text.starts_with("M ") || text.starts_with("MAGL") ||
-                          text.starts_with("MAMSL") || text.starts_with("MMSL");
+    const bool isMetres = text.starts_with('M') && !text.starts_with("MSL");
     return *number * (isMetres ? 1 : kFoot_m);
 }
 
@@ -348,7 +372,8 @@ bool isOpenAir(std::string_view text)
         const std::size_t end = text.find('\n');
         const std::string_view line = trimmed(text.substr(0, end));
         if (!line.empty() && line.front() != '*')
-            return line.size() > 3 && inCapitals(line.substr(0, 3)) == "AC ";
+            return line.size() > 3 && inCapitals(line.substr(0, 2)) == "AC" &&
+                   (line[2] == ' ' || line[2] == '\t');
         if (end == std::string_view::npos)
             break;
         text.remove_prefix(end + 1);

@@ -47,6 +47,7 @@ std::optional<std::uint32_t> colourOf(const Json* properties, const char* name,
 std::optional<std::uint32_t> iceColour(const Json* properties)
 {
     constexpr int kFastIce = 8;
+    constexpr int kIceFree = 55;
     const auto code = [&](const char* name) -> std::optional<int> {
         const std::optional<double> value = numberOf(memberOf(properties, name));
         return value && *value >= 0 && *value < 99 ? std::optional(static_cast<int>(*value))
@@ -59,7 +60,7 @@ std::optional<std::uint32_t> iceColour(const Json* properties)
     std::uint32_t rgb = 0xFF0000;
     if (code("FA") == kFastIce)
         rgb = 0x969696;
-    else if (*total == 0)
+    else if (*total == 0 || *total == kIceFree)
         rgb = 0x0064FF;
     else if (tenths == 0) // open and bergy water
         rgb = 0x96C8FF;

@@ -61,8 +61,10 @@ private:
             m_look = {};
         } else if (name == "Polygon") {
             m_rings.clear();
+            m_isSpoiled = false;
         } else if (name == "Track") {
             m_track.clear();
+            m_isSpoiled = false;
         } else if (name == "StyleMap") {
             m_mapKey = styleKey('#' + element.attribute("id"));
         } else if (name == "Pair") {
@@ -79,9 +81,9 @@ private:
             addCoordinates(path);
         else if (element.name == "coord" && parent == "Track")
             addPose(element.text);
-        else if (element.name == "Polygon")
+        else if (element.name == "Polygon" && !m_isSpoiled)
             add({.kind = MapShape::Kind::Polygon, .parts = std::move(m_rings)});
-        else if (element.name == "Track")
+        else if (element.name == "Track" && !m_isSpoiled)
             add({.kind = MapShape::Kind::Line, .parts = {std::move(m_track)}});
         else if (element.name == "Placemark")
             finish();
@@ -100,7 +102,7 @@ private:
             (parent == "Pair" ? m_pairUrl : m_url) = styleKey(element.text);
         else if (element.name == "key" && parent == "Pair")
             m_pairKey = trimmed(element.text);
-        else if (element.name == "Pair" && m_pairKey == "normal")
+        else if (element.name == "Pair" && m_pairKey == "normal" && noteStyle())
             m_aliases[m_mapKey] = m_pairUrl;
         else if (element.name == "color" && parent == "PolyStyle")
             m_look.fill = colourOf(element.text);
@@ -112,15 +114,25 @@ private:
             m_look.line = 0;
         else if (element.name == "Style" && parent == "Placemark")
             m_own = m_look;
-        else if (element.name == "Style")
+        else if (element.name == "Style" && noteStyle())
             m_styles[styleKey('#' + element.attribute("id"))] = m_look;
+    }
+
+    /** Counts what is kept of one. */
+    bool noteStyle()
+    {
+        constexpr std::size_t kNode = 128;
+        m_budget.take(kNode + 2 * kLongestName);
+        return true;
     }
 
     void addCoordinates(XmlPath path)
     {
         std::optional<std::vector<LatLon>> places = placesOfTuples(path.back().text);
-        if (!places || places->empty())
+        if (!places || places->empty()) {
+            m_isSpoiled = true;
             return;
+        }
         const std::string_view parent = parentName(path);
         const std::string_view above = parentName(path.first(path.size() - 1));
         if (above == "outerBoundaryIs" || above == "innerBoundaryIs")
@@ -138,13 +150,15 @@ private:
             c = c == ' ' || c == '\t' ? ',' : c;
         if (const auto places = placesOfTuples(tuple); places && places->size() == 1)
             m_track.push_back(places->front());
+        else
+            m_isSpoiled = true;
     }
 
     void add(MapShape shape)
     {
         if (shape.parts.empty() || shape.parts.front().empty())
             return;
-        m_budget.takeRow(memoryOf(shape));
+        m_budget.takeRow(memoryOf(shape) + sizeof(std::string) + kLongestName);
         m_shapes.push_back(std::move(shape));
         m_urls.emplace_back();
     }
@@ -190,6 +204,7 @@ private:
     std::string m_pairUrl;
     std::vector<std::vector<LatLon>> m_rings;
     std::vector<LatLon> m_track;
+    bool m_isSpoiled = false; ///< a place of the polygon or track is none
 };
 
 } // namespace

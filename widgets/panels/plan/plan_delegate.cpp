@@ -7,6 +7,7 @@
 #include "widgets/theme/palette.h"
 
 #include <QPainter>
+#include <QStyle>
 
 #include <algorithm>
 
@@ -70,7 +71,9 @@ void PlanDelegate::paintGround(QPainter& painter, const QStyleOptionViewItem& op
     const auto paint = [&](const QColor& colour, double share, bool hasBar) {
         painter.fillRect(option.rect, mixed(option.palette.color(QPalette::Base), colour, share));
         if (hasBar && index.column() == PlanModel::Number) // not by colour alone
-            painter.fillRect(QRect(option.rect.topLeft(), QSize(kBar_px, option.rect.height())),
+            painter.fillRect(QStyle::visualRect(option.direction, option.rect,
+                                                QRect(option.rect.topLeft(),
+                                                      QSize(kBar_px, option.rect.height()))),
                              colour);
     };
     if (index.data(PlanModel::DropRole).toBool())
@@ -165,8 +168,10 @@ void PlanDelegate::paintSwatch(QPainter& painter, const QStyleOptionViewItem& op
                                double sigma_m2) const
 {
     const QRect& cell = option.rect;
-    const QRectF swatch(cell.left() + kSwatchMargin_px, cell.center().y() + 1 - kSwatch_px / 2.0,
-                        kSwatch_px, kSwatch_px);
+    const QRectF swatch =
+        QStyle::visualRect(option.direction, cell,
+                           QRect(cell.left() + kSwatchMargin_px,
+                                 cell.center().y() + 1 - kSwatch_px / 2, kSwatch_px, kSwatch_px));
     // On the ground of a chosen row the scale does not stand out by itself.
     const bool chosen = option.state.testFlag(QStyle::State_Selected);
     painter.save();

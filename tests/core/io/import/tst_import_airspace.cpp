@@ -56,6 +56,11 @@ private slots:
         row("FL65", 1981.2);
         row("500 M AGL", 500);
         row("500m", 500);
+        row("500 meters", 500);
+        row("500 m/MSL", 500);
+        row("1500 MSL", 457.2);
+        row("3,500 ft", -1); // not 3
+        row("1e15 M", -1);
         row("UNL", HUGE_VAL);
         row("UNLIM", HUGE_VAL);
         row("Ask on 122.8", -1);
@@ -93,6 +98,49 @@ private slots:
         QVERIFY(std::abs(square.ceiling_m.value_or(0) - 1981.2) < 1e-9);
         QCOMPARE(square.fromUtc, std::string("2026-05-01T06:00Z"));
         QCOMPARE(square.untilUtc, std::string("2026-05-01T18:00Z"));
+    }
+
+    /** Of several times the whole span; always, where one is not understood. */
+    void everyTimeCounts()
+    {
+        const auto area = [](const std::string& times) {
+            return read("AC D\nAN zone\n" + times + "V X=47N 48W\nDC 2\n").scenario.airspace.at(0);
+        };
+        const std::string first = "AA 2026-05-01T06:00Z/2026-05-01T08:00Z\n";
+        const std::string second = "AA 2026-05-02T06:00Z/2026-05-02T08:00Z\n";
+        for (const std::string& both : {first + second, second + first}) {
+            QCOMPARE(area(both).fromUtc, std::string("2026-05-01T06:00Z"));
+            QCOMPARE(area(both).untilUtc, std::string("2026-05-02T08:00Z"));
+        }
+        for (const std::string& odd : {first + "AA NONE\n", "AA NONE\n" + first}) {
+            QVERIFY(area(odd).fromUtc.empty());
+            QVERIFY(area(odd).untilUtc.empty());
+        }
+    }
+
+    void wholeCircles()
+    {
+        for (const std::string& arc : {"DA 2,0,360", "V D=-\nDA 2,0,360", "DC 2"}) {
+            const Scenario scenario =
+                read("AC\tD\nAN zone\nV X=47N 48W\n" + std::string(arc) + '\n').scenario;
+            const double circle_m2 = std::acos(-1.0) * 4 * 1852 * 1852;
+            QVERIFY2(std::abs(std::abs(signedArea(scenario.airspace.at(0).corners_m)) / circle_m2 -
+                              1) < 0.01,
+                     arc);
+        }
+    }
+
+    /** One that encloses the operation is not far, and is told of when it cannot be held. */
+    void whatIsTooLargeIsTold()
+    {
+        const AirspaceResult oceanic =
+            read("AC D\nAN oceanic\nDP 20N 90W\nDP 20N 10W\nDP 70N 10W\nDP 70N 90W\n");
+        QCOMPARE(oceanic.far, std::size_t{0});
+        QCOMPARE(oceanic.rejected.count, std::size_t{1});
+        QVERIFY(oceanic.rejected.first[0].fault == IssueId::TooFar);
+        QCOMPARE(oceanic.rejected.first[0].line, std::size_t{1});
+        const AirspaceResult bare = read("AC D\nAN bare\nAC D\nAN zone\nV X=47N 48W\nDC 2\n");
+        QCOMPARE(bare.rejected.first[0].line, std::size_t{1});
     }
 
     void arcsKeepTheirRadius()
@@ -168,6 +216,7 @@ private slots:
     {
         Scenario scenario = read(readFile(kFile)).scenario;
         scenario.operation = Operation{};
+        scenario.airspace[0].kind.clear();
         addIceberg(scenario, 1000, 500);
         const PlanAnswer plan = planFromStart(scenario);
         const std::string text = geoJson(exportContent({.scenario = scenario, .plan = plan}));

@@ -100,6 +100,7 @@ private slots:
         QTest::newRow("simplestyle")
             << QByteArray("{'fill': '#102030', 'fill-opacity': 0.5}") << 0x80102030U;
         QTest::newRow("ice free") << QByteArray("{'CT': '00'}") << 0x990064FFU;
+        QTest::newRow("ice free by its own code") << QByteArray("{'CT': '55'}") << 0x990064FFU;
         QTest::newRow("open water") << QByteArray("{'CT': '01'}") << 0x9996C8FFU;
         QTest::newRow("1 to 3 tenths") << QByteArray("{'CT': 13}") << 0x998CFFA0U;
         QTest::newRow("5 tenths") << QByteArray("{'CT': 50}") << 0x99FFFF00U;
@@ -163,6 +164,23 @@ private slots:
             QCOMPARE(shapes[1].parts.front().size(), std::size_t{3});
             QVERIFY((shapes[2].parts.front().back() == LatLon{5, 4}));
         }
+    }
+
+    /** A hole without what it is a hole of would be painted as an area. */
+    void polygonsWithAWrongRingAreLeftOut()
+    {
+        const auto ring = [](const char* boundary, const char* places) {
+            return std::string("<") + boundary + "><LinearRing><coordinates>" + places +
+                   "</coordinates></LinearRing></" + boundary + ">";
+        };
+        const auto count = [&](const char* outer, const char* inner) {
+            return shapesOf(kml("<Placemark><Polygon>" + ring("outerBoundaryIs", outer) +
+                                ring("innerBoundaryIs", inner) + "</Polygon></Placemark>"))
+                .size();
+        };
+        QCOMPARE(count("0,0 9,0 9,9", "3,2 4,2 4,3"), std::size_t{1});
+        QCOMPARE(count("0,0 9,0 9,95", "3,2 4,2 4,3"), std::size_t{0});
+        QCOMPARE(count("0,0 9,0 9,9", "3,2 4,2 4,95"), std::size_t{0});
     }
 
     void otherFilesAreRefused()
