@@ -79,13 +79,16 @@ SampleSink rowsInto(StagedFile& file, const SampleTable& table, SampleTables tab
     };
 }
 
-/** Keeps where each UAV is, and of a sample nothing else. */
-SampleSink pointsInto(std::vector<std::vector<TrackPoint>>& flown, std::size_t uavs)
+/** Keeps where each UAV is, or only where it is last, and of a sample nothing else. */
+SampleSink pointsInto(std::vector<std::vector<TrackPoint>>& flown, std::size_t uavs, bool all)
 {
     flown.resize(uavs);
-    return [&flown](const Sample& sample, std::span<const IcebergSample> /*icebergs*/) {
-        for (std::size_t row = 0; row < flown.size(); ++row)
+    return [&flown, all](const Sample& sample, std::span<const IcebergSample> /*icebergs*/) {
+        for (std::size_t row = 0; row < flown.size(); ++row) {
+            if (!all)
+                flown[row].clear();
             flown[row].push_back(trackPointOf(sample, row));
+        }
     };
 }
 
@@ -130,7 +133,7 @@ void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat
         sink = rowsInto(set.add(arguments.outputFile), *format.table,
                         sampleTables(run.scenario, run.interventions));
     else if (!format.holds.flownOnly && !format.holds.painted)
-        sink = pointsInto(flown, run.scenario.uavs.size());
+        sink = pointsInto(flown, run.scenario.uavs.size(), format.holds.path);
     const Mission mission = replay(run, stop, {}, std::move(sink));
     if (stop.stop_requested())
         throw Interrupted{};

@@ -35,12 +35,14 @@
 #include "widgets/panels/study/solve_time_panel.h"
 
 #include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QFileInfo>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QSettings>
 
 using namespace Qt::StringLiterals;
@@ -53,6 +55,24 @@ namespace {
 bool opensMenu(const QKeyEvent& key)
 {
     return key.key() == Qt::Key_F10 && key.modifiers() == Qt::ShiftModifier;
+}
+
+/**
+ * Whether the window is asked, not the field that is typed in: a space is no number, there is
+ * nothing typed to take back, and Ctrl+E would be the end of the line.
+ */
+bool goesToWindow(const QKeyEvent& key, QObject& watched)
+{
+    const auto* box = qobject_cast<QAbstractSpinBox*>(&watched);
+    const auto* field =
+        box != nullptr ? box->findChild<QLineEdit*>() : qobject_cast<QLineEdit*>(&watched);
+    if (field == nullptr)
+        return false;
+    if (key.modifiers() == Qt::ControlModifier && key.key() == Qt::Key_E)
+        return true;
+    const bool isHistory = key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+    return (box != nullptr && key.key() == Qt::Key_Space && key.modifiers() == Qt::NoModifier) ||
+           (isHistory && !field->isModified());
 }
 
 } // namespace
@@ -273,8 +293,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = *static_cast<QKeyEvent*>(event);
-        // Fields would take it as the end of the line.
-        if (key.modifiers() == Qt::ControlModifier && key.key() == Qt::Key_E) {
+        if (goesToWindow(key, *watched)) {
             event->ignore();
             return true;
         }

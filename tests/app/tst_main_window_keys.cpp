@@ -87,6 +87,29 @@ class TestMainWindowKeys : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    /** What is typed in a field is taken with Return; then the keys are those of the window. */
+    void fieldsLeaveTheKeysOfTheWindow()
+    {
+        WindowFixture w(randomScenario(1, {.icebergs = 4}));
+        const double before = w.scenario().planner.tau;
+        auto& tau = test::child<QAbstractSpinBox>(w.window(), u"tauField"_s);
+        tau.setFocus();
+        tau.selectAll();
+        QTest::keyClicks(&tau, u"0.9"_s);
+        QTest::keyClick(&tau, Qt::Key_Z, Qt::ControlModifier); // of the typing
+        QCOMPARE(w.scenario().planner.tau, before);
+        tau.selectAll();
+        QTest::keyClicks(&tau, u"0.9"_s);
+        QTest::keyClick(&tau, Qt::Key_Return);
+        QCOMPARE(w.scenario().planner.tau, 0.9);
+        QTest::keyClick(&tau, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(w.scenario().planner.tau, before);
+        QVERIFY(w.untilReady());
+        QTest::keyClick(&tau, Qt::Key_Space);
+        QVERIFY(w.until([&] { return w.workspace.isPlaying(); }));
+        QVERIFY(!tau.text().isEmpty());
+    }
+
     void everyActionIsInAMenu()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

@@ -20,7 +20,6 @@ NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent)
     setKeyboardTracking(false);
     setAccelerated(true);
     guardWheel(*this);
-    lineEdit()->setPlaceholderText(tr("mixed"));
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         if (!isShown(value))
             commit(value);
@@ -75,6 +74,7 @@ void NumberField::setMixed(bool mixed)
     if (mixed == m_mixed)
         return;
     m_mixed = mixed;
+    lineEdit()->setPlaceholderText(m_mixed ? tr("mixed") : QString());
     // Nothing may stand in the field, or the placeholder does not show.
     setSuffix(m_mixed ? QString() : m_unit);
     setSpecialValueText(m_mixed ? QString() : m_lowestText);

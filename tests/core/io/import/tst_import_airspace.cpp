@@ -120,7 +120,7 @@ private slots:
 
     void wholeCircles()
     {
-        for (const std::string& arc : {"DA 2,0,360", "V D=-\nDA 2,0,360", "DC 2"}) {
+        for (const char* const arc : {"DA 2,0,360", "V D=-\nDA 2,0,360", "DC 2"}) {
             const Scenario scenario =
                 read("AC\tD\nAN zone\nV X=47N 48W\n" + std::string(arc) + '\n').scenario;
             const double circle_m2 = std::acos(-1.0) * 4 * 1852 * 1852;
