@@ -2545,13 +2545,6 @@
     </message>
 </context>
 <context>
-    <name>InspectorPanel</name>
-    <message>
-        <source>Id</source>
-        <translation>Id</translation>
-    </message>
-</context>
-<context>
     <name>InspectorRows</name>
     <message>
         <source>Change drift</source>

@@ -15,13 +15,13 @@ namespace {
 using Translation = std::pair<std::string_view, std::string_view>;
 
 constexpr Translation kDanish[] = {
-#include "catalogue_da.inc"
+#include "app/cli/catalogue_da.inc"
 };
 constexpr Translation kFrench[] = {
-#include "catalogue_fr.inc"
+#include "app/cli/catalogue_fr.inc"
 };
 constexpr Translation kNorwegian[] = {
-#include "catalogue_nb.inc"
+#include "app/cli/catalogue_nb.inc"
 };
 
 std::span<const Translation> translations()

@@ -407,8 +407,7 @@ void Menus::buildToolBar()
     tools->actions().front()->setChecked(true);
     connect(panels().map, &MapView::toolChanged, tools, [tools](MapToolKind kind) {
         for (QAction* action : tools->actions())
-            if (action->data().toInt() == static_cast<int>(kind))
-                action->setChecked(true);
+            action->setChecked(action->data().toInt() == static_cast<int>(kind));
     });
     bar->addActions(tools->actions());
     for (const auto& group : {std::vector{m_shared.undo, m_shared.redo},
@@ -467,11 +466,9 @@ void Menus::showShortcuts()
                      .arg(what.toHtmlEscaped(), how.toHtmlEscaped());
     };
     for (const MenuCommand& command : menuCommands(*window().menuBar()))
-        if (!command.action->shortcut().isEmpty())
-            add(nameInGroup(command),
-                QKeySequence::listToString(command.action->shortcuts(), QKeySequence::NativeText));
-    add(tr("Values of a chart as a table"),
-        QKeySequence(Qt::Key_V).toString(QKeySequence::NativeText));
+        if (const auto keys = command.action->shortcuts(); !keys.isEmpty())
+            add(nameInGroup(command), QKeySequence::listToString(keys, QKeySequence::NativeText));
+    add(tr("Values of a chart as a table"), u"V"_s);
     add(tr("Zoom at the cursor"), tr("wheel"));
     add(tr("Pan"), tr("middle button, or arrow keys"));
     add(tr("Nudge what is selected"), tr("arrow keys"));

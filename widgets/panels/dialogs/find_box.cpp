@@ -152,7 +152,8 @@ void FindBox::showMatches()
     if (rows > 0)
         m_list->setFixedHeight(rows * m_list->sizeHintForRow(0) + 2 * m_list->frameWidth());
     showCurrent();
-    if (rows == 0 && !m_field->text().trimmed().isEmpty())
+    const QString text = m_field->text().trimmed(); // a coordinate may still become one
+    if (rows == 0 && !text.isEmpty() && std::ranges::none_of(text, &QChar::isDigit))
         explain(tr("Nothing found"));
 }
 

@@ -164,11 +164,10 @@ EntryField* InspectorPanel::addIdField(InspectorForm& form, const QString& key,
                                        const QString& toolTip, const QString& missing,
                                        const std::vector<std::string>& shown)
 {
-    const QString label = QCoreApplication::translate("berg::InspectorPanel", "Id");
     auto* field = new EntryField(
-        {.key = key + u"Id"_s, .label = label, .toolTip = toolTip}, EntryField::Says::AtOnce,
+        {.key = key + u"Id"_s, .label = tr("Id"), .toolTip = toolTip}, EntryField::Says::AtOnce,
         [this, missing](const QString& id) { return id.isEmpty() ? missing : whyTaken(id); });
-    form.addOnTop(label, field);
+    form.addOnTop(tr("Id"), field);
     connect(field, &EntryField::edited, this, [this, &shown](const QString& id) {
         // A copy: `shown` is another one while it is renamed.
         // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)

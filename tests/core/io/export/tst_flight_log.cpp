@@ -76,7 +76,8 @@ private slots:
         Scenario scenario = fourIcebergs();
         scenario.operation = Operation{};
         QCOMPARE(flightLog(runContent(flown(scenario))).uavs.front().outside_s, 0.0);
-        scenario.operation->margin_m = 1; // turns lead outside
+        scenario.operation->margin_m = 1;
+        scenario.uavs.front().heading_deg = 225; // away from all icebergs at first
         QVERIFY(flightLog(runContent(flown(scenario))).uavs.front().outside_s > 0);
     }
 
