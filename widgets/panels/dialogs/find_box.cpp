@@ -153,7 +153,8 @@ void FindBox::showMatches()
         m_list->setFixedHeight(rows * m_list->sizeHintForRow(0) + 2 * m_list->frameWidth());
     showCurrent();
     const QString text = m_field->text().trimmed(); // a coordinate may still become one
-    if (rows == 0 && !text.isEmpty() && std::ranges::none_of(text, &QChar::isDigit))
+    if (rows == 0 && !text.isEmpty() &&
+        std::ranges::none_of(text, [](QChar c) { return c.isDigit(); }))
         explain(tr("Nothing found"));
 }
 
