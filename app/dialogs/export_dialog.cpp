@@ -214,7 +214,7 @@ QString ExportDialog::suggestedPath() const
     const auto sharing =
         std::ranges::count(exportFormats(), format().extension, &ExportFormat::extension);
     const bool isNamed = sharing > 1 && id != format().extension;
-    const QString path = withEnding(m_offer.suggested.path, format().extension);
+    QString path = withEnding(m_offer.suggested.path, format().extension);
     if (!isNamed)
         return path;
     const QString ending = u'.' + stringOf(format().extension);

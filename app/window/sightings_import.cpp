@@ -36,8 +36,10 @@ SightingsImport::AirspacePointer SightingsImport::read(const AirspaceRequest& re
 {
     const std::string name = QFileInfo(request.path).fileName().toStdString();
     const std::string bytes = readFile(QFile::encodeName(request.path).toStdString(), stop);
-    return std::make_shared<const Airspace>(request.path, request.into,
-                                            importAirspace(*request.into, bytes, name, stop));
+    return std::make_shared<const Airspace>(
+        Airspace{.path = request.path,
+                 .into = request.into,
+                 .result = importAirspace(*request.into, bytes, name, stop)});
 }
 
 SightingsImport::SightingsImport(WindowContext& context, ScenarioFiles& files, StartGuide& start)
