@@ -110,7 +110,9 @@ void SightingsImport::takeAirspace(const Airspace& airspace)
     }
     const AirspaceResult& result = airspace.result;
     const QString name = QFileInfo(airspace.path).fileName();
-    if (result.added > 0 && mayImport()) {
+    if (!mayImport())
+        return; // it has taken off meanwhile
+    if (result.added > 0) {
         workspace().document().edit(tr("Import airspace from %1").arg(name),
                                     [&](Scenario& scenario) { scenario = result.scenario; });
         m_start.closePage();

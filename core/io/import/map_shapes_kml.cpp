@@ -51,7 +51,10 @@ public:
 private:
     void opened(const XmlElement& element)
     {
+        constexpr std::size_t kStyle = 128 + 2 * kLongestName; // of a map, with its keys
         const std::string& name = element.name;
+        if (name == "Style" || name == "Pair")
+            m_budget.take(kStyle);
         if (name == "Placemark") {
             m_name.clear();
             m_url.clear();
@@ -102,7 +105,7 @@ private:
             (parent == "Pair" ? m_pairUrl : m_url) = styleKey(element.text);
         else if (element.name == "key" && parent == "Pair")
             m_pairKey = trimmed(element.text);
-        else if (element.name == "Pair" && m_pairKey == "normal" && noteStyle())
+        else if (element.name == "Pair" && m_pairKey == "normal")
             m_aliases[m_mapKey] = m_pairUrl;
         else if (element.name == "color" && parent == "PolyStyle")
             m_look.fill = colourOf(element.text);
@@ -114,16 +117,8 @@ private:
             m_look.line = 0;
         else if (element.name == "Style" && parent == "Placemark")
             m_own = m_look;
-        else if (element.name == "Style" && noteStyle())
+        else if (element.name == "Style")
             m_styles[styleKey('#' + element.attribute("id"))] = m_look;
-    }
-
-    /** Counts what is kept of one. */
-    bool noteStyle()
-    {
-        constexpr std::size_t kNode = 128;
-        m_budget.take(kNode + 2 * kLongestName);
-        return true;
     }
 
     void addCoordinates(XmlPath path)
