@@ -50,9 +50,9 @@ void addExported(FileSet& set, const ExportSource& source, const ExportArguments
 try {
     const ExportContent content = reading([&] { return exportContent(source, arguments.options); });
     const bool isAdded = format.table != nullptr && source.mission != nullptr; // `rowsInto`
-    if (format.pieces != nullptr && !isAdded) {
+    if (format.holds.fleet && !format.holds.painted && !isAdded) { // as long as it may be
         StagedFile& file = set.add(arguments.outputFile);
-        format.pieces(content, [&file](std::string_view piece) { file.append(piece); });
+        format.put(content, [&file](std::string_view piece) { file.append(piece); });
     } else if (!isAdded) {
         for (const ExportFile& file : reading([&] {
                  return exportFiles(format, content, arguments.outputFile, arguments.painter);
@@ -80,14 +80,14 @@ SampleSink rowsInto(StagedFile& file, const SampleTable& table, SampleTables tab
 }
 
 /** Keeps where each UAV is, or only where it is last, and of a sample nothing else. */
-SampleSink pointsInto(std::vector<std::vector<TrackPoint>>& flown, std::size_t uavs, bool all)
+SampleSink pointsInto(std::vector<TrackPoints>& flown, std::size_t uavs, bool all)
 {
     flown.resize(uavs);
     return [&flown, all](const Sample& sample, std::span<const IcebergSample> /*icebergs*/) {
         for (std::size_t row = 0; row < flown.size(); ++row) {
             if (!all)
                 flown[row].clear();
-            flown[row].push_back(trackPointOf(sample, row));
+            flown[row].append(trackPointOf(sample, row));
         }
     };
 }
@@ -127,7 +127,7 @@ void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat
     }
     const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
     checkOutputs(arguments, format, run.scenario);
-    std::vector<std::vector<TrackPoint>> flown;
+    std::vector<TrackPoints> flown;
     SampleSink sink;
     if (format.table != nullptr)
         sink = rowsInto(set.add(arguments.outputFile), *format.table,

@@ -39,7 +39,7 @@ check "a long flight over another: the same" diff -rq long before
 check "a long flight replayed" within 60 120 "$cli" simulate before/run.bergrun --output again
 check "a long flight replayed: the same" diff -rq again before
 rm -rf long before again
-# A week, the longest there is: tables are written while the run is flown again.
+# A week, the longest there is: what is exported is written while the run is flown again.
 sed 's/"duration_s": 12000/"duration_s": 604800, "dt_s": 1/' long.berg |
     python3 -c 'import json, sys; d = json.load(sys.stdin); d["icebergs"] = d["icebergs"][:3]; print(json.dumps(d))' >week.berg
 check "a week" within 60 100 "$cli" simulate week.berg --output week
@@ -47,7 +47,11 @@ for table in sigma zeta; do
     check "a week's $table exported" within 60 100 "$cli" export week/run.bergrun --format $table-csv --output $table.csv
     check "a week's $table exported: the same" cmp -s $table.csv week/$table.csv
 done
-rm -rf week week.berg sigma.csv zeta.csv
+for format in plan wpl csv geojson gpx kml kmz czml; do
+    check "a week exported as $format" within 60 100 "$cli" export week/run.bergrun --format $format --output week.$format
+done
+check "a week exported as csv: the same" cmp -s week.csv week/trajectory.csv
+rm -rf week week.* sigma.csv zeta.csv
 
 # --- files that are large, deep, wide, long, or a product -------------------------------------------
 # Reading takes ten times the file and 50 MB at most, beside the 10 MB of the program, in linear time

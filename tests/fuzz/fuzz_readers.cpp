@@ -12,10 +12,10 @@
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report.h"
 #include "core/io/text/atomic_file.h"
-#include "core/io/text/zip_file.h"
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
 #include "tests/fuzz/fuzz_mutator.h"
+#include "tests/support/export_text.h"
 
 #include <chrono>
 #include <cstdio>

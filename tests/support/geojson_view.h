@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/export/geojson.h"
+#include "tests/support/export_text.h"
 #include "tests/support/golden.h"
 #include "tests/support/mission_builder.h"
 

@@ -123,13 +123,14 @@ std::vector<VisitDot> dotsOf(const ExportContent& content, const MapSheet& sheet
     std::vector<VisitDot> dots;
     if (content.what != ExportWhat::Track)
         return dots;
-    for (const ExportUav& uav : content.uavs)
+    for (const ExportUav& uav : content.uavs) {
+        const std::vector<TrackPoint> track = uav.track.all();
         for (const Visit& visit : uav.visits)
-            if (isOfIceberg(visit) && !uav.track.empty())
-                dots.push_back(
-                    {.at_px = sheet.layout.view.toPixel(placeAt_m(uav.track, visit.time_s)),
-                     .colour = uavColour(sheet.theme, static_cast<int>(uav.row)),
-                     .time = clockText(visit.time_s)});
+            if (isOfIceberg(visit) && !track.empty())
+                dots.push_back({.at_px = sheet.layout.view.toPixel(placeAt_m(track, visit.time_s)),
+                                .colour = uavColour(sheet.theme, static_cast<int>(uav.row)),
+                                .time = clockText(visit.time_s)});
+    }
     return dots;
 }
 

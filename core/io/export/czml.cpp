@@ -41,10 +41,13 @@ Json solid(const Rgb& rgb, int alpha = 255)
 class CzmlWriter
 {
 public:
-    explicit CzmlWriter(const ExportContent& content) : m_content(content) {}
-
-    std::string text()
+    CzmlWriter(const ExportContent& content, const TextSink& put) : m_content(content), m_put(put)
     {
+    }
+
+    void write()
+    {
+        m_put("[\n");
         addDocument();
         for (const ExportIceberg& now : m_content.icebergs)
             if (now.isListed)
@@ -68,15 +71,16 @@ public:
             add(packet);
             addUav(uav);
         }
-        return "[\n" + m_packets + "\n]\n";
+        m_put("\n]\n");
     }
 
 private:
-    void add(const Json& packet)
+    void add(const Json& packet) { addText(jsonText(packet)); }
+
+    void addText(const std::string& begin)
     {
-        if (!m_packets.empty())
-            m_packets += ",\n";
-        m_packets += jsonText(packet);
+        m_put(m_isFirst ? begin : ",\n" + begin);
+        m_isFirst = false;
     }
 
     void append(Json& list, const Point& position_m, double altitude_m) const
@@ -104,7 +108,7 @@ private:
             double to_s = m_content.now_s + 1; // an interval is never empty
             for (const ExportUav& uav : m_content.uavs) {
                 from_s = std::min(from_s, uav.start_s);
-                to_s = std::max(to_s, pathOf(uav).back().time_s);
+                to_s = std::max(to_s, endOf(uav).time_s);
             }
             Json& clock = packet["clock"];
             clock["interval"] = interval(from_s, to_s);
@@ -200,7 +204,12 @@ private:
 
     void addUav(const ExportUav& uav)
     {
-        const std::vector<TimedPoint> path = pathOf(uav);
+        TimedPoint start;
+        std::size_t points = 0;
+        eachPoint(uav, [&](const TimedPoint& point) { start = points++ == 0 ? point : start; });
+        const double end_s = endOf(uav).time_s;
+        const bool isMoving = m_content.start && points > 1 && end_s > start.time_s;
+        const double altitude_m = uav.uav.spec.altitude_m;
         const Rgb rgb = uavColour(uav.row);
         Json packet;
         packet["id"] = "uav/" + uav.uav.id;
@@ -208,54 +217,74 @@ private:
         packet["point"]["pixelSize"] = 10;
         packet["point"]["color"] = colour(rgb);
         packet["properties"]["airspeed_mps"] = uav.uav.spec.airspeed_mps;
-        packet["properties"]["altitude_m"] = uav.uav.spec.altitude_m;
-        if (m_content.start && path.size() > 1 && path.back().time_s > path.front().time_s) {
-            packet["availability"] = interval(path.front().time_s, path.back().time_s);
-            packet["position"] = moving(path, uav.uav.spec.altitude_m);
-            packet["path"]["width"] = 3;
-            packet["path"]["material"] = solid(rgb);
+        packet["properties"]["altitude_m"] = altitude_m;
+        if (isMoving) {
+            packet["availability"] = interval(start.time_s, end_s);
         } else {
             Json place = Json::array();
-            append(place, path.front().position_m, uav.uav.spec.altitude_m);
+            append(place, start.position_m, altitude_m);
             packet["position"]["cartographicDegrees"] = std::move(place);
-            Json line = Json::array();
-            for (const TimedPoint& point : path)
-                append(line, point.position_m, uav.uav.spec.altitude_m);
-            packet["polyline"]["positions"]["cartographicDegrees"] = std::move(line);
-            packet["polyline"]["width"] = 3;
-            packet["polyline"]["material"] = solid(rgb);
         }
-        add(packet);
+        Json line;
+        line["width"] = 3;
+        line["material"] = solid(rgb);
+        std::string head = jsonText(packet);
+        head.pop_back(); // its brace
+        addText(head);
+        if (isMoving) {
+            m_put(R"(,"position":{"epoch":)" + jsonText(utcText(*m_content.start, 0)) +
+                  R"(,"cartographicDegrees":[)");
+            addMoving(uav);
+            m_put(R"(]},"path":)" + jsonText(line) + '}');
+        } else {
+            m_put(R"(,"polyline":{"positions":{"cartographicDegrees":[)");
+            addNumbers(uav, [](Json&, const TimedPoint&) { return true; });
+            m_put("]}," + jsonText(line).substr(1) + '}');
+        }
     }
 
     /** Samples at rising times: Cesium takes no two at one. */
-    [[nodiscard]] Json moving(const std::vector<TimedPoint>& path, double altitude_m) const
+    void addMoving(const ExportUav& uav) const
     {
-        Json samples = Json::array();
         std::optional<double> last_s;
-        for (const TimedPoint& point : path) {
+        addNumbers(uav, [&last_s](Json& sample, const TimedPoint& point) {
             const double time_s = roundedSeconds(point.time_s);
             if (last_s && time_s <= *last_s)
-                continue;
+                return false;
             last_s = time_s;
-            samples.push_back(time_s);
-            append(samples, point.position_m, altitude_m);
-        }
-        Json position;
-        position["epoch"] = utcText(*m_content.start, 0);
-        position["cartographicDegrees"] = std::move(samples);
-        return position;
+            sample.push_back(time_s);
+            return true;
+        });
+    }
+
+    /** Of each point that `begin` takes. */
+    template <class Begin>
+    void addNumbers(const ExportUav& uav, const Begin& begin) const
+    {
+        bool isFirst = true;
+        eachPoint(uav, [&](const TimedPoint& point) {
+            Json sample = Json::array();
+            if (!begin(sample, point))
+                return;
+            append(sample, point.position_m, uav.uav.spec.altitude_m);
+            std::string text = jsonText(sample);
+            text.front() = isFirst ? ' ' : ',';
+            text.pop_back();
+            m_put(std::string_view(text).substr(isFirst ? 1 : 0));
+            isFirst = false;
+        });
     }
 
     const ExportContent& m_content;
-    std::string m_packets;
+    const TextSink& m_put;
+    bool m_isFirst = true;
 };
 
 } // namespace
 
-std::string czmlText(const ExportContent& content)
+void writeCzml(const ExportContent& content, const TextSink& put)
 {
-    return CzmlWriter(content).text();
+    CzmlWriter(content, put).write();
 }
 
 } // namespace berg

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/io/export/export_content.h"
-
-#include <string>
+#include "core/io/text/text_sink.h"
 
 namespace berg {
 
@@ -11,6 +10,6 @@ namespace berg {
  * area, asset and homes, and for each UAV, which moves along its way when the scenario has a start
  * time; without one its way is a line.
  */
-[[nodiscard]] std::string czmlText(const ExportContent& content);
+void writeCzml(const ExportContent& content, const TextSink& put);
 
 } // namespace berg

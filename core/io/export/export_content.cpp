@@ -116,7 +116,7 @@ void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& w
         uav.visits.pop_back();
         return;
     }
-    const TimedPoint last = pathOf(uav).back();
+    const TimedPoint last = endOf(uav);
     const double flight_s =
         flightTime_s(uav.home_m - last.position_m, uav.uav.spec.airspeed_mps, wind_mps);
     uav.visits.push_back({.time_s = last.time_s + flight_s, .position_m = uav.home_m});
@@ -151,7 +151,7 @@ void addSearches(ExportUav& uav, double now_s)
         const double time_s = search.time_s - now_s;
         const bool isKnown =
             std::ranges::find(uav.visits, search.iceberg, &Visit::iceberg) != uav.visits.end();
-        if (isKnown || time_s <= 0 || uav.track.empty() || time_s > uav.track.back().time_s)
+        if (isKnown || time_s <= 0 || uav.track.empty() || search.time_s > uav.track.back().time_s)
             continue;
         const auto after = std::ranges::upper_bound(uav.visits, time_s, {}, &Visit::time_s);
         uav.visits.insert(
@@ -184,7 +184,9 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
             uav.searches = std::move(order.searches);
         if (!home)
             endOverTheLastIceberg(path);
-        uav.track = std::move(path.track);
+        for (TrackPoint& point : path.track)
+            point.time_s += content.now_s;
+        uav.track = path.track;
         uav.visits = std::move(path.visits);
     }
     if (uav.uav.spec.endurance_s > 0 && content.what != ExportWhat::FirstLeg)
@@ -192,8 +194,6 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
     addSearches(uav, content.now_s);
     for (Visit& visit : uav.visits)
         visit.time_s += content.now_s;
-    for (TrackPoint& point : uav.track)
-        point.time_s += content.now_s;
 }
 
 ExportUav exportUav(const ExportSource& source, const ExportContent& content, std::size_t row)
@@ -242,8 +242,9 @@ void checkContent(const ExportContent& content)
         checkPlace(uav.uav.id, "home_m", uav.home_m, uav.start_s);
         for (const Visit& visit : uav.visits)
             checkPlace(uav.uav.id, "visit", visit.position_m, visit.time_s);
-        for (const TimedPoint& point : pathOf(uav))
+        eachPoint(uav, [&uav](const TimedPoint& point) {
             checkPlace(uav.uav.id, "", point.position_m, point.time_s);
+        });
         if (!std::isfinite(uav.reach_m) || !std::isfinite(uav.circle_m))
             throw Error(ErrorCode::Unsupported, uav.uav.id, {IssueId::ExportEndless});
     }
@@ -423,17 +424,45 @@ Point assetPlace_m(const ExportContent& content)
     return content.asset->position_m + content.asset->velocity_mps * content.now_s;
 }
 
+void eachPoint(const ExportUav& uav, const PointSink& take)
+{
+    for (const TrackPoint& point : uav.track)
+        take({.position_m = point.state.position_m, .time_s = point.time_s});
+    if (!uav.track.empty())
+        return;
+    take({.position_m = uav.uav.position_m, .time_s = uav.start_s});
+    for (const Visit& visit : uav.visits)
+        take({.position_m = visit.position_m, .time_s = visit.time_s});
+}
+
+void eachPlace(const ExportContent& content, const ExportUav& uav, const PlaceSink& take)
+{
+    eachPlace(
+        content.frame, [&uav](const PointSink& point) { eachPoint(uav, point); }, take);
+}
+
+std::size_t partsOf(const ExportContent& content, const ExportUav& uav)
+{
+    std::size_t parts = 0;
+    eachPlace(content, uav,
+              [&parts](const TimedPlace& /*place*/, bool isFirst) { parts += isFirst ? 1U : 0U; });
+    return parts;
+}
+
 std::vector<TimedPoint> pathOf(const ExportUav& uav)
 {
     std::vector<TimedPoint> path;
-    for (const TrackPoint& point : uav.track)
-        path.push_back({.position_m = point.state.position_m, .time_s = point.time_s});
-    if (!path.empty())
-        return path;
-    path.push_back({.position_m = uav.uav.position_m, .time_s = uav.start_s});
-    for (const Visit& visit : uav.visits)
-        path.push_back({.position_m = visit.position_m, .time_s = visit.time_s});
+    eachPoint(uav, [&path](const TimedPoint& point) { path.push_back(point); });
     return path;
+}
+
+TimedPoint endOf(const ExportUav& uav)
+{
+    if (!uav.track.empty())
+        return {.position_m = uav.track.back().state.position_m, .time_s = uav.track.back().time_s};
+    if (uav.visits.empty())
+        return {.position_m = uav.uav.position_m, .time_s = uav.start_s};
+    return {.position_m = uav.visits.back().position_m, .time_s = uav.visits.back().time_s};
 }
 
 } // namespace berg

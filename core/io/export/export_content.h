@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/export/geo_shapes.h"
+#include "core/io/export/track_points.h"
 #include "core/io/results/result_csv.h"
 #include "core/io/text/utc_time.h"
 #include "core/plan/solve/names.h"
@@ -9,6 +10,7 @@
 #include "core/sim/visits.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -29,7 +31,7 @@ struct ExportSource
     const PlanAnswer& plan;           ///< of `planFromStart`, or `startPlan` of the mission
     const Mission* mission = nullptr; ///< null: nothing flown
     /** By UAV, moved from; none: what the mission recorded. */
-    std::span<std::vector<TrackPoint>> flown = {};
+    std::span<TrackPoints> flown = {};
 };
 
 enum class ExportWhat
@@ -77,7 +79,7 @@ struct ExportUav
     double circle_m = 0;                      ///< radius of the tightest circle over ground
     std::size_t laterSorties = 0;             ///< icebergs of the order that are left for them
     std::vector<Visit> visits = {};           ///< to come or made, in order; home is iceberg -1
-    std::vector<TrackPoint> track = {};       ///< of `Path` and `Track`
+    TrackPoints track = {};                   ///< of `Path` and `Track`
     double flown_m = 0;                       ///< through the air until now
 };
 
@@ -196,7 +198,19 @@ driftData(const ExportContent& content, const ExportIceberg& iceberg);
 /** Where the asset is at `now_s`; there must be one. */
 [[nodiscard]] Point assetPlace_m(const ExportContent& content);
 
-/** The way: its track, or straight from the start to each visit. */
+/** Each point of the way in turn: its track, or the start and each visit; at least one. */
+void eachPoint(const ExportUav& uav, const PointSink& take);
+
+/** The way as a line of the map: `eachPlace`. */
+void eachPlace(const ExportContent& content, const ExportUav& uav, const PlaceSink& take);
+
+/** Of that line. */
+[[nodiscard]] std::size_t partsOf(const ExportContent& content, const ExportUav& uav);
+
+/** The way in memory, for what is of one page or one hour. */
 [[nodiscard]] std::vector<TimedPoint> pathOf(const ExportUav& uav);
+
+/** Its last point. */
+[[nodiscard]] TimedPoint endOf(const ExportUav& uav);
 
 } // namespace berg

@@ -116,11 +116,11 @@ Scenario presentScene(const ExportSource& source, std::size_t row)
     return scene;
 }
 
-std::vector<TrackPoint> flownTrack(const Mission& mission, std::size_t row)
+TrackPoints flownTrack(const Mission& mission, std::size_t row)
 {
-    std::vector<TrackPoint> track;
+    TrackPoints track;
     for (const Sample& sample : mission.recorder().samples())
-        track.push_back(trackPointOf(sample, row));
+        track.append(trackPointOf(sample, row));
     return track;
 }
 

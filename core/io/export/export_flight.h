@@ -22,6 +22,6 @@ namespace berg {
 [[nodiscard]] Scenario presentScene(const ExportSource& source, std::size_t row);
 
 /** Samples on record; empty when the mission kept none. */
-[[nodiscard]] std::vector<TrackPoint> flownTrack(const Mission& mission, std::size_t row);
+[[nodiscard]] TrackPoints flownTrack(const Mission& mission, std::size_t row);
 
 } // namespace berg

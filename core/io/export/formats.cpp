@@ -35,13 +35,11 @@ void flightPieces(const ExportContent& content, const TextSink& put)
     Write(*content.mission, put);
 }
 
-/** All pieces at once. */
-template <void (*Pieces)(const ExportContent&, const TextSink&)>
-std::string whole(const ExportContent& content)
+/** What is never long. */
+template <std::string (*Text)(const ExportContent&)>
+void putText(const ExportContent& content, const TextSink& put)
 {
-    std::string text;
-    Pieces(content, [&text](std::string_view piece) { text += piece; });
-    return text;
+    put(Text(content));
 }
 
 constexpr SampleTable kSigmaTable{
@@ -74,44 +72,49 @@ constexpr std::array kFormats{
                  "plan",
                  "QGroundControl, Mission Planner, MAVSDK",
                  {.order = true, .fence = true, .mission = true, .radii = true},
-                 qgcPlan},
+                 putText<qgcPlan>},
     ExportFormat{"wpl", "waypoints", "ArduPilot: Mission Planner, MAVProxy (home row)",
-                 kMissionHolds, wplText},
-    ExportFormat{"geojson", "geojson", "QGIS and other map programs", kMapHolds, geoJson},
+                 kMissionHolds, putText<wplText>},
+    ExportFormat{"geojson", "geojson", "QGIS and other map programs", kMapHolds, writeGeoJson},
     ExportFormat{"csv",
                  "csv",
                  "spreadsheets and scripts",
                  {.order = true, .path = true, .fleet = true},
-                 whole<csvPieces>,
                  csvPieces},
     ExportFormat{"sigma-csv", "csv", "spreadsheets: sigma of every iceberg over time",
-                 kFlightTableHolds, whole<flightPieces<writeSigma>>, flightPieces<writeSigma>,
-                 &kSigmaTable},
+                 kFlightTableHolds, flightPieces<writeSigma>, &kSigmaTable},
     ExportFormat{"decisions-csv", "csv", "spreadsheets: plans, visits and what else happened",
-                 kFlightTableHolds, whole<flightPieces<writeEvents>>, flightPieces<writeEvents>},
+                 kFlightTableHolds, flightPieces<writeEvents>},
     ExportFormat{"zeta-csv", "csv", "spreadsheets: zeta over time", kFlightTableHolds,
-                 whole<flightPieces<writeZeta>>, flightPieces<writeZeta>, &kZetaTable},
+                 flightPieces<writeZeta>, &kZetaTable},
     ExportFormat{"gpx",
                  "gpx",
                  "chart plotters, Garmin devices, GPSBabel",
                  {.order = true, .path = true, .fleet = true, .times = true, .icebergs = true},
-                 gpxText},
-    ExportFormat{"kml", "kml", "Google Earth and other globes", kMapHolds, kmlText},
-    ExportFormat{"kmz", "kmz", "Google Earth, packed", kMapHolds, kmzFile},
-    ExportFormat{"czml", "czml", "Cesium", kMapHolds, czmlText},
-    ExportFormat{"brief", "pdf", "paper: a page to fly by", kBriefHolds, nullptr},
-    ExportFormat{"map-pdf", "pdf", "paper: the map", kPictureHolds, nullptr},
-    ExportFormat{"map-svg", "svg", "drawing programs: the map", kPictureHolds, nullptr},
-    ExportFormat{"map-png", "png", "documents and messages: the map", kPictureHolds, nullptr},
-    ExportFormat{"log", "pdf", "paper: log of a flight", kChartsHold, nullptr},
-    ExportFormat{"log-html", "html", "browsers: log of a flight", kFlightTableHolds, flightLogHtml},
-    ExportFormat{"charts-pdf", "pdf", "paper: zeta and sigma over time", kChartsHold, nullptr},
-    ExportFormat{"charts-svg", "svg", "drawing programs: zeta and sigma over time", kChartsHold,
-                 nullptr},
+                 writeGpx},
+    ExportFormat{"kml", "kml", "Google Earth and other globes", kMapHolds, writeKml},
+    ExportFormat{"kmz", "kmz", "Google Earth, packed", kMapHolds, writeKmz},
+    ExportFormat{"czml", "czml", "Cesium", kMapHolds, writeCzml},
+    ExportFormat{"brief", "pdf", "paper: a page to fly by", kBriefHolds},
+    ExportFormat{"map-pdf", "pdf", "paper: the map", kPictureHolds},
+    ExportFormat{"map-svg", "svg", "drawing programs: the map", kPictureHolds},
+    ExportFormat{"map-png", "png", "documents and messages: the map", kPictureHolds},
+    ExportFormat{"log", "pdf", "paper: log of a flight", kChartsHold},
+    ExportFormat{"log-html", "html", "browsers: log of a flight", kFlightTableHolds,
+                 putText<flightLogHtml>},
+    ExportFormat{"charts-pdf", "pdf", "paper: zeta and sigma over time", kChartsHold},
+    ExportFormat{"charts-svg", "svg", "drawing programs: zeta and sigma over time", kChartsHold},
     ExportFormat{"charts-png", "png", "documents and messages: zeta and sigma over time",
-                 kChartsHold, nullptr}};
+                 kChartsHold}};
 
 } // namespace
+
+std::string ExportFormat::text(const ExportContent& content) const
+{
+    std::string text;
+    put(content, [&text](std::string_view piece) { text += piece; });
+    return text;
+}
 
 std::string ExportFormat::write(const ExportSource& source, const ExportOptions& options) const
 {

@@ -21,7 +21,7 @@ struct ExportHolds
     bool flownOnly = false; ///< it is about a flight, whatever `ExportOptions::what` says
     bool mission = false;   ///< items for an autopilot
     bool radii = false;     ///< acceptance radius and turns over each iceberg
-    bool painted = false;   ///< a picture or a page: an `ExportPainter` makes it, `text` is null
+    bool painted = false;   ///< a picture or a page: an `ExportPainter` makes it
 };
 
 /** One row of the table that the command line, the file dialog and the tests share. */
@@ -31,11 +31,13 @@ struct ExportFormat
     std::string_view extension; ///< without dot
     std::string_view reader;    ///< the tool it is meant for
     ExportHolds holds;
-    std::string (*text)(const ExportContent&); ///< of one UAV unless it holds a fleet; may be null
-    /** The same in pieces, for what may be longer than memory; null: at once. */
-    void (*pieces)(const ExportContent&, const TextSink&) = nullptr;
+    /** Of one UAV unless it holds a fleet; null: painted. */
+    void (*put)(const ExportContent&, const TextSink&) = nullptr;
     /** The table that it is, for who writes it while a run is flown again; null: none. */
     const SampleTable* table = nullptr;
+
+    /** All that is put. */
+    [[nodiscard]] std::string text(const ExportContent& content) const;
 
     /**
      * One file of it. Throws as `exportContent`, and `Error{InvalidInput}` when there are more UAVs

@@ -32,9 +32,9 @@ double nextLongitude_deg(const LatLon& a, const LatLon& b)
     return a.longitude_deg + std::remainder(b.longitude_deg - a.longitude_deg, 360.0);
 }
 
-/** Appends the vertices after `a` up to `b`. */
-void appendLeg(const LocalFrame& frame, const Vertex& a, const Vertex& b,
-               std::vector<TimedPlace>& line)
+/** Takes the vertices after `a` up to `b`. */
+void addLeg(const LocalFrame& frame, const Vertex& a, const Vertex& b,
+            const std::function<void(const TimedPlace&)>& take)
 {
     const double longitude_deg = nextLongitude_deg(a.at.place, b.at.place);
     const double change_deg = std::abs(longitude_deg - a.at.place.longitude_deg);
@@ -45,27 +45,12 @@ void appendLeg(const LocalFrame& frame, const Vertex& a, const Vertex& b,
                            .longitude_deg = (a.at.place.longitude_deg + longitude_deg) / 2};
         if ((frame.toPlane(image) - middle.position_m).norm() > kTolerance_m) {
             const Vertex split = vertexOf(frame, middle);
-            appendLeg(frame, a, split, line);
-            appendLeg(frame, split, b, line);
+            addLeg(frame, a, split, take);
+            addLeg(frame, split, b, take);
             return;
         }
     }
-    line.push_back(b.at);
-}
-
-std::vector<TimedPlace> lineOf(const LocalFrame& frame, std::span<const TimedPoint> points)
-{
-    std::vector<TimedPlace> line;
-    std::optional<Vertex> last;
-    for (const TimedPoint& point : points) {
-        const Vertex vertex = vertexOf(frame, point);
-        if (last)
-            appendLeg(frame, *last, vertex, line);
-        else
-            line.push_back(vertex.at);
-        last = vertex;
-    }
-    return line;
+    take(b.at);
 }
 
 /** Where the line from `a` to `b` leaves across the antimeridian: its end on the side of `a`. */
@@ -83,29 +68,64 @@ std::optional<TimedPlace> crossing(const TimedPlace& a, const TimedPlace& b)
         .time_s = std::lerp(a.time_s, b.time_s, part)};
 }
 
-void appendNew(std::vector<TimedPlace>& part, const TimedPlace& vertex)
-{
-    if (part.empty() || !(part.back().place == vertex.place))
-        part.push_back(vertex);
-}
-
-/** The line in parts that do not cross the antimeridian; the first and last may be single points.
+/**
+ * Vertices of a line, cut where it crosses the antimeridian. Takes each, and whether a part begins
+ * with it; a part may be a single one.
  */
-std::vector<std::vector<TimedPlace>> cutAtAntimeridian(const std::vector<TimedPlace>& line)
+class LineCutter
 {
-    std::vector<std::vector<TimedPlace>> parts(1);
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (i > 0) {
-            if (std::optional<TimedPlace> border = crossing(line[i - 1], line[i])) {
-                appendNew(parts.back(), *border);
-                border->place.longitude_deg *= -1;
-                parts.push_back({*border});
-                appendNew(parts.back(), line[i]);
-                continue;
-            }
-        }
-        parts.back().push_back(line[i]);
+public:
+    LineCutter(const LocalFrame& frame, PlaceSink take) : m_frame(frame), m_take(std::move(take)) {}
+
+    void add(const TimedPoint& point)
+    {
+        const Vertex vertex = vertexOf(m_frame, point);
+        if (m_last)
+            addLeg(m_frame, *m_last, vertex, [this](const TimedPlace& place) { addPlace(place); });
+        else
+            put(vertex.at, true);
+        m_last = vertex;
     }
+
+private:
+    void addPlace(const TimedPlace& place)
+    {
+        std::optional<TimedPlace> border = crossing(m_lastPlace, place);
+        if (!border)
+            return put(place, false);
+        if (!(m_lastPlace.place == border->place))
+            put(*border, false);
+        border->place.longitude_deg *= -1;
+        put(*border, true);
+        if (!(place.place == border->place))
+            put(place, false);
+        m_lastPlace = place;
+    }
+
+    void put(const TimedPlace& place, bool isFirst)
+    {
+        m_take(place, isFirst);
+        m_lastPlace = place;
+    }
+
+    const LocalFrame& m_frame;
+    PlaceSink m_take;
+    std::optional<Vertex> m_last;
+    TimedPlace m_lastPlace;
+};
+
+/** The parts of a ring; the first and last may be single points. */
+std::vector<std::vector<TimedPlace>> partsOf(const LocalFrame& frame,
+                                             std::span<const TimedPoint> points)
+{
+    std::vector<std::vector<TimedPlace>> parts;
+    LineCutter cutter(frame, [&parts](const TimedPlace& place, bool isFirst) {
+        if (isFirst)
+            parts.emplace_back();
+        parts.back().push_back(place);
+    });
+    for (const TimedPoint& point : points)
+        cutter.add(point);
     return parts;
 }
 
@@ -200,14 +220,20 @@ Ring placesOf(const std::vector<TimedPlace>& line)
 
 } // namespace
 
-std::vector<std::vector<TimedPlace>> geographicLine(const LocalFrame& frame,
-                                                    std::span<const TimedPoint> points)
+void eachPlace(const LocalFrame& frame, const std::function<void(const PointSink&)>& eachPoint,
+               const PlaceSink& take)
 {
-    if (points.size() < 2)
-        return {};
-    std::vector<std::vector<TimedPlace>> parts = cutAtAntimeridian(lineOf(frame, points));
-    std::erase_if(parts, [](const std::vector<TimedPlace>& part) { return part.size() < 2; });
-    return parts;
+    std::optional<TimedPlace> waiting; // first of a part, should there be a second
+    LineCutter cutter(frame, [&](const TimedPlace& place, bool isFirst) {
+        if (waiting && !isFirst)
+            take(*waiting, true);
+        waiting.reset();
+        if (isFirst)
+            waiting = place;
+        else
+            take(place, false);
+    });
+    eachPoint([&cutter](const TimedPoint& point) { cutter.add(point); });
 }
 
 std::vector<std::vector<LatLon>> geographicPolygon(const LocalFrame& frame,
@@ -220,7 +246,7 @@ std::vector<std::vector<LatLon>> geographicPolygon(const LocalFrame& frame,
         std::reverse(outline.begin(), outline.end());
     outline.push_back(outline.front());
 
-    std::vector<std::vector<TimedPlace>> parts = cutAtAntimeridian(lineOf(frame, outline));
+    std::vector<std::vector<TimedPlace>> parts = partsOf(frame, outline);
     if (parts.size() == 1)
         return {placesOf(parts.front())};
     // The outline starts and ends at the same corner, in the middle of a part.

@@ -2,6 +2,7 @@
 
 #include "core/base/geodesy.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -25,12 +26,18 @@ struct TimedPlace
     double time_s = 0;
 };
 
+/** Takes points or places in turn. */
+using PointSink = std::function<void(const TimedPoint& point)>;
+/** `isFirst`: a part begins with it. */
+using PlaceSink = std::function<void(const TimedPlace& place, bool isFirst)>;
+
 /**
- * Parts of the line through `points`, each of two or more vertices; times are interpolated. One
- * part when the antimeridian is not crossed, none for fewer than two points.
+ * The line through the points that `eachPoint` hands on, in parts of two or more vertices each, as
+ * long as it may be; times are interpolated. One part when the antimeridian is not crossed, none
+ * for fewer than two points.
  */
-[[nodiscard]] std::vector<std::vector<TimedPlace>>
-geographicLine(const LocalFrame& frame, std::span<const TimedPoint> points);
+void eachPlace(const LocalFrame& frame, const std::function<void(const PointSink&)>& eachPoint,
+               const PlaceSink& take);
 
 /**
  * Exterior rings of the simple polygon with these corners (at least three, in any sense), each

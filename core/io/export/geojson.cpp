@@ -1,6 +1,7 @@
 #include "core/io/export/geojson.h"
 
 #include "core/io/export/geo_shapes.h"
+#include "core/io/spool.h"
 #include "core/io/text/export_numbers.h"
 #include "core/io/text/json_writer.h"
 
@@ -42,10 +43,13 @@ const char* featureKind(ExportWhat what)
 class Collection
 {
 public:
-    explicit Collection(const ExportContent& content) : m_content(content) {}
-
-    std::string text()
+    Collection(const ExportContent& content, const TextSink& put) : m_content(content), m_put(put)
     {
+    }
+
+    void write()
+    {
+        m_put("{\"type\":\"FeatureCollection\",\"features\":[\n");
         for (const ExportUav& uav : m_content.uavs)
             addUav(uav);
         for (const ExportIceberg& iceberg : m_content.icebergs)
@@ -65,7 +69,7 @@ public:
         if (m_content.operation)
             addOperation(*m_content.operation);
         addAsset();
-        return "{\"type\":\"FeatureCollection\",\"features\":[\n" + m_features + "\n]}\n";
+        m_put("\n]}\n");
     }
 
 private:
@@ -75,9 +79,13 @@ private:
         feature["type"] = "Feature";
         feature["geometry"] = std::move(geometry);
         feature["properties"] = std::move(properties);
-        if (!m_features.empty())
-            m_features += ",\n";
-        m_features += jsonText(feature);
+        addText(jsonText(feature));
+    }
+
+    void addText(const std::string& begin)
+    {
+        m_put(m_isFirst ? begin : ",\n" + begin);
+        m_isFirst = false;
     }
 
     static Json shape(const char* type, Json coordinates)
@@ -179,35 +187,32 @@ private:
             properties["policy"] = nameOf(kPolicyNames, m_content.planner.policy);
             properties["tau"] = m_content.planner.tau;
         }
-        const std::vector<std::vector<TimedPlace>> parts =
-            geographicLine(m_content.frame, pathOf(uav));
-        if (!parts.empty())
-            addParts(parts, std::move(properties));
+        if (const std::size_t parts = partsOf(m_content, uav); parts > 0)
+            addParts(uav, parts > 1, jsonText(properties));
     }
 
-    /** A LineString, or a MultiLineString with nested times. */
-    void addParts(const std::vector<std::vector<TimedPlace>>& parts, Json properties)
+    /** A LineString, or a MultiLineString with nested times, which wait for the last place. */
+    void addParts(const ExportUav& uav, bool several, std::string properties)
     {
-        Json lines = Json::array();
-        Json times = Json::array();
-        for (const std::vector<TimedPlace>& part : parts) {
-            Json line = Json::array();
-            Json lineTimes = Json::array();
-            for (const TimedPlace& vertex : part) {
-                line.push_back(coordinates(vertex.place));
-                lineTimes.push_back(m_content.start ? Json(utcText(*m_content.start, vertex.time_s))
-                                                    : Json(roundedSeconds(vertex.time_s)));
-            }
-            lines.push_back(std::move(line));
-            times.push_back(std::move(lineTimes));
-        }
-        const bool single = parts.size() == 1;
-        properties["coordinateProperties"][m_content.start ? "times" : "times_s"] =
-            single ? std::move(times[0]) : std::move(times);
-        if (single)
-            add(shape("LineString", std::move(lines[0])), std::move(properties));
-        else
-            add(shape("MultiLineString", std::move(lines)), std::move(properties));
+        addText(std::string(R"({"type":"Feature","geometry":{"type":")") +
+                (several ? "MultiLineString" : "LineString") + R"(","coordinates":)" +
+                (several ? "[" : ""));
+        Spool times;
+        bool isOpen = false;
+        eachPlace(m_content, uav, [&](const TimedPlace& vertex, bool isFirst) {
+            const char* const before = !isFirst ? "," : isOpen ? "],[" : "[";
+            isOpen = true;
+            m_put(before + jsonText(coordinates(vertex.place)));
+            times.append(before + jsonText(m_content.start
+                                               ? Json(utcText(*m_content.start, vertex.time_s))
+                                               : Json(roundedSeconds(vertex.time_s))));
+        });
+        properties.pop_back();
+        m_put((several ? "]]}" : "]}") + std::string(R"(,"properties":)") + properties +
+              R"(,"coordinateProperties":{")" + (m_content.start ? "times" : "times_s") +
+              "\":" + (several ? "[" : ""));
+        times.putAll(m_put);
+        m_put(several ? "]]}}}" : "]}}}");
     }
 
     void addArea()
@@ -294,14 +299,15 @@ private:
     }
 
     const ExportContent& m_content;
-    std::string m_features;
+    const TextSink& m_put;
+    bool m_isFirst = true;
 };
 
 } // namespace
 
-std::string geoJson(const ExportContent& content)
+void writeGeoJson(const ExportContent& content, const TextSink& put)
 {
-    return Collection(content).text();
+    Collection(content, put).write();
 }
 
 } // namespace berg

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/io/export/export_content.h"
-
-#include <string>
+#include "core/io/text/text_sink.h"
 
 namespace berg {
 
@@ -17,6 +16,6 @@ namespace berg {
  * are properties. `velocity_mps` is the iceberg's own, `drift_mps` includes the current; both are
  * east, north. A visit to a cluster has `cluster`, the ids of all that are in view there.
  */
-[[nodiscard]] std::string geoJson(const ExportContent& content);
+void writeGeoJson(const ExportContent& content, const TextSink& put);
 
 } // namespace berg

@@ -40,16 +40,17 @@ std::string extensionsOf(const std::vector<XmlData>& data)
 class GpxWriter
 {
 public:
-    explicit GpxWriter(const ExportContent& content) : m_content(content), m_text(kHead) {}
+    GpxWriter(const ExportContent& content, const TextSink& put) : m_content(content), m_put(put) {}
 
-    std::string text()
+    void write()
     {
-        m_text += "<metadata>";
+        m_put(kHead);
+        m_put("<metadata>");
         if (!m_content.name.empty())
-            m_text += xmlElement("name", m_content.name);
+            m_put(xmlElement("name", m_content.name));
         if (m_content.start)
-            m_text += xmlElement("time", timeText(m_content, m_content.now_s));
-        m_text += "</metadata>\n";
+            m_put(xmlElement("time", timeText(m_content, m_content.now_s)));
+        m_put("</metadata>\n");
         addWaypoints();
         for (const ExportUav& uav : m_content.uavs)
             if (m_content.what != ExportWhat::Track)
@@ -57,28 +58,27 @@ public:
         for (const ExportUav& uav : m_content.uavs)
             if (!uav.track.empty())
                 addTrack(uav);
-        return m_text + "</gpx>\n";
+        m_put("</gpx>\n");
     }
 
 private:
     void add(const GpxPoint& point)
     {
         const XmlPlace place = placeText(m_content.frame.toGeographic(point.position_m));
-        m_text +=
-            "<" + point.tag + " lat=\"" + place.latitude + "\" lon=\"" + place.longitude + "\">";
+        m_put("<" + point.tag + " lat=\"" + place.latitude + "\" lon=\"" + place.longitude + "\">");
         if (point.altitude_m)
-            m_text += xmlElement("ele", decimalText(*point.altitude_m));
+            m_put(xmlElement("ele", decimalText(*point.altitude_m)));
         if (point.time_s && m_content.start)
-            m_text += xmlElement("time", timeText(m_content, *point.time_s));
+            m_put(xmlElement("time", timeText(m_content, *point.time_s)));
         if (!point.name.empty())
-            m_text += xmlElement("name", point.name);
+            m_put(xmlElement("name", point.name));
         if (!point.description.empty())
-            m_text += xmlElement("desc", point.description);
+            m_put(xmlElement("desc", point.description));
         if (!point.type.empty())
-            m_text += xmlElement("type", point.type);
+            m_put(xmlElement("type", point.type));
         if (!point.extensions.empty())
-            m_text += "<extensions>" + point.extensions + "</extensions>";
-        m_text += "</" + point.tag + ">\n";
+            m_put("<extensions>" + point.extensions + "</extensions>");
+        m_put("</" + point.tag + ">\n");
     }
 
     void addWaypoints()
@@ -112,7 +112,7 @@ private:
 
     void addRoute(const ExportUav& uav)
     {
-        m_text += "<rte>" + xmlElement("name", titleOf(uav.uav)) + "\n";
+        m_put("<rte>" + xmlElement("name", titleOf(uav.uav)) + "\n");
         add({.tag = "rtept",
              .position_m = uav.uav.position_m,
              .altitude_m = uav.uav.spec.altitude_m,
@@ -126,37 +126,37 @@ private:
                  .time_s = visit.time_s,
                  .name = titleOf(m_content, visit),
                  .type = visit.iceberg < 0 ? "home" : "visit"});
-        m_text += "</rte>\n";
+        m_put("</rte>\n");
     }
 
     void addTrack(const ExportUav& uav)
     {
-        m_text += "<trk>" + xmlElement("name", titleOf(uav.uav)) +
-                  xmlElement("type", nameOf(kExportWhatNames, m_content.what)) + "<trkseg>\n";
+        m_put("<trk>" + xmlElement("name", titleOf(uav.uav)) +
+              xmlElement("type", nameOf(kExportWhatNames, m_content.what)) + "<trkseg>\n");
         std::optional<double> last_deg;
         for (const TrackPoint& point : uav.track) {
             const double here_deg =
                 m_content.frame.toGeographic(point.state.position_m).longitude_deg;
             if (last_deg && std::abs(here_deg - *last_deg) > 180)
-                m_text += "</trkseg><trkseg>\n";
+                m_put("</trkseg><trkseg>\n");
             last_deg = here_deg;
             add({.tag = "trkpt",
                  .position_m = point.state.position_m,
                  .altitude_m = uav.uav.spec.altitude_m,
                  .time_s = point.time_s});
         }
-        m_text += "</trkseg></trk>\n";
+        m_put("</trkseg></trk>\n");
     }
 
     const ExportContent& m_content;
-    std::string m_text;
+    const TextSink& m_put;
 };
 
 } // namespace
 
-std::string gpxText(const ExportContent& content)
+void writeGpx(const ExportContent& content, const TextSink& put)
 {
-    return GpxWriter(content).text();
+    GpxWriter(content, put).write();
 }
 
 } // namespace berg

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/io/export/export_content.h"
-
-#include <string>
+#include "core/io/text/text_sink.h"
 
 namespace berg {
 
@@ -12,6 +11,6 @@ namespace berg {
  * the antimeridian. Times only when the scenario has a start time. What is known of an iceberg is
  * in `extensions`, in a namespace of our own.
  */
-[[nodiscard]] std::string gpxText(const ExportContent& content);
+void writeGpx(const ExportContent& content, const TextSink& put);
 
 } // namespace berg

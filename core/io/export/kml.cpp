@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/io/export/uav_colours.h"
 #include "core/io/export/xml_text.h"
+#include "core/io/spool.h"
 #include "core/io/text/export_numbers.h"
 #include "core/io/text/zip_file.h"
 #include "core/scenario/airspace.h"
@@ -75,11 +76,12 @@ std::string outlineStyle(const std::string& id, const std::string& colour)
 class KmlWriter
 {
 public:
-    explicit KmlWriter(const ExportContent& content) : m_content(content), m_text(kHead) {}
+    KmlWriter(const ExportContent& content, const TextSink& put) : m_content(content), m_put(put) {}
 
-    std::string text()
+    void write()
     {
-        m_text += xmlElement("name", m_content.name.empty() ? "Bergwatch" : m_content.name) + "\n";
+        m_put(kHead);
+        m_put(xmlElement("name", m_content.name.empty() ? "Bergwatch" : m_content.name) + "\n");
         addStyles();
         addArea();
         for (const NoFlyArea& area : m_content.noFly)
@@ -89,11 +91,11 @@ public:
         addAirspace();
         if (m_content.operation)
             addOperation(*m_content.operation);
-        m_text += "<Folder><name>Icebergs</name>\n";
+        m_put("<Folder><name>Icebergs</name>\n");
         for (const ExportIceberg& now : m_content.icebergs)
             if (now.isListed)
                 addIceberg(now);
-        m_text += "</Folder>\n";
+        m_put("</Folder>\n");
         if (m_content.asset)
             addPoint({.name = m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
                       .style = "asset",
@@ -102,7 +104,7 @@ public:
                       .data = assetData(m_content)});
         for (const ExportUav& uav : m_content.uavs)
             addUav(uav);
-        return m_text + "</Document>\n</kml>\n";
+        m_put("</Document>\n</kml>\n");
     }
 
 private:
@@ -119,42 +121,42 @@ private:
 
     void addPoint(const Mark& mark)
     {
-        m_text += "<Placemark>" + xmlElement("name", mark.name);
+        m_put("<Placemark>" + xmlElement("name", mark.name));
         if (!mark.description.empty())
-            m_text += xmlElement("description", mark.description);
+            m_put(xmlElement("description", mark.description));
         if (mark.time_s && m_content.start)
-            m_text += "<TimeStamp>" + xmlElement("when", timeText(m_content, *mark.time_s)) +
-                      "</TimeStamp>";
-        m_text += xmlElement("styleUrl", "#" + mark.style);
-        m_text += extendedData(mark.data);
+            m_put("<TimeStamp>" + xmlElement("when", timeText(m_content, *mark.time_s)) +
+                  "</TimeStamp>");
+        m_put(xmlElement("styleUrl", "#" + mark.style));
+        m_put(extendedData(mark.data));
         const LatLon place = roundedPlace(m_content.frame.toGeographic(mark.position_m));
-        m_text += "<Point>" + altitudeMode(mark.altitude_m) + "<coordinates>" +
-                  coordinates(place, mark.altitude_m, ',') + "</coordinates></Point></Placemark>\n";
+        m_put("<Point>" + altitudeMode(mark.altitude_m) + "<coordinates>" +
+              coordinates(place, mark.altitude_m, ',') + "</coordinates></Point></Placemark>\n");
     }
 
     void addStyles()
     {
         const auto point = [&](const std::string& id, const std::string& colour) {
-            m_text += "<Style id=\"" + id + "\"><IconStyle><color>" + colour +
-                      "</color><scale>0.8</scale></IconStyle></Style>\n";
+            m_put("<Style id=\"" + id + "\"><IconStyle><color>" + colour +
+                  "</color><scale>0.8</scale></IconStyle></Style>\n");
         };
         point("iceberg", "fff0c878");
         point("asset", "ff3c3cdc");
-        m_text += outlineStyle("area", "ff808080");
+        m_put(outlineStyle("area", "ff808080"));
         if (!m_content.scenario->airspace.empty())
-            m_text += outlineStyle("airspace", "ffc87830");
+            m_put(outlineStyle("airspace", "ffc87830"));
         if (m_content.operation)
             for (std::size_t part = 0; part < kVolumeParts; ++part)
-                m_text += outlineStyle(std::string(kVolumePartIds[part]), kVolumeColours[part]);
+                m_put(outlineStyle(std::string(kVolumePartIds[part]), kVolumeColours[part]));
         if (!m_content.noFly.empty())
-            m_text += closedStyle("no-fly");
+            m_put(closedStyle("no-fly"));
         if (m_content.standoff)
-            m_text += closedStyle("stand-off");
+            m_put(closedStyle("stand-off"));
         for (const ExportUav& uav : m_content.uavs) {
             const std::string colour = "<color>" + colourText(uavColour(uav.row)) + "</color>";
-            m_text.append("<Style id=\"").append(styleId(uav)).append("\"><IconStyle>");
-            m_text.append(colour).append("<scale>0.6</scale></IconStyle><LineStyle>");
-            m_text.append(colour).append("<width>3</width></LineStyle></Style>\n");
+            m_put("<Style id=\"" + styleId(uav) + "\"><IconStyle>" + colour +
+                  "<scale>0.6</scale></IconStyle><LineStyle>" + colour +
+                  "<width>3</width></LineStyle></Style>\n");
         }
     }
 
@@ -172,11 +174,11 @@ private:
     {
         if (m_content.area_m.empty())
             return;
-        m_text += "<Placemark><name>Area</name><styleUrl>#area</styleUrl>" +
-                  extendedData({{"geofence", m_content.geofence ? "true" : "false"}}) +
-                  "<MultiGeometry>";
+        m_put("<Placemark><name>Area</name><styleUrl>#area</styleUrl>" +
+              extendedData({{"geofence", m_content.geofence ? "true" : "false"}}) +
+              "<MultiGeometry>");
         addPolygons(m_content.area_m, "<tessellate>1</tessellate>", 0);
-        m_text += "</MultiGeometry></Placemark>\n";
+        m_put("</MultiGeometry></Placemark>\n");
     }
 
     /** Stands on the sea up to its ceiling; one that begins above the sea is drawn at its floor. */
@@ -186,17 +188,17 @@ private:
         std::string mode = "<tessellate>1</tessellate>";
         if (height_m > 0)
             mode = (area.floor_m > 0 ? "" : "<extrude>1</extrude>") + altitudeMode(height_m);
-        m_text += "<Placemark>" + xmlElement("name", title) + "<styleUrl>#" + style +
-                  "</styleUrl>" + extendedData(dataOf(area)) + "<MultiGeometry>";
+        m_put("<Placemark>" + xmlElement("name", title) + "<styleUrl>#" + style + "</styleUrl>" +
+              extendedData(dataOf(area)) + "<MultiGeometry>");
         addPolygons(area.corners_m, mode, height_m);
-        m_text += "</MultiGeometry></Placemark>\n";
+        m_put("</MultiGeometry></Placemark>\n");
     }
 
     void addAirspace()
     {
         if (m_content.scenario->airspace.empty())
             return;
-        m_text += "<Folder><name>Airspace</name>\n";
+        m_put("<Folder><name>Airspace</name>\n");
         for (const AirspaceArea& area : m_content.scenario->airspace) {
             std::vector<XmlData> data = dataOf(
                 NoFlyArea{.name = area.name, .floor_m = area.floor_m, .ceiling_m = area.ceiling_m});
@@ -212,14 +214,14 @@ private:
                         .height_m = area.floor_m,
                         .data = std::move(data)});
         }
-        m_text += "</Folder>\n";
+        m_put("</Folder>\n");
     }
 
     void addOperation(const OperationVolume& volume)
     {
         constexpr std::array<const char*, kVolumeParts> kTitles{
             "Flight geography", "Contingency volume", "Ground-risk buffer", "Adjacent area"};
-        m_text += "<Folder>" + xmlElement("name", kVolumeTitle) + "\n";
+        m_put("<Folder>" + xmlElement("name", kVolumeTitle) + "\n");
         for (std::size_t part = 0; part < kVolumeParts; ++part) {
             const auto top_m = volume.top_m(static_cast<VolumePart>(part));
             std::vector<XmlData> data;
@@ -232,7 +234,7 @@ private:
                         .isSolid = true,
                         .data = std::move(data)});
         }
-        m_text += "</Folder>\n";
+        m_put("</Folder>\n");
     }
 
     struct Outline
@@ -250,25 +252,25 @@ private:
         std::string mode = "<tessellate>1</tessellate>";
         if (outline.height_m > 0)
             mode = (outline.isSolid ? "<extrude>1</extrude>" : "") + altitudeMode(outline.height_m);
-        m_text += "<Placemark>" + xmlElement("name", outline.title) + "<styleUrl>#" +
-                  outline.style + "</styleUrl>" + extendedData(outline.data) + "<MultiGeometry>";
+        m_put("<Placemark>" + xmlElement("name", outline.title) + "<styleUrl>#" + outline.style +
+              "</styleUrl>" + extendedData(outline.data) + "<MultiGeometry>");
         addPolygons(outline.corners_m, mode, outline.height_m);
-        m_text += "</MultiGeometry></Placemark>\n";
+        m_put("</MultiGeometry></Placemark>\n");
     }
 
     void addPolygons(const std::vector<Point>& corners_m, const std::string& mode, double height_m)
     {
         for (const std::vector<LatLon>& ring : geographicPolygon(m_content.frame, corners_m)) {
-            m_text += "<Polygon>" + mode + "<outerBoundaryIs><LinearRing><coordinates>";
+            m_put("<Polygon>" + mode + "<outerBoundaryIs><LinearRing><coordinates>");
             for (const LatLon& corner : ring)
-                m_text += coordinates(corner, height_m, ',') + "\n";
-            m_text += "</coordinates></LinearRing></outerBoundaryIs></Polygon>";
+                m_put(coordinates(corner, height_m, ',') + "\n");
+            m_put("</coordinates></LinearRing></outerBoundaryIs></Polygon>");
         }
     }
 
     void addUav(const ExportUav& uav)
     {
-        m_text += "<Folder>" + xmlElement("name", titleOf(uav.uav)) + "\n";
+        m_put("<Folder>" + xmlElement("name", titleOf(uav.uav)) + "\n");
         addPoint({.name = "Home of " + titleOf(uav.uav),
                   .style = styleId(uav),
                   .position_m = uav.home_m,
@@ -280,61 +282,84 @@ private:
                           .position_m = visit.position_m,
                           .altitude_m = uav.uav.spec.altitude_m,
                           .time_s = visit.time_s});
-        const std::vector<std::vector<TimedPlace>> parts =
-            geographicLine(m_content.frame, pathOf(uav));
-        if (!parts.empty())
+        if (const std::size_t parts = partsOf(m_content, uav); parts > 0)
             addPath(uav, parts);
-        m_text += "</Folder>\n";
+        m_put("</Folder>\n");
     }
 
-    void addPath(const ExportUav& uav, const std::vector<std::vector<TimedPlace>>& parts)
+    void addPath(const ExportUav& uav, std::size_t parts)
     {
         const bool timed = m_content.start && !uav.track.empty();
-        m_text += "<Placemark>" + xmlElement("name", titleOf(uav.uav)) +
-                  xmlElement("styleUrl", "#" + styleId(uav));
-        if (parts.size() > 1)
-            m_text +=
-                timed ? "<gx:MultiTrack><gx:interpolate>0</gx:interpolate>" : "<MultiGeometry>";
-        for (const std::vector<TimedPlace>& part : parts)
-            timed ? addTrack(part, uav.uav.spec.altitude_m)
-                  : addLine(part, uav.uav.spec.altitude_m);
-        if (parts.size() > 1)
-            m_text += timed ? "</gx:MultiTrack>" : "</MultiGeometry>";
-        m_text += "</Placemark>\n";
+        m_put("<Placemark>" + xmlElement("name", titleOf(uav.uav)) +
+              xmlElement("styleUrl", "#" + styleId(uav)));
+        if (parts > 1)
+            m_put(timed ? "<gx:MultiTrack><gx:interpolate>0</gx:interpolate>" : "<MultiGeometry>");
+        timed ? addTracks(uav) : addLines(uav);
+        if (parts > 1)
+            m_put(timed ? "</gx:MultiTrack>" : "</MultiGeometry>");
+        m_put("</Placemark>\n");
     }
 
-    void addTrack(const std::vector<TimedPlace>& part, double altitude_m)
+    /** All times of a part come before its places, which wait for them. */
+    void addTracks(const ExportUav& uav)
     {
-        m_text += "<gx:Track>" + altitudeMode(altitude_m) + "\n";
-        for (const TimedPlace& vertex : part)
-            m_text += xmlElement("when", timeText(m_content, vertex.time_s)) + "\n";
-        for (const TimedPlace& vertex : part)
-            m_text += "<gx:coord>" + coordinates(vertex.place, altitude_m, ' ') + "</gx:coord>\n";
-        m_text += "</gx:Track>";
+        const double altitude_m = uav.uav.spec.altitude_m;
+        Spool places;
+        const auto endPart = [&] {
+            places.putAll(m_put);
+            places.clear();
+            m_put("</gx:Track>");
+        };
+        eachVertex(uav, "<gx:Track>" + altitudeMode(altitude_m) + "\n", endPart,
+                   [&](const TimedPlace& vertex) {
+                       m_put(xmlElement("when", timeText(m_content, vertex.time_s)) + "\n");
+                       places.append("<gx:coord>" + coordinates(vertex.place, altitude_m, ' ') +
+                                     "</gx:coord>\n");
+                   });
     }
 
-    void addLine(const std::vector<TimedPlace>& part, double altitude_m)
+    void addLines(const ExportUav& uav)
     {
-        m_text += "<LineString>" + altitudeMode(altitude_m) + "<coordinates>";
-        for (const TimedPlace& vertex : part)
-            m_text += coordinates(vertex.place, altitude_m, ',') + "\n";
-        m_text += "</coordinates></LineString>";
+        const double altitude_m = uav.uav.spec.altitude_m;
+        eachVertex(
+            uav, "<LineString>" + altitudeMode(altitude_m) + "<coordinates>",
+            [this] { m_put("</coordinates></LineString>"); },
+            [&](const TimedPlace& vertex) {
+                m_put(coordinates(vertex.place, altitude_m, ',') + "\n");
+            });
+    }
+
+    template <class End, class Add>
+    void eachVertex(const ExportUav& uav, const std::string& begin, const End& end, const Add& add)
+    {
+        bool isOpen = false;
+        eachPlace(m_content, uav, [&](const TimedPlace& vertex, bool isFirst) {
+            if (isFirst && isOpen)
+                end();
+            if (isFirst)
+                m_put(begin);
+            isOpen = true;
+            add(vertex);
+        });
+        if (isOpen)
+            end();
     }
 
     const ExportContent& m_content;
-    std::string m_text;
+    const TextSink& m_put;
 };
 
 } // namespace
 
-std::string kmlText(const ExportContent& content)
+void writeKml(const ExportContent& content, const TextSink& put)
 {
-    return KmlWriter(content).text();
+    KmlWriter(content, put).write();
 }
 
-std::string kmzFile(const ExportContent& content)
+void writeKmz(const ExportContent& content, const TextSink& put)
 {
-    return zipFile("doc.kml", kmlText(content));
+    writeZip(
+        "doc.kml", [&content](const TextSink& putText) { writeKml(content, putText); }, put);
 }
 
 } // namespace berg

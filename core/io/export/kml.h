@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/io/export/export_content.h"
-
-#include <string>
+#include "core/io/text/text_sink.h"
 
 namespace berg {
 
@@ -12,9 +11,9 @@ namespace berg {
  * is a `gx:Track` with times when the scenario has a start time, else a line. Lines and the area
  * are cut at the antimeridian.
  */
-[[nodiscard]] std::string kmlText(const ExportContent& content);
+void writeKml(const ExportContent& content, const TextSink& put);
 
 /** The same as `doc.kml` in a zip archive. */
-[[nodiscard]] std::string kmzFile(const ExportContent& content);
+void writeKmz(const ExportContent& content, const TextSink& put);
 
 } // namespace berg

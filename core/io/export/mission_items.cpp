@@ -124,7 +124,7 @@ MavMission mavMission(const ExportContent& content)
         mission.items.push_back(item);
     Point end_m = uav.home_m;
     if (content.what == ExportWhat::Path)
-        end_m = pathOf(uav).back().position_m;
+        end_m = endOf(uav).position_m;
     else if (!uav.visits.empty())
         end_m = uav.visits.back().position_m;
     mission.items.push_back(maker.lastLoiter(end_m));

@@ -3,8 +3,6 @@
 #include "core/base/number_text.h"
 #include "core/io/text/export_numbers.h"
 
-#include <algorithm>
-
 namespace berg {
 
 namespace {
@@ -55,19 +53,22 @@ std::string planCsv(const ExportContent& content)
 void writeTrackCsv(const ExportContent& content, const TextSink& put)
 {
     // The UAVs of one mission have their samples at the same times, so a row of each in turn.
-    std::size_t longest = 0;
+    std::vector<TrackPoints::Iterator> tracks;
     std::vector<std::string> ids;
     for (const ExportUav& uav : content.uavs) {
-        longest = std::max(longest, uav.track.size());
+        tracks.push_back(uav.track.begin());
         ids.push_back(csvField(uav.uav.id));
     }
-    put(trajectoryHeader());
-    std::string text;
-    for (std::size_t row = 0; row < longest; ++row) {
+    std::string text(trajectoryHeader());
+    put(text);
+    while (!text.empty()) {
         text.clear();
-        for (std::size_t i = 0; i < ids.size(); ++i)
-            if (const std::vector<TrackPoint>& track = content.uavs[i].track; row < track.size())
-                appendTrajectoryRow(text, content.frame, ids[i], track[row]);
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            if (tracks[i] == std::default_sentinel)
+                continue;
+            appendTrajectoryRow(text, content.frame, ids[i], *tracks[i]);
+            ++tracks[i];
+        }
         put(text);
     }
 }

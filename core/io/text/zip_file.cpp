@@ -1,9 +1,11 @@
 #include "core/io/text/zip_file.h"
 
 #include "core/base/error.h"
+#include "core/io/spool.h"
 
 #include <algorithm>
 #include <cctype>
+#include <exception>
 #include <memory>
 #include <zip.h>
 
@@ -41,39 +43,113 @@ bool endsWith(std::string_view name, std::string_view ending)
                [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
 }
 
-std::string allOf(const Source& source)
+/** A spool as libzip reads and writes files; what the spool throws is kept for after it. */
+struct SpoolFile
 {
-    zip_stat_t found;
-    zip_stat_init(&found);
-    require(zip_source_stat(source.get(), &found) == 0 && zip_source_open(source.get()) == 0,
-            "libzip lost what it wrote");
-    std::string bytes(found.size, '\0');
-    const zip_int64_t got = zip_source_read(source.get(), bytes.data(), bytes.size());
-    zip_source_close(source.get());
-    require(got == static_cast<zip_int64_t>(bytes.size()), "libzip lost what it wrote");
-    return bytes;
+    Spool spool;
+    std::size_t at = 0;
+    std::exception_ptr fault = {};
+    zip_error_t error = {};
+};
+
+zip_int64_t seek(SpoolFile& file, void* data, zip_uint64_t length)
+{
+    const zip_int64_t at =
+        zip_source_seek_compute_offset(file.at, file.spool.size(), data, length, &file.error);
+    if (at < 0)
+        return -1;
+    file.at = static_cast<std::size_t>(at);
+    return 0;
+}
+
+zip_int64_t transfer(SpoolFile& file, void* data, std::size_t length, zip_source_cmd_t command)
+try {
+    char* const bytes = static_cast<char*>(data);
+    if (command == ZIP_SOURCE_READ)
+        length = file.spool.read(file.at, {bytes, length});
+    else
+        file.spool.write(file.at, {bytes, length});
+    file.at += length;
+    return static_cast<zip_int64_t>(length);
+} catch (...) {
+    file.fault = std::current_exception();
+    zip_error_set(&file.error, command == ZIP_SOURCE_READ ? ZIP_ER_READ : ZIP_ER_WRITE, 0);
+    return -1;
+}
+
+zip_int64_t serve(void* user, void* data, zip_uint64_t length, zip_source_cmd_t command)
+{
+    auto& file = *static_cast<SpoolFile*>(user);
+    switch (command) {
+    case ZIP_SOURCE_OPEN:
+    case ZIP_SOURCE_BEGIN_WRITE:
+        file.at = 0;
+        return 0;
+    case ZIP_SOURCE_READ:
+    case ZIP_SOURCE_WRITE:
+        return transfer(file, data, length, command);
+    case ZIP_SOURCE_SEEK:
+    case ZIP_SOURCE_SEEK_WRITE:
+        return seek(file, data, length);
+    case ZIP_SOURCE_TELL:
+    case ZIP_SOURCE_TELL_WRITE:
+        return static_cast<zip_int64_t>(file.at);
+    case ZIP_SOURCE_STAT: {
+        auto* const stat = static_cast<zip_stat_t*>(data);
+        zip_stat_init(stat);
+        stat->valid = ZIP_STAT_SIZE;
+        stat->size = file.spool.size();
+        return sizeof *stat;
+    }
+    case ZIP_SOURCE_ERROR:
+        return zip_error_to_data(&file.error, data, length);
+    case ZIP_SOURCE_SUPPORTS:
+        return zip_source_make_command_bitmap(
+            ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT, ZIP_SOURCE_ERROR,
+            ZIP_SOURCE_FREE, ZIP_SOURCE_SEEK, ZIP_SOURCE_TELL, ZIP_SOURCE_BEGIN_WRITE,
+            ZIP_SOURCE_WRITE, ZIP_SOURCE_SEEK_WRITE, ZIP_SOURCE_TELL_WRITE, ZIP_SOURCE_COMMIT_WRITE,
+            ZIP_SOURCE_ROLLBACK_WRITE, ZIP_SOURCE_REMOVE, -1);
+    default:
+        return 0;
+    }
+}
+
+/** Deflated, on the first day there is, closed. False where libzip or one of the two refuses. */
+bool pack(const std::string& entryName, SpoolFile& text, SpoolFile& packed)
+{
+    constexpr unsigned kBest = 9;
+    constexpr unsigned kFirstDay = (1U << 5U) | 1U; // 1980-01-01, the earliest there is
+    const Source target(zip_source_function_create(&serve, &packed, nullptr), &zip_source_free);
+    require(target != nullptr, "libzip has no memory");
+    Archive archive = archiveOf(target, ZIP_CREATE | ZIP_TRUNCATE);
+    zip_source_t* const entry =
+        archive == nullptr ? nullptr : zip_source_function(archive.get(), &serve, &text);
+    if (entry == nullptr)
+        return false;
+    const zip_int64_t at = zip_file_add(archive.get(), entryName.c_str(), entry, ZIP_FL_ENC_UTF_8);
+    const auto index = static_cast<zip_uint64_t>(at);
+    if (at < 0 || zip_set_file_compression(archive.get(), index, ZIP_CM_DEFLATE, kBest) != 0 ||
+        zip_file_set_dostime(archive.get(), index, 0, kFirstDay, 0) != 0 ||
+        zip_close(archive.get()) != 0)
+        return false;
+    static_cast<void>(archive.release()); // closed
+    return true;
 }
 
 } // namespace
 
-std::string zipFile(std::string_view entryName, std::string_view content)
+void writeZip(const std::string& entryName, const std::function<void(const TextSink&)>& write,
+              const TextSink& put)
 {
-    const Source file = sourceOf(std::string_view());
-    Archive archive = archiveOf(file, ZIP_CREATE | ZIP_TRUNCATE);
-    require(archive != nullptr, "libzip makes no archive");
-    zip_source_t* const entry = zip_source_buffer(archive.get(), content.data(), content.size(), 0);
-    const std::string name(entryName);
-    const zip_int64_t at = zip_file_add(archive.get(), name.c_str(), entry, ZIP_FL_ENC_UTF_8);
-    constexpr unsigned kBest = 9;
-    constexpr unsigned kFirstDay = (1U << 5U) | 1U; // 1980-01-01, the earliest there is
-    const auto index = static_cast<zip_uint64_t>(at);
-    require(entry != nullptr && at >= 0 &&
-                zip_set_file_compression(archive.get(), index, ZIP_CM_DEFLATE, kBest) == 0 &&
-                zip_file_set_dostime(archive.get(), index, 0, kFirstDay, 0) == 0 &&
-                zip_close(archive.get()) == 0,
-            "libzip does not write");
-    static_cast<void>(archive.release()); // closed
-    return allOf(file);
+    SpoolFile text;
+    SpoolFile packed;
+    write([&text](std::string_view piece) { text.spool.append(piece); });
+    const bool isPacked = pack(entryName, text, packed);
+    for (const SpoolFile* file : {&text, &packed})
+        if (file->fault)
+            std::rethrow_exception(file->fault);
+    require(isPacked, "libzip does not write");
+    packed.spool.putAll(put);
 }
 
 std::string unzipped(std::string_view bytes, std::string_view ending, ReadBudget& budget)

@@ -1,14 +1,20 @@
 #pragma once
 
 #include "core/io/text/read_budget.h"
+#include "core/io/text/text_sink.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace berg {
 
-/** A zip archive with one entry. It holds no time, so that equal contents are equal bytes. */
-[[nodiscard]] std::string zipFile(std::string_view entryName, std::string_view content);
+/**
+ * A zip archive with one entry, which `write` puts. It holds no time, so that equal contents are
+ * equal bytes. Of any length: throws as `Spool`.
+ */
+void writeZip(const std::string& entryName, const std::function<void(const TextSink&)>& write,
+              const TextSink& put);
 
 [[nodiscard]] inline bool isZip(std::string_view bytes)
 {

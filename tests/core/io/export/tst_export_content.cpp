@@ -98,9 +98,10 @@ private slots:
         QVERIFY(visited(uav) == fourIcebergPlan().uavs[0].order);
         const double limit_radps = maxTurnRate_radps(scenario.uavs[0].spec);
         double turned_radps = 0;
-        for (std::size_t i = 1; i < uav.track.size(); ++i) {
-            const TrackPoint& from = uav.track[i - 1];
-            const TrackPoint& to = uav.track[i];
+        const std::vector<TrackPoint> track = uav.track.all();
+        for (std::size_t i = 1; i < track.size(); ++i) {
+            const TrackPoint& from = track[i - 1];
+            const TrackPoint& to = track[i];
             const double dt_s = to.time_s - from.time_s;
             QVERIFY(dt_s > 0);
             const double rate_radps =
@@ -174,10 +175,11 @@ private slots:
     {
         const ExportUav uav = planned({.what = ExportWhat::Path, .returnHome = true});
         QCOMPARE(visited(uav), (std::vector<int>{0, 3, 1, 2, -1}));
+        const std::vector<TrackPoint> track = uav.track.all();
         for (const Visit& visit : uav.visits) {
             const auto at =
-                std::ranges::lower_bound(uav.track, visit.time_s - 1e-6, {}, &TrackPoint::time_s);
-            QVERIFY(at != uav.track.end());
+                std::ranges::lower_bound(track, visit.time_s - 1e-6, {}, &TrackPoint::time_s);
+            QVERIFY(at != track.end());
             const double distance_m = (at->state.position_m - visit.position_m).norm();
             QVERIFY2(distance_m < 300 * std::sqrt(2.0) + 22,
                      qPrintable(QString::number(distance_m)));

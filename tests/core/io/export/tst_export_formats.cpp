@@ -3,10 +3,11 @@
 #include "core/io/export/export_files.h"
 #include "core/io/export/export_notes.h"
 #include "core/io/export/thinned_path.h"
-#include "core/io/text/zip_file.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/export_fixtures.h"
+#include "tests/support/export_text.h"
+#include "tests/support/geojson_view.h"
 #include "tests/support/german_numbers.h"
 
 #include <QTest>
@@ -60,9 +61,8 @@ private slots:
             ids << QString::fromLatin1(row.id.data(), qsizetype(row.id.size()));
             QCOMPARE(findExportFormat(row.id), &row);
             QVERIFY(!row.extension.empty() && !row.reader.empty());
-            QCOMPARE(row.text == nullptr, row.holds.painted);
-            QVERIFY(row.pieces == nullptr || row.holds.fleet); // one file
-            QVERIFY(!row.holds.painted || row.holds.fleet);    // a page shows all UAVs
+            QCOMPARE(row.put == nullptr, row.holds.painted);
+            QVERIFY(!row.holds.painted || row.holds.fleet); // a page shows all UAVs
         }
         QCOMPARE(ids.join(u' '),
                  QStringLiteral("plan wpl geojson csv sigma-csv decisions-csv "
@@ -343,6 +343,41 @@ private slots:
     {
         QVERIFY(zipFile("doc.kml", "<kml/>") == zipFile("doc.kml", "<kml/>"));
         QVERIFY(zipFile("doc.kml", "").starts_with("PK\x03\x04"));
+    }
+
+    /** To and fro over the antimeridian, more points than are kept in memory. */
+    void longTracksAreWhole()
+    {
+        Scenario scenario = at180();
+        scenario.startUtc = "2026-03-01T06:00:00Z";
+        const Mission mission = flown(scenario, 10);
+        ExportContent content = runContent(mission);
+        std::vector<TrackPoint> points;
+        for (int i = 0; i < 4'000; ++i)
+            points.push_back({.time_s = 1.0 * i,
+                              .state = {.position_m = {5000 * std::sin(0.1 * i) + 2000, 0.1 * i}}});
+        content.uavs.front().track = TrackPoints(points);
+        const auto count = [&content](const char* id, const QString& what) {
+            return QString::fromStdString(findExportFormat(id)->text(content)).count(what);
+        };
+        const qsizetype parts = count("kml", QStringLiteral("<gx:Track>"));
+        QVERIFY(parts > 100);
+        QCOMPARE(count("csv", QStringLiteral("\n")), 4'001);
+        QCOMPARE(count("gpx", QStringLiteral("<trkpt ")), 4'000);
+        QCOMPARE(count("gpx", QStringLiteral("<trkseg>")), parts);
+        // A vertex on either side of the border where it is crossed.
+        const qsizetype vertices = 4'000 + 2 * (parts - 1);
+        QCOMPARE(count("kml", QStringLiteral("<gx:coord>")), vertices);
+        QCOMPARE(count("kml", QStringLiteral("</when>\n")), vertices);
+        const QByteArray json = bytes(geoJson(content)); // as many times as places
+        QCOMPARE(geojsonFault(json), QString());
+        qsizetype places = 0;
+        for (const QJsonArray& part : berg::test::parts(features(json, QStringLiteral("track"))[0]))
+            places += part.size();
+        QCOMPARE(places, vertices);
+        const std::string kmz = kmzFile(content);
+        ReadBudget budget("track.kmz", kmz.size());
+        QVERIFY(unzipped(kmz, ".kml", budget) == kmlText(content));
     }
 
     void golden_data()

@@ -1,10 +1,10 @@
 #include "core/base/geometry.h"
-#include "core/io/export/geojson.h"
 #include "core/io/import/import_airspace.h"
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/export_text.h"
 #include "tests/support/scenario_builder.h"
 
 #include <QTest>

@@ -1,11 +1,8 @@
-#include "core/io/export/czml.h"
-#include "core/io/export/geojson.h"
-#include "core/io/export/gpx.h"
-#include "core/io/export/kml.h"
 #include "core/io/export/plan_qgc.h"
 #include "core/io/export/plan_wpl.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/export_fixtures.h"
+#include "tests/support/export_text.h"
 #include "tests/support/import_fixtures.h"
 
 #include <QtTest>

@@ -1,9 +1,9 @@
 #include "core/base/angles.h"
 #include "core/io/import/import_fields.h"
 #include "core/io/import/import_formats.h"
-#include "core/io/text/zip_file.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/export_text.h"
 #include "tests/support/import_fixtures.h"
 
 #include <QtTest>

@@ -1,13 +1,10 @@
-#include "core/io/export/czml.h"
-#include "core/io/export/geojson.h"
-#include "core/io/export/gpx.h"
-#include "core/io/export/kml.h"
 #include "core/io/export/plan_qgc.h"
 #include "core/io/export/plan_wpl.h"
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/validate.h"
 #include "tests/support/approx.h"
 #include "tests/support/export_fixtures.h"
+#include "tests/support/export_text.h"
 #include "tests/support/import_fixtures.h"
 
 #include <QtTest>

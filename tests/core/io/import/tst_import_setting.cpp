@@ -1,7 +1,6 @@
-#include "core/io/export/geojson.h"
-#include "core/io/export/gpx.h"
 #include "core/io/export/plan_qgc.h"
 #include "core/scenario/validate.h"
+#include "tests/support/export_text.h"
 #include "tests/support/import_fixtures.h"
 #include "tests/support/mission_builder.h"
 

@@ -6,7 +6,7 @@
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_scenario.h"
 #include "core/io/study/study_json.h"
-#include "core/io/text/zip_file.h"
+#include "tests/support/export_text.h"
 #include "tests/support/import_fixtures.h"
 
 #include <QtTest>

@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/stopped.h"
 #include "core/io/import/map_shapes.h"
-#include "core/io/text/zip_file.h"
+#include "tests/support/export_text.h"
 
 #include <QtTest>
 

@@ -3,8 +3,8 @@
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_scenario.h"
 #include "core/io/text/read_budget.h"
-#include "core/io/text/zip_file.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/export_text.h"
 
 #include <QtTest>
 
