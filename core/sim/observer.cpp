@@ -109,11 +109,11 @@ void Observer::observe(double dt_s, StepReport& report)
     if (!m_area_m.empty() && isSecond)
         watchArea(report);
     double sigmaSum_m2 = 0;
-    for (std::size_t i = 0; i < m_tracks.size(); ++i) {
-        const std::int64_t age = m_world.age(static_cast<int>(i));
+    int iceberg = 0;
+    for (Track& track : m_tracks) {
+        const std::int64_t age = m_world.age(iceberg++);
         if (age < 0)
             continue;
-        Track& track = m_tracks[i];
         if (!isFiltered && !track.inView)
             track.grow(age == 0 ? 0 : dt_s);
         if (!track.left)
@@ -167,18 +167,20 @@ void Observer::found(int iceberg, int seenBy, StepReport& report)
  * of one is lost, and looked for as with measurements. */
 void Observer::watchEstimates(StepReport& report)
 {
-    const std::vector<FieldOfView> views = m_cameras.views();
-    const std::vector<FieldOfView> middles = m_cameras.middles();
+    std::vector<FieldOfView> views; // made when the first one needs them
+    const auto seenNow = [&]() -> const std::vector<FieldOfView>& {
+        return views.empty() ? views = m_cameras.views() : views;
+    };
     for (int i = 0; i < m_world.icebergCount(); ++i) {
         if (!active(i) || track(i).inView)
             continue;
         const Point estimate_m = this->estimate_m(i);
         if (track(i).status != TrackStatus::Tracked) {
             m_searches.grow(i, track(i).q_m2ps);
-            m_searches.miss(i, views, estimate_m, 1);
-        } else if (firstWith(views, estimate_m) >= 0) {
-            if (const int uav = firstWith(middles, estimate_m); uav >= 0)
-                lose(i, uav, views, report);
+            m_searches.miss(i, seenNow(), estimate_m, 1);
+        } else if (m_cameras.viewer(estimate_m) >= 0) {
+            if (const int uav = firstWith(m_cameras.middles(), estimate_m); uav >= 0)
+                lose(i, uav, seenNow(), report);
         }
     }
 }

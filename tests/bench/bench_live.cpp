@@ -163,6 +163,7 @@ int main(int argc, char* argv[])
         }
         std::printf("%s icebergs\n", name.c_str());
         Bench bench(application, fieldOf(std::atoi(name.c_str())));
+        bench.fly("50 x", 50);
         bench.fly("100 x", 100);
         bench.fly("as fast as possible", 0);
     }
