@@ -11071,6 +11071,10 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <source>Restored, not saved yet</source>
         <translation>Gendannet, ikke gemt endnu</translation>
     </message>
+    <message>
+        <source>%1, in flight</source>
+        <translation>%1, under flyvning</translation>
+    </message>
 </context>
 <context>
     <name>berg::Workspace</name>

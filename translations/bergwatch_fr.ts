@@ -11071,6 +11071,10 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <source>Restored, not saved yet</source>
         <translation>Restauré, pas encore enregistré</translation>
     </message>
+    <message>
+        <source>%1, in flight</source>
+        <translation>%1, en vol</translation>
+    </message>
 </context>
 <context>
     <name>berg::Workspace</name>

@@ -11071,6 +11071,10 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <source>Restored, not saved yet</source>
         <translation>Gjenopprettet, ikke lagret ennå</translation>
     </message>
+    <message>
+        <source>%1, in flight</source>
+        <translation>%1, under flyging</translation>
+    </message>
 </context>
 <context>
     <name>berg::Workspace</name>

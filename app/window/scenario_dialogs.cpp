@@ -89,6 +89,8 @@ void ScenarioDialogs::askWind()
     if (airspeed_mps <= 0)
         return;
     const bool wasInFlight = workspace().inFlight();
+    if (wasInFlight && workspace().refuseWhileLookingBack())
+        return;
     const std::optional<Point> wind_mps =
         interaction().askWind(&window(), workspace().wind_mps(), airspeed_mps);
     if (wind_mps && m_files.mayAnswer(wasInFlight))

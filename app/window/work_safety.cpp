@@ -22,14 +22,20 @@ namespace berg {
 
 namespace {
 
+QString nameOf(const FoundRecovery& recovery)
+{
+    return recovery.info.name.isEmpty() ? WorkSafety::tr("Untitled") : recovery.info.name;
+}
+
 std::vector<RecoveryOffer> offersOf(const std::vector<FoundRecovery>& found, const QLocale& locale)
 {
     std::vector<RecoveryOffer> offers;
     for (const FoundRecovery& recovery : found)
-        offers.push_back(
-            {.name = recovery.info.name.isEmpty() ? WorkSafety::tr("Untitled") : recovery.info.name,
-             .path = recovery.info.originalPath,
-             .edited = locale.toString(recovery.info.edited, QLocale::ShortFormat)});
+        offers.push_back({.name = recovery.run
+                                      ? WorkSafety::tr("%1, in flight").arg(nameOf(recovery))
+                                      : nameOf(recovery),
+                          .path = recovery.info.originalPath,
+                          .edited = locale.toString(recovery.info.edited, QLocale::ShortFormat)});
     return offers;
 }
 
@@ -161,11 +167,11 @@ void WorkSafety::showDamaged(const QString& path)
 
 void WorkSafety::restore(FoundRecovery found)
 {
-    const QString& path = found.info.originalPath;
-    workspace().document().restore(found.scenario, path);
-    if (!path.isEmpty() && QFileInfo(path).lastModified() > found.info.edited)
+    const QFileInfo file(found.info.originalPath);
+    const bool isOutdated = !file.filePath().isEmpty() && file.lastModified() > found.info.edited;
+    workspace().restore(std::move(found));
+    if (isOutdated)
         workspace().file().setOutdated();
-    workspace().autosaver().adopt(std::move(found.held));
     showMessage(tr("Restored, not saved yet"), kLongMessage_ms);
 }
 

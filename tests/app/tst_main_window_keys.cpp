@@ -110,6 +110,18 @@ private slots:
         QVERIFY(!tau.text().isEmpty());
     }
 
+    void afterATimeTheKeysAreThoseOfTheFlight()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        auto& time = test::child<QLineEdit>(w.window(), u"timeField"_s);
+        time.setFocus();
+        QTest::keyClicks(&time, u"0:05"_s);
+        QTest::keyClick(&time, Qt::Key_Return);
+        QVERIFY(QApplication::focusWidget() != &time);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QTRY_VERIFY(w.workspace.inFlight());
+    }
+
     void everyActionIsInAMenu()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

@@ -176,6 +176,12 @@ private slots:
         QVERIFY(w.interaction.askedWinds_mps.back() == windOf(12, 90));
         QVERIFY(w.until([&] { return windShown_mps(w) == windOf(5, 180); }));
         QVERIFY(w.scenario().wind_mps == windOf(12, 90));
+        const std::size_t asked = w.interaction.askedWinds_mps.size();
+        w.workspace.seek(2); // nothing changes the past: no question, but why
+        QVERIFY(w.until([&] { return w.record().instant.has_value(); }));
+        w.trigger(u"windAction"_s);
+        QCOMPARE(w.interaction.askedWinds_mps.size(), asked);
+        QVERIFY(!w.window().statusBar()->currentMessage().isEmpty());
     }
 
     void dialogAsksAsForecastsAreWritten()

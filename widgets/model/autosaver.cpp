@@ -42,17 +42,29 @@ FoundRecoveries Autosaver::abandoned() const
     return m_store ? m_store->abandoned() : FoundRecoveries();
 }
 
-void Autosaver::adopt(HeldRecovery recovery)
+void Autosaver::adopt(HeldRecovery recovery, std::shared_ptr<const RunFile> run)
 {
     drop();
     m_thread.waitForDone(); // of the one given up
     m_recovery = std::move(recovery);
-    follow();
+    setRun(std::move(run));
+}
+
+void Autosaver::setRun(std::shared_ptr<const RunFile> run)
+{
+    m_run = std::move(run);
+    if (m_store)
+        follow();
+}
+
+bool Autosaver::hasNothing() const
+{
+    return m_document.isClean() && m_run == nullptr;
 }
 
 void Autosaver::keep()
 {
-    if (!m_store || m_document.isClean())
+    if (!m_store || hasNothing())
         return;
     write();
     m_thread.waitForDone();
@@ -62,13 +74,14 @@ void Autosaver::keep()
 void Autosaver::discard()
 {
     m_keep = false;
+    m_run.reset();
     drop();
     m_thread.waitForDone();
 }
 
 void Autosaver::follow()
 {
-    if (m_document.isClean()) {
+    if (hasNothing()) {
         drop();
         return;
     }
@@ -103,12 +116,14 @@ void Autosaver::write()
                             .edited = QDateTime::currentDateTime(),
                             .pid = QCoreApplication::applicationPid(),
                             .host = QSysInfo::machineHostName()};
-    m_thread.start([this, files = m_recovery->files, scenario = m_document.scenario(), info] {
-        if (const auto failure = failureOf([&] { writeRecovery(files, scenario, info); }))
-            emit failed(failure->report);
-        else
-            emit autosaved(info.edited);
-    });
+    m_thread.start(
+        [this, files = m_recovery->files, scenario = m_document.scenario(), info, run = m_run] {
+            if (const auto failure =
+                    failureOf([&] { writeRecovery(files, scenario, info, run.get()); }))
+                emit failed(failure->report);
+            else
+                emit autosaved(info.edited);
+        });
 }
 
 } // namespace berg

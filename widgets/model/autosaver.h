@@ -6,6 +6,7 @@
 #include <QThreadPool>
 #include <QTimer>
 
+#include <memory>
 #include <optional>
 
 namespace berg {
@@ -21,8 +22,8 @@ struct AutosaveTimes
 
 /**
  * Keeps a recovery of a document as long as it has changes that are in no file, whether it can be
- * flown or not. Serialises and writes on a thread of its own; does nothing before `start`. GUI
- * thread.
+ * flown or not, and of a flight as long as it is under way. Serialises and writes on a thread of
+ * its own; does nothing before `start`. GUI thread.
  */
 class Autosaver : public QObject
 {
@@ -36,8 +37,10 @@ public:
     void start(const QString& folder, const AutosaveTimes& times = {});
     /** Recoveries of programs that are gone; none before `start`. */
     [[nodiscard]] FoundRecoveries abandoned() const;
-    /** Carries on with a recovery whose scenario the document has taken over. */
-    void adopt(HeldRecovery recovery);
+    /** Carries on with a recovery whose scenario the document has taken over, and its flight. */
+    void adopt(HeldRecovery recovery, std::shared_ptr<const RunFile> run = {});
+    /** How far a flight is; null: none is under way. */
+    void setRun(std::shared_ptr<const RunFile> run);
     /** The program is ended without a chance to ask: writes now, waits, leaves the recovery. */
     void keep();
     /** The user gives up what is unsaved: it is not there any more when this returns. A change
@@ -52,6 +55,7 @@ signals:
     void dropped();
 
 private:
+    [[nodiscard]] bool hasNothing() const;
     void follow();
     void drop();
     void write();
@@ -59,6 +63,7 @@ private:
     ScenarioDocument& m_document;
     std::optional<RecoveryStore> m_store;
     std::optional<HeldRecovery> m_recovery; ///< made at the first change
+    std::shared_ptr<const RunFile> m_run;
     bool m_keep = false;
     QTimer m_pause;
     QTimer m_longest;

@@ -51,6 +51,7 @@ MissionRunner::MissionRunner(QObject* parent)
     connect(m_worker, &MissionWorker::instantPublished, this, &MissionRunner::instantUpdated);
     connect(m_worker, &MissionWorker::refused, this, &MissionRunner::commandRefused);
     connect(m_worker, &MissionWorker::runReady, this, &MissionRunner::runReady);
+    connect(m_worker, &MissionWorker::runNoted, this, &MissionRunner::runNoted);
     connectExports();
     m_thread.start();
     m_exportThread.start();
@@ -197,6 +198,11 @@ void MissionRunner::intervene(const Intervention& intervention)
 void MissionRunner::requestRun(const QString& path)
 {
     post([path](MissionWorker& worker) { worker.sendRun(path); });
+}
+
+void MissionRunner::requestNote()
+{
+    post([](MissionWorker& worker) { worker.sendNote(); });
 }
 
 void MissionRunner::setExportPaint(const ExportPaint& paint)

@@ -96,6 +96,8 @@ public:
 
     /** Asks for the run so far, to be saved: `runReady` with the same `path` follows. */
     void requestRun(const QString& path = {});
+    /** The same for a recovery: `runNoted` follows. */
+    void requestNote();
 
 signals:
     /** Another generation: what was asked of the one before is not answered any more. */
@@ -109,6 +111,7 @@ signals:
     void exportReady(const std::vector<berg::ExportFile>& files);
     void exportPreviewReady(const std::shared_ptr<const berg::ExportPreview>& preview);
     void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
+    void runNoted(const std::shared_ptr<const berg::RunFile>& run);
 
 private:
     void begin(FlightHandover handover = {}, std::shared_ptr<const RunFile> run = {});

@@ -252,6 +252,12 @@ void MissionWorker::sendRun(const QString& path)
         emit refused(tr("There is no run to save: the scenario cannot be planned."));
 }
 
+void MissionWorker::sendNote()
+{
+    if (m_mission)
+        emit runNoted(std::make_shared<const RunFile>(runOf(*m_mission)));
+}
+
 std::shared_ptr<const ExportJob> MissionWorker::prepared(const ExportOrder& order) const
 {
     if (!m_mission || m_mission->plans().empty())

@@ -50,6 +50,7 @@ public:
     void flyOnFrom(double time_s);
     void sendInstant();
     void sendRun(const QString& path);
+    void sendNote();
     void setExportPaint(const ExportPaint& paint) { m_paint = paint; }
     void sendExport(const ExportOrder& order);
     void sendExportPreview();
@@ -64,6 +65,7 @@ signals:
     void previewRefused(const std::shared_ptr<const berg::ExportPreview>& preview,
                         quint64 generation);
     void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
+    void runNoted(const std::shared_ptr<const berg::RunFile>& run);
 
 private:
     /** A mission and how far it is. */

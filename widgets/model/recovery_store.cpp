@@ -44,6 +44,14 @@ RecoveryInfo readInfo(const RecoveryFiles& files, const Scenario& scenario)
     return info;
 }
 
+/** The flight that was under way; null: none, or one that cannot be read. */
+std::shared_ptr<const RunFile> readRun(const RecoveryFiles& files)
+try {
+    return std::make_shared<const RunFile>(loadRun(nativePath(files.run())));
+} catch (const Error&) { // the scenario is what counts
+    return nullptr;
+}
+
 /** Puts what cannot be read out of the way, for whoever wants to look into it. */
 QString setAside(const RecoveryFiles& files)
 {
@@ -69,13 +77,23 @@ QString RecoveryFiles::lock() const
     return QDir(folder).filePath(id + u".lock"_s);
 }
 
-void writeRecovery(const RecoveryFiles& files, const Scenario& scenario, const RecoveryInfo& info)
+QString RecoveryFiles::run() const
+{
+    return QDir(folder).filePath(id + u".bergrun"_s);
+}
+
+void writeRecovery(const RecoveryFiles& files, const Scenario& scenario, const RecoveryInfo& info,
+                   const RunFile* run)
 {
     const RecoveryNote note{.originalPath = info.originalPath.toStdString(),
                             .editedUtc =
                                 info.edited.toUTC().toString(Qt::ISODateWithMs).toStdString(),
                             .pid = info.pid,
                             .host = info.host.toStdString()};
+    if (run != nullptr)
+        saveRun(*run, nativePath(files.run()));
+    else
+        QFile::remove(files.run());
     writeFileAtomically(nativePath(files.scenario()), scenarioToJson(scenario));
     writeFileAtomically(nativePath(files.info()), recoveryToJson(note));
 }
@@ -125,9 +143,11 @@ FoundRecoveries RecoveryStore::abandoned() const
             Scenario scenario =
                 loadScenario(nativePath(held.files.scenario()), ScenarioUse::Editing);
             RecoveryInfo info = readInfo(held.files, scenario);
+            std::shared_ptr<const RunFile> run = readRun(held.files);
             found.usable.push_back({.held = std::move(held),
                                     .info = std::move(info),
-                                    .scenario = std::move(scenario)});
+                                    .scenario = std::move(scenario),
+                                    .run = std::move(run)});
         } catch (const Error& error) {
             if (error.code() != ErrorCode::FileNotFound) // else its window just closed
                 found.damaged << setAside(held.files);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/files/run_json.h"
 #include "core/scenario/scenario.h"
 #include "widgets/model/file_lock.h"
 
@@ -7,6 +8,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <memory>
 #include <vector>
 
 namespace berg {
@@ -21,7 +23,8 @@ struct RecoveryInfo
     QString host;
 };
 
-/** The files of one recovery: `<id>.berg`, what is known about it beside it in `<id>.json`. */
+/** The files of one recovery: `<id>.berg`, what is known about it beside it in `<id>.json`, and of
+ * a flight under way `<id>.bergrun`. */
 struct RecoveryFiles
 {
     QString folder;
@@ -29,12 +32,15 @@ struct RecoveryFiles
 
     [[nodiscard]] QString scenario() const;
     [[nodiscard]] QString info() const;
+    [[nodiscard]] QString run() const;
     [[nodiscard]] QString lock() const;
 };
 
-/** Writes both, each whole or not at all. Throws `Error{FileUnwritable}`. Thread: any. */
-void writeRecovery(const RecoveryFiles& files, const Scenario& scenario, const RecoveryInfo& info);
-/** Removes both and what a writer that was killed has left of them; the lock stays. Thread: any. */
+/** Writes them, each whole or not at all; no run: none is under way. Throws
+ * `Error{FileUnwritable}`. Thread: any. */
+void writeRecovery(const RecoveryFiles& files, const Scenario& scenario, const RecoveryInfo& info,
+                   const RunFile* run = nullptr);
+/** Removes them and what a writer that was killed has left of them; the lock stays. Thread: any. */
 void removeRecovery(const RecoveryFiles& files);
 
 /**
@@ -56,6 +62,7 @@ struct FoundRecovery
     HeldRecovery held;
     RecoveryInfo info;
     Scenario scenario;
+    std::shared_ptr<const RunFile> run = {}; ///< null: nothing was flown, or it cannot be read
 };
 
 struct FoundRecoveries

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kTauPause_ms = 100;
 constexpr int kFrame_ms = 16;
+constexpr int kNotePause_ms = 3000;
 
 } // namespace
 
@@ -43,6 +44,14 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
     m_tauPause.setSingleShot(true);
     m_tauPause.setInterval(kTauPause_ms);
     connect(&m_tauPause, &QTimer::timeout, this, &Workspace::flyTau);
+    m_notePause.setSingleShot(true);
+    m_notePause.setInterval(kNotePause_ms);
+    connect(&m_notePause, &QTimer::timeout, &m_runner, &MissionRunner::requestNote);
+    connect(&m_runner, &MissionRunner::runNoted, this,
+            [this](const std::shared_ptr<const RunFile>& run) {
+                if (inFlight())
+                    m_autosaver.setRun(run);
+            });
 }
 
 const PlannerSettings& Workspace::planner() const
@@ -131,6 +140,8 @@ void Workspace::acceptSnapshot()
         reportInFlight();
     if (m_givenUp && inFlight() && !(m_givenUp->scenario == m_record.scenario))
         setGivenUp({}); // another world is flown now
+    if (inFlight() && !m_notePause.isActive())
+        m_notePause.start();
     emit flightChanged();
 }
 
@@ -147,6 +158,8 @@ void Workspace::prepareTakeOff()
 void Workspace::reportInFlight()
 {
     m_document.setLocked(inFlight());
+    if (!inFlight())
+        m_autosaver.setRun({});
     emit inFlightChanged(inFlight());
 }
 
@@ -293,6 +306,14 @@ void Workspace::openRun(std::shared_ptr<const RunFile> run)
 {
     m_document.reset(run->scenario);
     m_runner.setRun(std::move(run));
+}
+
+void Workspace::restore(FoundRecovery found)
+{
+    m_document.restore(found.run ? found.run->scenario : found.scenario, found.info.originalPath);
+    m_autosaver.adopt(std::move(found.held), found.run);
+    if (found.run)
+        m_runner.setRun(std::move(found.run));
 }
 
 bool Workspace::isVariant(const Scenario& scenario) const

@@ -65,6 +65,8 @@ public:
     [[nodiscard]] std::string assignedUavOf(const std::string& iceberg) const;
     /** The newest of a flight that has not ended is shown: wind, asset and icebergs can change. */
     [[nodiscard]] bool mayIntervene() const;
+    /** Says so, and why, when the past of a flight is shown, which nothing changes. */
+    [[nodiscard]] bool refuseWhileLookingBack();
     /** Those that are icebergs of the flight, added ones too. */
     [[nodiscard]] std::vector<std::string> flownAmong(const std::vector<std::string>& ids) const;
 
@@ -96,6 +98,8 @@ public:
     [[nodiscard]] bool isVariant(const Scenario& scenario) const;
     /** Opens a recorded run: its scenario, flown again as far as it went. */
     void openRun(std::shared_ptr<const RunFile> run);
+    /** Takes over what a program that is gone has left. */
+    void restore(FoundRecovery found);
     /** Takes off, or carries on. `rate` simulated seconds a second, 0: as fast as possible. */
     void fly(double rate);
     void pause();
@@ -153,7 +157,6 @@ private:
     void updateCurve();
     void acceptInstant();
     void playBack();
-    [[nodiscard]] bool refuseWhileLookingBack();
     [[nodiscard]] std::string freshIdInFlight() const;
     void setPlanner(const QString& text, const std::function<void(PlannerSettings&)>& change,
                     const QString& gesture = {});
@@ -165,6 +168,7 @@ private:
     FlightRecord m_record;
     std::optional<double> m_tauWanted; ///< in flight, not yet told to the mission
     QTimer m_tauPause;
+    QTimer m_notePause; ///< until a flight that goes on is noted again, for a recovery
     std::vector<std::string> m_placed;  ///< ids of icebergs added in this flight
     std::optional<double> m_lookedAt_s; ///< wanted; the record's instant follows
     QTimer m_playBack;                  ///< runs while what was flown is played

@@ -77,6 +77,8 @@ PlaybackBar::PlaybackBar(QWidget* parent) : QWidget(parent)
     connect(m_rate, &QComboBox::activated, this, [this] { emit rateEdited(rate()); });
     connect(m_timeLine, &RunTimeLine::scrubbed, this, &PlaybackBar::timeEdited);
     connect(m_time, &QLineEdit::editingFinished, this, &PlaybackBar::finishTime);
+    // Then keys are those of the flight again.
+    connect(m_time, &QLineEdit::returnPressed, m_timeLine, qOverload<>(&QWidget::setFocus));
     setTheme(m_theme);
     showState(RunPhase::Planning, 0, 0);
 }

@@ -15,6 +15,7 @@
 #include <QPushButton>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -56,6 +57,19 @@ void setReadOnlyLook(QWidget& input, bool locked)
     if (locked)
         colours.setColor(QPalette::Base, input.palette().color(QPalette::Window));
     input.setPalette(colours);
+}
+
+/** Numbers that were reckoned from others may differ by their rounding. */
+bool isAlike(double a, double b)
+{
+    constexpr double kRounding = 1e-9;
+    return std::abs(a - b) <= kRounding * std::max(1.0, std::abs(a));
+}
+
+template <class Value>
+bool isAlike(const Value& a, const Value& b)
+{
+    return a == b;
 }
 
 } // namespace
@@ -125,7 +139,7 @@ auto InspectorForm::common(const Read& read) const
     std::optional<Value> value;
     for (const std::string& id : m_ids) {
         Value next = read(m_document.scenario(), id);
-        if (value && *value != next)
+        if (value && !isAlike(*value, next))
             return std::optional<Value>();
         value = std::move(next);
     }

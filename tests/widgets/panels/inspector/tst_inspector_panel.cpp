@@ -127,6 +127,27 @@ private slots:
         QVERIFY(east.isMixed());
     }
 
+    /** Reckoned from components, equal speeds and directions differ by their rounding. */
+    void oneDriftForSeveralIsNotMixed()
+    {
+        Scenario scenario = threeIcebergs();
+        for (std::size_t i = 0; i < 3; ++i)
+            scenario.icebergs[i].velocity_mps =
+                Point(0.31 - 0.17 * double(i), 0.07 + 0.1 * double(i));
+        Fixture f(scenario);
+        f.selection.set({"berg-1", "berg-2", "berg-3"});
+        NumberField& speed = f.number(u"icebergVelocitySpeed"_s);
+        NumberField& towards = f.number(u"icebergVelocityDirection"_s);
+        QVERIFY(speed.isMixed() && towards.isMixed());
+        test::enter(speed, u"0.2"_s);
+        QVERIFY(!speed.isMixed());
+        QCOMPARE(speed.value(), 0.2);
+        QVERIFY(towards.isMixed());
+        test::enter(towards, u"30"_s);
+        QVERIFY(!towards.isMixed() && !speed.isMixed());
+        COMPARE_NEAR(f.iceberg(2).velocity_mps.x(), 0.1, 1e-12);
+    }
+
     void mixedTakesTheHiddenNumberToo()
     {
         // 1000 is what the first of the two has: typing it changes the second all the same.
