@@ -494,6 +494,10 @@
         <source>--format airspace goes with --into, --output, --force and --json alone</source>
         <translation>--format airspace ne va qu&apos;avec --into, --output, --force et --json</translation>
     </message>
+    <message>
+        <source>no time: counts as seen at the start</source>
+        <translation>sans heure : compte comme vu au départ</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -2542,6 +2546,10 @@
     <message>
         <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
         <translation>Ligne %1 : %2 est lu avec le mois en premier, ce que rien n&apos;indique dans le fichier. Choisissez sous « Dates » si le jour vient en premier.</translation>
+    </message>
+    <message>
+        <source>no time: counts as seen at the start</source>
+        <translation>sans heure : compte comme vu au départ</translation>
     </message>
 </context>
 <context>

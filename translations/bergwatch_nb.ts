@@ -494,6 +494,10 @@
         <source>--format airspace goes with --into, --output, --force and --json alone</source>
         <translation>--format airspace kan bare brukes sammen med --into, --output, --force og --json</translation>
     </message>
+    <message>
+        <source>no time: counts as seen at the start</source>
+        <translation>uten tid: regnes som sett ved start</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -2542,6 +2546,10 @@
     <message>
         <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
         <translation>Linje %1: %2 leses med måneden først, noe ingenting i filen sier. Velg under Datoer hvis dagen kommer først.</translation>
+    </message>
+    <message>
+        <source>no time: counts as seen at the start</source>
+        <translation>uten tid: regnes som sett ved start</translation>
     </message>
 </context>
 <context>

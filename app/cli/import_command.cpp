@@ -200,7 +200,8 @@ void printDetails(const std::string& file, const ImportResult& result)
     for (const ImportedIceberg& iceberg : result.icebergs)
         for (const ImportNote note : iceberg.notes)
             if ((iceberg.outcome == ImportOutcome::LeftOut || note == ImportNote::VelocityClamped ||
-                 note == ImportNote::GrowthClamped || note == ImportNote::Jumped) &&
+                 note == ImportNote::GrowthClamped || note == ImportNote::Jumped ||
+                 note == ImportNote::TimeUnknown) &&
                 notes++ < kMostRows)
                 tell(word(file) + ": " + word(iceberg.id) + ": " + said(importNoteText(note), {}));
     if (notes > kMostRows)

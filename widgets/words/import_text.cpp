@@ -122,6 +122,8 @@ QString importNoteSentence(ImportNote note)
     switch (note) {
     case ImportNote::VelocityUnknown:
         return ImportWords::tr("velocity unknown");
+    case ImportNote::TimeUnknown:
+        return ImportWords::tr("no time: counts as seen at the start");
     case ImportNote::VelocityGiven:
         return ImportWords::tr("velocity from the file");
     case ImportNote::VelocityClamped:

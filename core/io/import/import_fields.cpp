@@ -1,6 +1,7 @@
 #include "core/io/import/import_fields.h"
 
 #include "core/base/angles.h"
+#include "core/base/coordinates.h"
 #include "core/base/error.h"
 #include "core/scenario/checks.h"
 #include "core/scenario/scenario.h"
@@ -129,6 +130,18 @@ private:
     IssueId m_fault = IssueId::NumberWrong;
 };
 
+/** Of angles in degrees and minutes, as they are written at sea; none: they cannot be read. */
+std::optional<LatLon> writtenPlace(const std::string& latitude, const std::string& longitude)
+{
+    // A latitude in the column of longitudes is a mistake, whatever its letter says.
+    if (latitude.find_first_of("EWVewv") != std::string::npos ||
+        longitude.find_first_of("NSns") != std::string::npos)
+        return std::nullopt;
+    const std::variant<LatLon, CoordinateFault> read = parsePlace(latitude + ", " + longitude);
+    const LatLon* place = std::get_if<LatLon>(&read);
+    return place == nullptr ? std::nullopt : std::optional(*place);
+}
+
 std::optional<IssueId> readPlace(const FieldTexts& texts, LatLon& place)
 {
     const std::string& latitude = texts.text(SightingField::Latitude);
@@ -136,9 +149,14 @@ std::optional<IssueId> readPlace(const FieldTexts& texts, LatLon& place)
     if (latitude.empty() || longitude.empty())
         return IssueId::NoPosition;
     const std::optional<double> north_deg = degreesOf(latitude, 'N', 'S');
+    const std::optional<double> east_deg = degreesOf(longitude, 'E', 'W');
+    if (!north_deg || !east_deg)
+        if (const std::optional<LatLon> written = writtenPlace(latitude, longitude)) {
+            place = *written;
+            return std::nullopt;
+        }
     if (!north_deg || std::abs(*north_deg) > 90)
         return IssueId::LatitudeWrong;
-    const std::optional<double> east_deg = degreesOf(longitude, 'E', 'W');
     if (!east_deg || *east_deg < -180 || *east_deg > 360)
         return IssueId::LongitudeWrong;
     place = {.latitude_deg = *north_deg,

@@ -83,6 +83,8 @@ private:
             note(ImportNote::Older);
             return;
         }
+        if (!m_last->timeKnown && m_setting.hasStart)
+            note(ImportNote::TimeUnknown);
         if (m_estimate.repeated > 0)
             note(ImportNote::Repeated);
         if (m_estimate.jumped > 0)

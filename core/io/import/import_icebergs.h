@@ -30,6 +30,7 @@ struct IcebergSetting
     const ImportOptions& options;
     const LocalFrame& frame;
     Point current_mps = Point::Zero();
+    bool hasStart = false; ///< t = 0 is an instant
 };
 
 /**

@@ -104,8 +104,10 @@ std::vector<IcebergEntry> entriesOf(const std::vector<SightedIceberg>& icebergs,
                                     const std::stop_token& stop)
 {
     const LocalFrame frame(scenario.origin);
-    const IcebergSetting setting{
-        .options = options, .frame = frame, .current_mps = scenario.current_mps};
+    const IcebergSetting setting{.options = options,
+                                 .frame = frame,
+                                 .current_mps = scenario.current_mps,
+                                 .hasStart = !scenario.startUtc.empty()};
     std::map<std::string, const Iceberg*, std::less<>> known;
     for (const Iceberg& iceberg : scenario.icebergs)
         known.emplace(iceberg.id, &iceberg);
@@ -183,6 +185,8 @@ std::string importNoteText(ImportNote note)
     switch (note) {
     case ImportNote::VelocityUnknown:
         return QT_TRANSLATE_NOOP("CommandLine", "velocity unknown");
+    case ImportNote::TimeUnknown:
+        return QT_TRANSLATE_NOOP("CommandLine", "no time: counts as seen at the start");
     case ImportNote::VelocityGiven:
         return QT_TRANSLATE_NOOP("CommandLine", "velocity from the file");
     case ImportNote::VelocityClamped:

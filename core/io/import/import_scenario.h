@@ -60,6 +60,7 @@ enum class ImportOutcome
 /** What is worth knowing of one iceberg. */
 enum class ImportNote
 {
+    TimeUnknown,     ///< of a file or scenario with times: counts as seen at t = 0
     VelocityUnknown, ///< one sighting, or the next too long ago: drifts with the current, or as
                      ///< before
     VelocityGiven,   ///< by the file

@@ -50,6 +50,26 @@ private slots:
         QVERIFY(result.scenario == base);
     }
 
+    /** It is not passed over in silence that one without a time counts as seen now. */
+    void sightingsWithoutATimeAreTold()
+    {
+        const auto waypoints = [](const std::string& time) {
+            return readSightings("<gpx xmlns=\"http://www.topografix.com/GPX/1/1\">"
+                                 "<wpt lat=\"60\" lon=\"-50\">" +
+                                     time +
+                                     "<name>a</name></wpt><wpt lat=\"60.1\" lon=\"-50\">"
+                                     "<name>b</name></wpt></gpx>",
+                                 "file");
+        };
+        const ImportResult result =
+            importSightings(openSea(), waypoints("<time>2024-05-01T01:00:00Z</time>"));
+        QCOMPARE(result.icebergs.size(), std::size_t{2});
+        QVERIFY(!has(result.icebergs[0], ImportNote::TimeUnknown));
+        QVERIFY(has(result.icebergs[1], ImportNote::TimeUnknown));
+        const ImportResult undated = importSightings(openSea(), waypoints({}));
+        QVERIFY(!has(undated.icebergs[0], ImportNote::TimeUnknown)); // there are no times at all
+    }
+
     /** One sighting does not tell a velocity: that of before carries it on. */
     void oneSightingKeepsTheVelocity()
     {

@@ -37,6 +37,37 @@ private slots:
         QCOMPARE(faultAt(table, 13), std::string("a quote is opened and never closed"));
     }
 
+    /** As they are written at sea; each row is the same place. */
+    void placesInDegreesAndMinutes_data()
+    {
+        QTest::addColumn<QByteArray>("row");
+        QTest::addColumn<bool>("isRead");
+        const auto row = [](const char* text, bool isRead) {
+            QTest::newRow(text) << QByteArray(text) << isRead;
+        };
+        row("47 01.5 N,48 30.0 W", true);
+        row("47-01-30N,048-30-00W", true);
+        row("N 47 01.5,W 48 30", true);
+        row("47\xC2\xB0 01.5\xE2\x80\xB2 N,48.5W", true);
+        row("47 01.5,-48 30", true);
+        row("-47 01.5 N,48 30.0 W", false); // sign and letter
+        row("48 30.0 W,47 01.5 N", false);  // in each other's column
+        row("47 61.5 N,48 30.0 W", false);
+        row("47 01.5 N,", false);
+    }
+    void placesInDegreesAndMinutes()
+    {
+        QFETCH(QByteArray, row);
+        QFETCH(bool, isRead);
+        const SightingTable table = readText("lat,lon\n10,20\n" + row.toStdString() + "\n");
+        QCOMPARE(table.sightings.size(), std::size_t{isRead ? 2U : 1U});
+        QCOMPARE(table.rejected.count, std::size_t{isRead ? 0U : 1U});
+        if (isRead) {
+            COMPARE_NEAR(table.sightings[1].place.latitude_deg, 47.025, 1e-9);
+            COMPARE_NEAR(table.sightings[1].place.longitude_deg, -48.5, 1e-9);
+        }
+    }
+
     void columnsAreGuessed_data()
     {
         QTest::addColumn<QByteArray>("field"); ///< empty: none
