@@ -1,5 +1,7 @@
 #include "core/base/geometry.h"
 
+#include "core/base/edge_sweep.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -99,17 +101,16 @@ bool isSimplePolygon(std::span<const Point> polygon)
     const std::size_t n = polygon.size();
     if (n < 3)
         return false;
+    std::vector<SweptEdge> edges;
     for (std::size_t i = 0; i < n; ++i) {
         if (foldsBack(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]))
             return false;
-        for (std::size_t j = i + 2; j < n; ++j) {
-            if (i == 0 && j == n - 1)
-                continue; // neighbours through the closing edge
-            if (segmentsMeet(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % n]))
-                return false;
-        }
+        edges.push_back({.from = polygon[i], .to = polygon[(i + 1) % n], .index = i});
     }
-    return true;
+    return !anyMeet(std::move(edges), [n](const SweptEdge& a, const SweptEdge& b) {
+        const bool areNeighbours = (a.index + 1) % n == b.index || (b.index + 1) % n == a.index;
+        return !areNeighbours && segmentsMeet(a.from, a.to, b.from, b.to);
+    });
 }
 
 bool isClearEdge(std::span<const Point> path, const Point& next)

@@ -1,6 +1,7 @@
 #include "core/base/outline.h"
 
 #include "core/base/angles.h"
+#include "core/base/edge_sweep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -184,11 +185,23 @@ bool polygonsMeet(std::span<const Point> a, std::span<const Point> b)
         return false;
     if (insidePolygon(a, b.front()) || insidePolygon(b, a.front()))
         return true;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t k = 0; k < b.size(); ++k)
-            if (segmentsMeet(a[i], a[(i + 1) % a.size()], b[k], b[(k + 1) % b.size()]))
-                return true;
-    return false;
+    const Point low = boxA.low.cwiseMax(boxB.low);
+    const Point high = boxA.high.cwiseMin(boxB.high);
+    std::vector<SweptEdge> edges;
+    const auto add = [&](std::span<const Point> polygon, std::size_t whose) {
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Point& from = polygon[i];
+            const Point& to = polygon[(i + 1) % polygon.size()];
+            if ((from.cwiseMin(to).array() <= high.array()).all() &&
+                (from.cwiseMax(to).array() >= low.array()).all())
+                edges.push_back({.from = from, .to = to, .index = whose});
+        }
+    };
+    add(a, 0);
+    add(b, 1);
+    return anyMeet(std::move(edges), [](const SweptEdge& one, const SweptEdge& other) {
+        return one.index != other.index && segmentsMeet(one.from, one.to, other.from, other.to);
+    });
 }
 
 } // namespace berg

@@ -1,5 +1,6 @@
 #include "core/base/angles.h"
 #include "core/base/outline.h"
+#include "core/base/random.h"
 
 #include <QTest>
 
@@ -84,6 +85,51 @@ private slots:
         QVERIFY(insidePolygon(outline, {2000, 2000}));
         for (const Point& corner : bay)
             QVERIFY(insidePolygon(outline, corner) && distanceToEdges(outline, corner) > 299.9);
+    }
+
+    /** Against every pair of edges: rough outlines that lie apart, touch, cross, hold each other.
+     */
+    void sweepFindsWhatAllPairsTell()
+    {
+        Random random(11);
+        const auto rough = [&random](const Point& centre, std::size_t corners) {
+            std::vector<Point> polygon;
+            for (std::size_t i = 0; i < corners; ++i) {
+                const double at_rad =
+                    2 * kPi * (double(i) + 1.4 * random.uniform(0, 1)) / double(corners);
+                // On a grid, so that many only touch.
+                const Point place =
+                    centre + random.uniform(4, 12) * Point(std::cos(at_rad), std::sin(at_rad));
+                polygon.emplace_back(place.array().round());
+            }
+            return polygon;
+        };
+        const auto edgesMeet = [](const auto& a, std::size_t i, const auto& b, std::size_t k) {
+            return segmentsMeet(a[i], a[(i + 1) % a.size()], b[k], b[(k + 1) % b.size()]);
+        };
+        std::array<int, 4> counts{};
+        for (int trial = 0; trial < 3000; ++trial) {
+            const std::vector<Point> a = rough({0, 0}, 3 + random.below(20));
+            const std::vector<Point> b =
+                rough({random.uniform(-25, 25), random.uniform(-25, 25)}, 3 + random.below(20));
+            bool meet = insidePolygon(a, b[0]) || insidePolygon(b, a[0]);
+            for (std::size_t i = 0; i < a.size(); ++i)
+                for (std::size_t k = 0; k < b.size(); ++k)
+                    meet = meet || edgesMeet(a, i, b, k);
+            QCOMPARE(polygonsMeet(a, b), meet);
+            bool crosses = false;
+            const std::size_t n = a.size();
+            for (std::size_t i = 0; i < n; ++i)
+                for (std::size_t k = i + 2; k < n; ++k)
+                    crosses = crosses || (k + 1 - i != n && edgesMeet(a, i, a, k));
+            if (crosses)
+                QVERIFY(!isSimplePolygon(a));
+            else if (isSimplePolygon(a))
+                ++counts[2];
+            counts[3] += crosses ? 1 : 0;
+            ++counts[meet ? 1 : 0];
+        }
+        QVERIFY2(std::ranges::min(counts) > 200, "each case often");
     }
 
     void polygonsMeetWhereverTheyTouch()
