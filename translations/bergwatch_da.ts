@@ -1738,6 +1738,10 @@
         <source>It was not in view where it was expected.</source>
         <translation>Det var ikke i syne, hvor det ventedes.</translation>
     </message>
+    <message>
+        <source>Makes little way: wind %1, airspeed %2</source>
+        <translation>Kommer næsten ikke fremad: vind %1, flyvefart %2</translation>
+    </message>
 </context>
 <context>
     <name>HandleDrag</name>

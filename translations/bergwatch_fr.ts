@@ -1738,6 +1738,10 @@
         <source>It was not in view where it was expected.</source>
         <translation>Il n&apos;était pas en vue à l&apos;endroit attendu.</translation>
     </message>
+    <message>
+        <source>Makes little way: wind %1, airspeed %2</source>
+        <translation>N’avance presque pas : vent %1, vitesse air %2</translation>
+    </message>
 </context>
 <context>
     <name>HandleDrag</name>

@@ -1738,6 +1738,10 @@
         <source>It was not in view where it was expected.</source>
         <translation>Det var ikke i syne der det var ventet.</translation>
     </message>
+    <message>
+        <source>Makes little way: wind %1, airspeed %2</source>
+        <translation>Kommer nesten ikke fremover: vind %1, flyfart %2</translation>
+    </message>
 </context>
 <context>
     <name>HandleDrag</name>

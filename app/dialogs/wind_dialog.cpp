@@ -1,5 +1,6 @@
 #include "app/dialogs/wind_dialog.h"
 
+#include "core/scenario/limits.h"
 #include "widgets/model/wind.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/theme/quantity_text.h"
@@ -73,7 +74,7 @@ Point WindDialog::wind_mps() const
 
 void WindDialog::judge()
 {
-    const bool isStrong = wind_mps().norm() >= kStrongWind * m_airspeed_mps;
+    const bool isStrong = wind_mps().norm() >= kStrongWindShare * m_airspeed_mps;
     QString airspeed = speedText(m_airspeed_mps, locale());
     airspeed.replace(u'/', u"/\u2060"_s); // no line ends within the unit
     m_note->setText(isStrong ? tr("The UAV will make little way against this wind.")

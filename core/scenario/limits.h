@@ -19,6 +19,8 @@ inline constexpr std::size_t kMostUavs = 100;
 inline constexpr std::size_t kMostAreaCorners = 2000;
 inline constexpr std::size_t kMostNoFlyAreas = 100;
 inline constexpr std::size_t kMostAirspaceAreas = 200;
+/** Of the airspeed: in more wind a UAV makes little way. */
+inline constexpr double kStrongWindShare = 0.7;
 inline constexpr std::size_t kMostTrackPoints = 10'000; ///< of one iceberg
 
 inline constexpr double kLargestCoordinate_m = 1e6;

@@ -18,7 +18,6 @@ namespace berg {
 namespace {
 
 /** Part of the airspeed above which wind makes flight times grow without much warning. */
-constexpr double kStrongWind = 0.7;
 
 /** Slower autopilots cannot be told when home must be gone for: `pathTo`. */
 constexpr double kSlowestHoming_s = 1;
@@ -359,7 +358,7 @@ void checkDrift(const Scenario& s, Findings& findings)
         findings.conflict("wind_mps", IssueId::WindTooFast, speeds);
         return;
     }
-    if (wind_mps >= kStrongWind * airspeed_mps)
+    if (wind_mps >= kStrongWindShare * airspeed_mps)
         findings.warn("wind_mps", IssueId::StrongWind, speeds);
     if (!current || s.icebergs.size() > kMostIcebergs)
         return;

@@ -4,9 +4,6 @@
 
 namespace berg {
 
-/** Part of the airspeed from which on `validate` warns of a wind. */
-inline constexpr double kStrongWind = 0.7;
-
 /** Airspeed of the slowest UAV: every wind of the scenario is slower; 0: there is no UAV. */
 [[nodiscard]] double slowestAirspeed_mps(const Scenario& scenario);
 

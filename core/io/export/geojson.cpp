@@ -1,9 +1,9 @@
 #include "core/io/export/geojson.h"
 
 #include "core/io/export/geo_shapes.h"
-#include "core/io/spool.h"
 #include "core/io/text/export_numbers.h"
 #include "core/io/text/json_writer.h"
+#include "core/io/text/spool.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,8 +3,8 @@
 #include "core/base/number_text.h"
 #include "core/io/export/uav_colours.h"
 #include "core/io/export/xml_text.h"
-#include "core/io/spool.h"
 #include "core/io/text/export_numbers.h"
+#include "core/io/text/spool.h"
 #include "core/io/text/zip_file.h"
 #include "core/scenario/airspace.h"
 

@@ -1,7 +1,7 @@
 #include "core/io/export/track_points.h"
 
 #include "core/base/error.h"
-#include "core/io/spool.h"
+#include "core/io/text/spool.h"
 
 #include <array>
 #include <cstring>

@@ -1,7 +1,7 @@
 #include "core/io/text/zip_file.h"
 
 #include "core/base/error.h"
-#include "core/io/spool.h"
+#include "core/io/text/spool.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,7 @@
 #include "widgets/map/paint/wind_panel.h"
 
 #include "core/base/angles.h"
+#include "core/scenario/limits.h"
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/model/wind.h"
@@ -101,7 +102,7 @@ void paintDial(QPainter& painter, const QPointF& centre, const MapStyle& style)
     for (const QPointF& path : {QPointF(0, -1), QPointF(1, 0), QPointF(0, 1), QPointF(-1, 0)})
         painter.drawLine(centre + path * (kDial_px - kTick_px), centre + path * kDial_px);
     painter.setPen(QPen(theme.graticuleText, 1, Qt::DashLine));
-    painter.drawEllipse(centre, kStrongWind * kDial_px, kStrongWind * kDial_px);
+    painter.drawEllipse(centre, kStrongWindShare * kDial_px, kStrongWindShare * kDial_px);
 }
 
 void paintArrow(QPainter& painter, const QPointF& centre, const MapAir& air, const MapStyle& style)
@@ -120,7 +121,7 @@ void paintArrow(QPainter& painter, const QPointF& centre, const MapAir& air, con
 
 bool isStrong(const MapAir& air)
 {
-    return air.wind_mps.norm() >= kStrongWind * air.limit_mps;
+    return air.wind_mps.norm() >= kStrongWindShare * air.limit_mps;
 }
 
 QSizeF windPanelSize(const MapAir& air, const MapStyle& style)

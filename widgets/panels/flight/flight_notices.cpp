@@ -1,6 +1,7 @@
 #include "widgets/panels/flight/flight_notices.h"
 
 #include "core/scenario/advice.h"
+#include "core/scenario/limits.h"
 #include "widgets/model/asset_approach.h"
 #include "widgets/model/selection.h"
 #include "widgets/theme/quantity_text.h"
@@ -104,23 +105,30 @@ void addClose(std::vector<FlightNotice>& notices, const FlightRecord& record, co
         }
 }
 
-/** UAVs aloft in more wind than they are to be flown in, which it was not at the start. */
-void addWindLimit(std::vector<FlightNotice>& notices, const FlightRecord& record,
-                  const QLocale& locale)
+/** UAVs aloft in more wind than they are to be flown in, or than lets them make way. */
+void addWind(std::vector<FlightNotice>& notices, const FlightRecord& record, const QLocale& locale)
 {
     const std::vector<Uav>& uavs = record.scenario.uavs;
     const MissionSnapshot& shown = record.shown();
     for (std::size_t k = 0; k < std::min(uavs.size(), shown.motions.size()); ++k) {
         const std::optional<double>& limit_mps = uavs[k].weather.wind_mps;
         const double wind_mps = shown.motions[k].wind_mps.norm();
-        if (limit_mps && wind_mps > *limit_mps && shown.world.uavs[k].mode != FlightMode::Ground)
-            notices.push_back({.kind = NoticeKind::WindLimit,
-                               .about = {uavs[k].id},
-                               .text = ofUav(record, static_cast<int>(k),
-                                             FlightNotices::tr("Wind above its limit: %1, limit %2")
-                                                 .arg(speedText(wind_mps, locale, 3),
-                                                      speedText(*limit_mps, locale, 3))),
-                               .toolTip = {}});
+        const double airspeed_mps = uavs[k].spec.airspeed_mps;
+        const bool isAboveLimit = limit_mps && wind_mps > *limit_mps;
+        if ((!isAboveLimit && wind_mps < kStrongWindShare * airspeed_mps) ||
+            shown.world.uavs[k].mode == FlightMode::Ground)
+            continue;
+        const QString text = isAboveLimit
+                                 ? FlightNotices::tr("Wind above its limit: %1, limit %2")
+                                 : FlightNotices::tr("Makes little way: wind %1, airspeed %2");
+        notices.push_back(
+            {.kind = NoticeKind::WindLimit,
+             .about = {uavs[k].id},
+             .text =
+                 ofUav(record, static_cast<int>(k),
+                       text.arg(speedText(wind_mps, locale, 3),
+                                speedText(isAboveLimit ? *limit_mps : airspeed_mps, locale, 3))),
+             .toolTip = {}});
     }
 }
 
@@ -262,7 +270,7 @@ std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocal
     if (!record.inFlight())
         return notices;
     addClose(notices, record, locale);
-    addWindLimit(notices, record, locale);
+    addWind(notices, record, locale);
     addLate(notices, record);
     if (std::optional<FlightNotice> alarm = alarmNotice(record, locale))
         notices.push_back(*std::move(alarm));

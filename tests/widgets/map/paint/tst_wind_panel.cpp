@@ -305,7 +305,7 @@ private slots:
         QVERIFY(said.last().at(0).toString().startsWith(u"The UAV makes little way"_s));
         map.release(QPoint(500, 600));
         QVERIFY(!hasErrors(map.document.issues()));
-        QVERIFY(map.scenario().wind_mps.norm() >= kStrongWind * kAirspeed_mps);
+        QVERIFY(map.scenario().wind_mps.norm() >= kStrongWindShare * kAirspeed_mps);
         QVERIFY(std::any_of(map.document.issues().begin(), map.document.issues().end(),
                             [](const Issue& issue) { return issue.field == "wind_mps"; }));
     }

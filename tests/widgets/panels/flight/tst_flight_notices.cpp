@@ -85,6 +85,10 @@ private slots:
         record.scenario.uavs[1].weather.wind_mps = 9.5;
         QCOMPARE(textsOf(record),
                  QStringList(u"East: Wind above its limit: 10.0 m/s, limit 9.50 m/s"_s));
+        record.scenario.uavs[1].weather = {};
+        record.scenario.uavs[1].spec.airspeed_mps = 14;
+        QCOMPARE(textsOf(record),
+                 QStringList(u"East: Makes little way: wind 10.0 m/s, airspeed 14.0 m/s"_s));
         record.now.world.uavs[1].mode = FlightMode::Ground;
         QVERIFY(!textsOf(record).join(u' ').contains(u"limit"));
     }

@@ -1,6 +1,6 @@
 #include "core/base/random.h"
 #include "core/io/export/track_points.h"
-#include "core/io/spool.h"
+#include "core/io/text/spool.h"
 #include "tests/support/expect_error.h"
 
 #include <QScopeGuard>

@@ -1,4 +1,4 @@
-#include "core/io/spool.h"
+#include "core/io/text/spool.h"
 
 #include "core/base/error.h"
 
