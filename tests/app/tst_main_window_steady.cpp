@@ -230,7 +230,8 @@ private slots:
     void givenUpFlightComesBack_data()
     {
         QTest::addColumn<QString>("how");
-        for (const char* how : {"stopped", "stopped and edited", "flown on from before"})
+        for (const char* how : {"stopped", "stopped and edited", "stopped, stepped and stopped",
+                                "flown on from before"})
             QTest::newRow(how) << QString::fromLatin1(how);
     }
 
@@ -251,6 +252,12 @@ private slots:
         } else {
             test::child<QToolButton>(w.window(), u"resetButton"_s).click();
             QVERIFY(!w.workspace.inFlight());
+        }
+        if (how == u"stopped, stepped and stopped"_s) {
+            QVERIFY(w.untilReady());
+            w.workspace.step();
+            QVERIFY(w.until([&] { return w.record().now.time_s > 0; }));
+            w.workspace.reset();
         }
         if (how == u"stopped and edited"_s)
             w.document().edit(u"Name"_s, [](Scenario& s) { s.icebergs.pop_back(); });

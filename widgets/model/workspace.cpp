@@ -391,13 +391,15 @@ void Workspace::reset()
     m_playBack.stop();
     m_lookedAt_s.reset();
     const std::optional<GivenUpFlight> flight = presentFlight();
+    // A longer one is still to be had: that of a moment does not take its place.
+    const bool keepsFlight = flight && flight->flown_s >= givenUp_s().value_or(0);
     m_record.begin(m_document.scenario());
-    m_runner.restart(flight.has_value());
+    m_runner.restart(keepsFlight);
     m_curvePlan.reset();
     m_curve.setScenario(m_document.scenario());
     if (wasInFlight)
         reportInFlight();
-    if (flight)
+    if (keepsFlight)
         setGivenUp(flight);
     emit flightChanged();
 }
