@@ -498,6 +498,10 @@
         <source>no time: counts as seen at the start</source>
         <translation>uden tid: regnes som set ved start</translation>
     </message>
+    <message>
+        <source>%1 is airspace: use --format airspace with --into SCENARIO</source>
+        <translation>%1 er luftrum: brug --format airspace med --into SCENARIO</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>

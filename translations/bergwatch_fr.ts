@@ -498,6 +498,10 @@
         <source>no time: counts as seen at the start</source>
         <translation>sans heure : compte comme vu au départ</translation>
     </message>
+    <message>
+        <source>%1 is airspace: use --format airspace with --into SCENARIO</source>
+        <translation>%1 est un fichier d’espace aérien : utilisez --format airspace avec --into SCENARIO</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>

@@ -219,7 +219,13 @@ SightingTable sightingsOf(const std::string& file, const ReadOptions& formats)
         constexpr std::size_t kHead = 100;
         const bool isOurs =
             std::string_view(text).substr(0, kHead).find("\"bergwatch-") != std::string_view::npos;
-        if (!isOurs || error.issues().front().reason.id != IssueId::UnknownFormat)
+        const bool isUnknown = error.issues().front().reason.id == IssueId::UnknownFormat;
+        if (isUnknown && isOpenAir(text))
+            throw UsageError(
+                QT_TRANSLATE_NOOP("CommandLine",
+                                  "%1 is airspace: use --format airspace with --into SCENARIO"),
+                {file});
+        if (!isOurs || !isUnknown)
             throw;
         throw Error(ErrorCode::WrongFormat, file,
                     {{Severity::Error,

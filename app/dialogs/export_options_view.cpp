@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QSignalBlocker>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -34,6 +35,12 @@ void storeIf(bool holds, T& option)
         option = T{};
 }
 
+/** Files of what is flown next rather than of what was. */
+bool isPlan(const ExportFormat& format)
+{
+    return format.id == "plan" || format.id == "wpl" || format.id == "brief";
+}
+
 void choose(QComboBox& box, const QVariant& data)
 {
     box.setCurrentIndex(std::max(0, box.findData(data)));
@@ -43,7 +50,7 @@ void choose(QComboBox& box, const QVariant& data)
 
 ExportOptionsView::ExportOptionsView(const Scenario& scenario, bool flown,
                                      const ExportOptions& options, QWidget* parent)
-    : QWidget(parent), m_form(new QFormLayout(this))
+    : QWidget(parent), m_isFlown(flown), m_form(new QFormLayout(this))
 {
     m_form->setContentsMargins(0, 0, 0, 0);
     addWhat(flown);
@@ -55,6 +62,7 @@ ExportOptionsView::ExportOptionsView(const Scenario& scenario, bool flown,
         guardWheel(*box);
         connect(box, &QComboBox::currentIndexChanged, this, &ExportOptionsView::edited);
     }
+    connect(m_what, &QComboBox::currentIndexChanged, this, [this] { m_isWhatChosen = true; });
     for (QDoubleSpinBox* box : {m_altitude, m_airspeed, m_acceptance}) {
         guardWheel(*box);
         connect(box, &QDoubleSpinBox::valueChanged, this, &ExportOptionsView::edited);
@@ -131,7 +139,9 @@ void ExportOptionsView::addReturn()
 
 void ExportOptionsView::fill(const ExportOptions& options)
 {
-    if (options.what)
+    // In flight the order may be what a plan was given by itself.
+    m_isWhatChosen = options.what && !(m_isFlown && *options.what == ExportWhat::Order);
+    if (m_isWhatChosen)
         choose(*m_what, static_cast<int>(*options.what));
     choose(*m_uav, QString::fromStdString(options.uav));
     m_altitude->setValue(options.altitude_m.value_or(0));
@@ -144,6 +154,10 @@ void ExportOptionsView::fill(const ExportOptions& options)
 
 void ExportOptionsView::showFormat(const ExportFormat& format)
 {
+    if (m_isFlown && !m_isWhatChosen) {
+        const QSignalBlocker blocker(m_what);
+        choose(*m_what, static_cast<int>(isPlan(format) ? ExportWhat::Order : ExportWhat::Track));
+    }
     const bool hasPath = !format.holds.flownOnly;
     for (QWidget* box :
          std::initializer_list<QWidget*>{m_what, m_uav, m_altitude, m_airspeed, m_return})

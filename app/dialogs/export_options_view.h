@@ -39,6 +39,8 @@ private:
     [[nodiscard]] QDoubleSpinBox* addNumber(const QString& label, const QString& name,
                                             const QString& unit, double most);
 
+    bool m_isFlown = false;
+    bool m_isWhatChosen = false; ///< by the user: it stays whatever the format
     QFormLayout* m_form = nullptr;
     QComboBox* m_what = nullptr;
     QComboBox* m_uav = nullptr;

@@ -241,6 +241,24 @@ private slots:
         QVERIFY(dialog.choice().options.what == ExportWhat::FirstLeg);
     }
 
+    /** In flight plans are of what is left, tracks of what was flown, unless something is chosen.
+     */
+    void inFlightPlansAreOfTheOrder()
+    {
+        Exporting dialog(withUavs(1), {}, 20);
+        dialog.choose(u"wpl"_s);
+        QVERIFY(dialog.settles());
+        QVERIFY(dialog.choice().options.what == ExportWhat::Order);
+        dialog.choose(u"gpx"_s);
+        QVERIFY(dialog.settles());
+        QVERIFY(!dialog.choice().options.what);
+        auto& what = dialog.at<QComboBox>("exportWhat");
+        what.setCurrentIndex(what.count() - 1);
+        dialog.choose(u"plan"_s);
+        QVERIFY(dialog.settles());
+        QVERIFY(dialog.choice().options.what == ExportWhat::Path);
+    }
+
     void optionsAreTaken()
     {
         Exporting dialog(withUavs(2), {.formatId = "wpl"});

@@ -52,6 +52,18 @@ class TestMainWindowImport : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    void rejectedRowsAreCountedWhereNoneIsLeft()
+    {
+        QTemporaryDir folder;
+        const QString path =
+            written(folder.filePath(u"own.csv"_s), "id,lat,lon\na,91,-50\nb,x,-50\n");
+        test::Importing import(path);
+        QVERIFY(import.settles());
+        QVERIFY(!import.canImport());
+        QCOMPARE(import.rows(u"importRejected"_s).rowCount(), 2);
+        QVERIFY(import.at<QTabWidget>(u"importTabs"_s).tabText(1).contains(u"(2)"_s));
+    }
+
     /** Read on a thread of its own, into the scenario as it is when that has ended. */
     void airspaceIsOneUndoStep()
     {

@@ -128,8 +128,8 @@ void ImportLoader::readTable(const ImportRequest& request, const std::stop_token
         return;
     m_reading.reset();
     m_table = {};
-    m_table = readSightings(m_bytes, QFileInfo(request.path).fileName().toStdString(),
-                            request.reading, stop);
+    m_table = readSightingRows(m_bytes, QFileInfo(request.path).fileName().toStdString(),
+                               request.reading, stop);
     m_suggestsOne = m_table.oneIceberg;
     m_reading = request.reading;
 }
@@ -149,6 +149,8 @@ std::optional<ImportPreview> ImportLoader::preview(const ImportRequest& request,
         }
         preview.head = m_head;
         readTable(request, stop);
+        preview.result.rejected = m_table.rejected; // told even if no row is left
+        requireSightings(m_table, QFileInfo(request.path).fileName().toStdString());
         m_table.oneIceberg = request.oneIceberg.value_or(m_suggestsOne);
         preview.file = summaryOf(m_table);
         preview.result = importSightings(*request.base, m_table, request.options, stop);

@@ -7,6 +7,7 @@
 #include "core/io/import/import_geojson.h"
 #include "core/io/import/import_mission.h"
 #include "core/io/import/import_xml.h"
+#include "core/io/text/json_reader.h"
 #include "core/io/text/zip_file.h"
 #include "core/scenario/checks.h"
 
@@ -86,9 +87,10 @@ std::string textOfBytes(std::string_view bytes, const std::string& subject)
 
 namespace {
 
-const ImportFormat& chosenFormat(std::string_view text, const std::string& subject,
-                                 const ReadOptions& options)
+const ImportFormat& chosenFormat(std::string_view text, const ReadOptions& options,
+                                 ReadBudget& budget)
 {
+    const std::string& subject = budget.subject();
     if (options.format != "auto") {
         if (const ImportFormat* format = findImportFormat(options.format))
             return *format;
@@ -103,6 +105,8 @@ const ImportFormat& chosenFormat(std::string_view text, const std::string& subje
         return *it;
     if (!options.mapping.empty())
         return *findImportFormat("csv");
+    if (trimmed(text).starts_with('{'))
+        (void)parseJson(text, budget); // what is broken says where
     throw Error(ErrorCode::WrongFormat, subject, {IssueId::UnknownFormat, {formatIds()}});
 }
 
@@ -153,7 +157,7 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
     if (isKml(bytes) || isGpx(bytes)) // which say themselves what they are written in
         decoded.clear();
     const std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
-    const ImportFormat& format = chosenFormat(text, subject, options);
+    const ImportFormat& format = chosenFormat(text, options, budget);
     if (!format.namedColumns && !options.mapping.empty())
         throw Error(ErrorCode::InvalidInput, subject,
                     {IssueId::ColumnsFixed, {std::string(format.id)}});
@@ -161,11 +165,7 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
         {.text = text, .budget = budget, .mapping = options.mapping, .dates = options.dates});
     table.format = format.id;
     table.positionSd_m = format.positionSd_m;
-    if (!table.sightings.empty())
-        return table;
-    if (table.rejected.count > 0)
-        throw Error(ErrorCode::InvalidInput, subject, issuesOf(table.rejected));
-    throw Error(ErrorCode::InvalidInput, subject, {IssueId::NoSightings});
+    return table;
 }
 
 } // namespace
@@ -173,8 +173,25 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
 SightingTable readSightings(std::string_view bytes, const std::string& subject,
                             const ReadOptions& options, const std::stop_token& stop)
 {
+    SightingTable table = readSightingRows(bytes, subject, options, stop);
+    requireSightings(table, subject);
+    return table;
+}
+
+SightingTable readSightingRows(std::string_view bytes, const std::string& subject,
+                               const ReadOptions& options, const std::stop_token& stop)
+{
     ReadBudget budget(subject, bytes.size(), stop);
     return sightingsOf(bytes, options, budget);
+}
+
+void requireSightings(const SightingTable& table, const std::string& subject)
+{
+    if (!table.sightings.empty())
+        return;
+    if (table.rejected.count > 0)
+        throw Error(ErrorCode::InvalidInput, subject, issuesOf(table.rejected));
+    throw Error(ErrorCode::InvalidInput, subject, {IssueId::NoSightings});
 }
 
 } // namespace berg

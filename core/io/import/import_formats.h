@@ -62,4 +62,10 @@ struct ReadOptions
                                           const ReadOptions& options = {},
                                           const std::stop_token& stop = {});
 
+/** The same in two parts: a table without a usable row tells which were rejected. */
+[[nodiscard]] SightingTable readSightingRows(std::string_view bytes, const std::string& subject,
+                                             const ReadOptions& options = {},
+                                             const std::stop_token& stop = {});
+void requireSightings(const SightingTable& table, const std::string& subject);
+
 } // namespace berg

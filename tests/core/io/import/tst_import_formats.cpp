@@ -316,6 +316,7 @@ private slots:
         row("nine columns", "2021,1,04/01/2021,5,48,-50,VIS,SM,PIN\n", "iip", "WrongFormat", "10");
         row("no beacon", "id,lat,lon\n1,2,3\n", "cis-beacon", "InvalidInput", "time");
         row("broken JSON", R"({"coordinates": )", "geojson", "SyntaxError", "line 1");
+        row("cut JSON", R"({"type": "FeatureCollection", )", "auto", "SyntaxError", "line 1");
         row("JSON without features", R"({"a": "coordinates"})", "geojson", "InvalidInput",
             "line 1");
         row("broken XML", "<kml><Placemark></kml>", "auto", "SyntaxError", "line 1");
