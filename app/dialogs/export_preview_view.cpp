@@ -67,8 +67,6 @@ private:
 
 namespace {
 
-constexpr int kPlaceDecimals = 3; ///< of minutes: some 2 m
-
 /** A waypoint with the UAV that flies to it. */
 struct WaypointRow
 {

@@ -17,7 +17,7 @@ namespace berg {
 namespace {
 
 constexpr int kChart_px = 360;
-constexpr int kPlaceDecimals = 2;
+constexpr int kOriginDecimals = 2;
 constexpr double kHere_m = 5; ///< more than what the field rounds
 
 } // namespace
@@ -101,7 +101,7 @@ void OriginDialog::judge()
 QString OriginDialog::summary(const LatLon& place) const
 {
     const QString away = distanceText(path_m(place), locale());
-    const QString where = placeText(place, kPlaceDecimals, locale());
+    const QString where = placeText(place, kOriginDecimals, locale());
     return m_keepPlaces->isChecked()
                ? tr("The origin comes to %1, %2 away. Places, courses and drift on the Earth stay "
                     "the same.")

@@ -2,6 +2,7 @@
 #include "core/io/files/scenario_json.h"
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
+#include "tests/support/file_texts.h"
 #include "tests/support/panel_test.h"
 #include "widgets/model/workspace.h"
 #include "widgets/theme/language.h"

@@ -3,6 +3,7 @@
 #include "core/io/files/scenario_json.h"
 #include "core/io/study/study_json.h"
 #include "core/scenario/presets.h"
+#include "tests/support/file_texts.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/study_builder.h"
 #include "widgets/model/document_file.h"

@@ -1,5 +1,6 @@
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
+#include "tests/support/file_texts.h"
 #include "tests/support/window_fixture.h"
 
 #include <QDir>

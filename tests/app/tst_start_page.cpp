@@ -4,6 +4,7 @@
 #include "app/window/start_guide.h"
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
+#include "tests/support/file_texts.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/view/map_view.h"
 

@@ -83,8 +83,10 @@ Solve subsets(int icebergs)
 
 Solve curve(int icebergs)
 {
-    return [problem = test::randomProblem(1003, icebergs, 1, Route::Open)](
-               const std::stop_token& stop) { (void)tauCurve(problem, {.stop = stop}); };
+    return [problem =
+                test::randomProblem(1003, icebergs, 1, Route::Open)](const std::stop_token& stop) {
+        (void)tauCurve(problemOf(problem), {}, {.stop = stop});
+    };
 }
 
 Solve fleet(int uavs, int icebergs, double tau, test::FleetKind kind,

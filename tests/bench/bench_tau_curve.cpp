@@ -27,7 +27,7 @@ void measure(int icebergs, int instances)
         const TvpProblem problem =
             test::randomProblem(1000 + static_cast<std::uint64_t>(k), icebergs, 0, Route::Open);
         const double start_s = cpu_s();
-        const TauCurve curve = tauCurve(problem, {});
+        const TauCurve curve = tauCurve(problemOf(problem), {}, {});
         cpu_ms.push_back(1e3 * (cpu_s() - start_s));
         plans.push_back(curve.intervals.size());
         proven += std::all_of(curve.intervals.begin(), curve.intervals.end(),

@@ -16,6 +16,7 @@
 #include "core/scenario/validate.h"
 #include "tests/fuzz/fuzz_mutator.h"
 #include "tests/support/export_text.h"
+#include "tests/support/file_texts.h"
 
 #include <chrono>
 #include <cstdio>

@@ -6,6 +6,7 @@
 #include "core/scenario/advice.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission_instant.h"
+#include "tests/support/file_texts.h"
 #include "tests/support/random_fleet.h"
 
 #include <array>

@@ -7,6 +7,7 @@
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/study/study_json.h"
+#include "tests/support/file_texts.h"
 #include "tests/support/study_builder.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"

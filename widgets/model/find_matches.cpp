@@ -14,7 +14,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr int kPlaceDecimals = 3; // of minutes: 2 m
 constexpr auto kPlacePrefix = QLatin1String("place:");
 constexpr auto kCommandPrefix = QLatin1String("command:");
 constexpr auto kCoordinatePrefix = QLatin1String("at:");

@@ -68,6 +68,9 @@ struct ShownUnit
 /** "30 s", "10 min", "2 h": a whole number of the largest unit that fits. */
 [[nodiscard]] QString durationText(double time_s, const QLocale& locale);
 
+/** Decimals of the minutes of a place that is looked at closely: about 2 m. */
+inline constexpr int kPlaceDecimals = 3;
+
 /**
  * An angle with the hemisphere in the form chosen: 47° 03.2′ N, 47.053° N or 47° 03′ 12″ N. The
  * equator and the meridians of 0 and 180 degrees belong to none.

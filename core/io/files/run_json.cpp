@@ -434,13 +434,6 @@ void writeRun(const RunFile& run, const TextSink& put)
     put("\n}\n");
 }
 
-std::string runToJson(const RunFile& run)
-{
-    std::string text;
-    writeRun(run, [&text](std::string_view piece) { text += piece; });
-    return text;
-}
-
 RunFile runFromJson(std::string_view text, const std::string& subject, const std::stop_token& stop)
 {
     ReadBudget budget(subject, text.size(), stop);

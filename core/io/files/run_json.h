@@ -43,7 +43,6 @@ struct RunFile
 [[nodiscard]] RunFile runOf(const Mission& mission);
 /** The file in pieces: no more of it is in memory than one of them. */
 void writeRun(const RunFile& run, const TextSink& put);
-[[nodiscard]] std::string runToJson(const RunFile& run);
 /** Errors as for `scenarioFromJson`. */
 [[nodiscard]] RunFile runFromJson(std::string_view text, const std::string& subject,
                                   const std::stop_token& stop = {});

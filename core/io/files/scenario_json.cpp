@@ -299,9 +299,4 @@ Scenario loadScenario(const std::string& path, ScenarioUse use)
     return scenarioFromJson(readFile(path), path, use);
 }
 
-void saveScenario(const Scenario& scenario, const std::string& path)
-{
-    writeFileAtomically(path, scenarioToJson(scenario));
-}
-
 } // namespace berg

@@ -29,6 +29,5 @@ enum class ScenarioUse
 [[nodiscard]] std::string scenarioToJson(const Scenario& scenario);
 
 [[nodiscard]] Scenario loadScenario(const std::string& path, ScenarioUse use = ScenarioUse::Flying);
-void saveScenario(const Scenario& scenario, const std::string& path);
 
 } // namespace berg

@@ -335,11 +335,6 @@ TauCurve constantCurve(FleetProblem problem, const TauCurveOptions& options, dou
 
 } // namespace
 
-TauCurve tauCurve(const TvpProblem& problem, const TauCurveOptions& options)
-{
-    return tauCurve(problemOf(problem), {}, options);
-}
-
 TauCurve tauCurve(const FleetProblem& problem, const Eigen::MatrixXd& betweenStarts_m,
                   const TauCurveOptions& options)
 {

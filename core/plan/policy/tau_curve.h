@@ -58,8 +58,6 @@ struct TauCurveOptions
  */
 [[nodiscard]] TauCurve tauCurve(const FleetProblem& problem, const Eigen::MatrixXd& betweenStarts_m,
                                 const TauCurveOptions& options);
-/** Of one UAV. */
-[[nodiscard]] TauCurve tauCurve(const TvpProblem& problem, const TauCurveOptions& options);
 
 /**
  * Index of the interval that holds tau (at a breakpoint the one to its right, outside the curve the

@@ -4,6 +4,7 @@
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
 #include "tests/support/approx.h"
+#include "tests/support/file_texts.h"
 #include "tests/support/scenario_builder.h"
 
 #include <QTest>

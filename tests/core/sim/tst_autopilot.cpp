@@ -3,6 +3,7 @@
 #include "core/scenario/presets.h"
 #include "core/sim/mission_instant.h"
 #include "tests/support/approx.h"
+#include "tests/support/file_texts.h"
 
 #include <QTest>
 

@@ -3,6 +3,7 @@
 #include "core/sim/mission_instant.h"
 #include "core/sim/plan_requests.h"
 #include "tests/support/fenced_scenario.h"
+#include "tests/support/file_texts.h"
 
 #include <QTest>
 

@@ -7,6 +7,7 @@
 #include "core/sim/policy_forecast.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/file_texts.h"
 #include "tests/support/scenario_builder.h"
 
 #include <QTest>

@@ -5,6 +5,7 @@
 #include "core/sim/mission_instant.h"
 #include "core/sim/visits.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/file_texts.h"
 #include "tests/support/scenario_builder.h"
 
 #include <QtTest>

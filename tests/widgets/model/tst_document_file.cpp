@@ -2,6 +2,7 @@
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/file_texts.h"
 #include "tests/support/panel_test.h"
 #include "widgets/model/document_file.h"
 #include "widgets/model/scenario_document.h"

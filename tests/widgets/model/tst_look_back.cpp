@@ -1,4 +1,5 @@
 #include "core/scenario/presets.h"
+#include "tests/support/file_texts.h"
 #include "widgets/model/workspace.h"
 
 #include <QSignalSpy>

@@ -1,5 +1,6 @@
 #include "core/io/export/export_content.h"
 #include "core/scenario/presets.h"
+#include "tests/support/file_texts.h"
 #include "widgets/model/flight_record.h"
 #include "widgets/model/mission_runner.h"
 

@@ -12,7 +12,6 @@ namespace {
 
 constexpr int kShownCharacters = 34; ///< a coordinate with seconds
 constexpr int kNamesShown = 9;
-constexpr int kPlaceDecimals = 3;
 constexpr int kSearchRole = Qt::UserRole;
 
 /** Names of places, whatever diacritics are typed, in either language. */

@@ -28,7 +28,6 @@ constexpr std::array kEditorNumbers{IcebergColumn::Speed,     IcebergColumn::Dir
                                     IcebergColumn::Observed,  IcebergColumn::Appears};
 
 // Decimals of the minutes.
-constexpr int kAngles = 3;         ///< 2 m
 constexpr int kAnglesInFlight = 2; ///< 20 m, where they run
 
 void put(IcebergTableRow& row, IcebergColumn column, std::optional<double> value)
@@ -205,9 +204,9 @@ QString numberText(double value, IcebergColumn column, bool inFlight, const QLoc
     case IcebergColumn::Appears:
         return fixedText(value, 0, locale);
     case IcebergColumn::Latitude:
-        return latitudeText(value, inFlight ? kAnglesInFlight : kAngles, locale);
+        return latitudeText(value, inFlight ? kAnglesInFlight : kPlaceDecimals, locale);
     case IcebergColumn::Longitude:
-        return longitudeText(value, inFlight ? kAnglesInFlight : kAngles, locale);
+        return longitudeText(value, inFlight ? kAnglesInFlight : kPlaceDecimals, locale);
     case IcebergColumn::Name:
     case IcebergColumn::State:
     case IcebergColumn::Uav:

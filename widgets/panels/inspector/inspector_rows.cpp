@@ -15,8 +15,7 @@ namespace berg {
 namespace {
 
 constexpr double kPositionStep_m = 10;
-constexpr int kMoreDecimals = 3;  ///< of nautical miles than of metres
-constexpr int kAngleDecimals = 3; ///< of minutes: 2 m
+constexpr int kMoreDecimals = 3; ///< of nautical miles than of metres
 constexpr double kHalfTurn_deg = 180;
 constexpr double kDirectionStep_deg = 5; ///< beyond north on either side the arrows go round
 constexpr double kKnotSteps = 2;         ///< as large a step as in m/s, about
@@ -50,8 +49,8 @@ EntryRow angleRow(const RowWords& words, PlaceHalf half)
                         return QString();
                     const LatLon at = LocalFrame(scenario.origin).toGeographic(object->position_m);
                     return half == PlaceHalf::Latitude
-                               ? latitudeText(at.latitude_deg, kAngleDecimals, locale)
-                               : longitudeText(at.longitude_deg, kAngleDecimals, locale);
+                               ? latitudeText(at.latitude_deg, kPlaceDecimals, locale)
+                               : longitudeText(at.longitude_deg, kPlaceDecimals, locale);
                 },
             .take =
                 [half](Scenario& scenario, const std::string& id, const QString& text,

@@ -3,6 +3,7 @@
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/file_texts.h"
 #include "tests/support/random_scenario.h"
 
 #include <QTemporaryDir>

@@ -14,6 +14,7 @@
 #include "tests/support/approx.h"
 #include "tests/support/cluster_scenes.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/file_texts.h"
 #include "tests/support/geojson_view.h"
 
 #include <QTest>

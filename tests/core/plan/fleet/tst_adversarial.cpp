@@ -362,14 +362,14 @@ private slots:
     {
         TvpProblem equal = test::randomProblem(3, 40, 1, Route::Open);
         std::fill(equal.sigma_m2.begin() + 1, equal.sigma_m2.end(), 5.0);
-        const TauCurve expected = tauCurve(equal, {});
+        const TauCurve expected = tauCurve(problemOf(equal), {}, {});
         QVERIFY(!expected.intervals.empty());
         for (const double spread : {1e-13, 1e-14, 1e-15}) {
             TvpProblem near = equal;
             Random random(3);
             for (std::size_t i = 1; i < near.sigma_m2.size(); ++i)
                 near.sigma_m2[i] *= 1 + spread * random.uniform();
-            const TauCurve curve = tauCurve(near, {});
+            const TauCurve curve = tauCurve(problemOf(near), {}, {});
             QCOMPARE(curve.intervals.size(), expected.intervals.size());
             for (std::size_t k = 0; k < expected.intervals.size(); ++k) {
                 const CurveInterval& a = curve.intervals[k];

@@ -32,6 +32,12 @@ enum class Shape
     Grid        ///< a regular grid with equal sigma: many equal orders
 };
 
+/** Of one UAV. */
+TauCurve tauCurve(const TvpProblem& problem, const TauCurveOptions& options)
+{
+    return berg::tauCurve(problemOf(problem), {}, options);
+}
+
 TvpProblem makeProblem(Shape shape, std::uint64_t seed, int icebergs, Route route)
 {
     TvpProblem problem = randomProblem(seed, icebergs, 0, route, shape == Shape::Asymmetric);
