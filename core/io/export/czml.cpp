@@ -62,20 +62,24 @@ public:
                 mark("asset", m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
                      assetPlace_m(m_content), kAssetColour);
             addProperties(packet, assetData(m_content));
-            add(packet);
+            add(std::move(packet));
         }
         for (const ExportUav& uav : m_content.uavs) {
             Json packet = mark("home/" + uav.uav.id, "Home of " + titleOf(uav.uav), uav.home_m,
                                uavColour(uav.row));
             addProperties(packet, dataOf(m_content, uav));
-            add(packet);
+            add(std::move(packet));
             addUav(uav);
         }
         m_put("\n]\n");
     }
 
 private:
-    void add(const Json& packet) { addText(jsonText(packet)); }
+    void add(Json packet)
+    {
+        const Dismantled later(packet);
+        addText(jsonText(packet));
+    }
 
     void addText(const std::string& begin)
     {
@@ -115,7 +119,7 @@ private:
             clock["currentTime"] = utcText(*m_content.start, from_s);
             clock["multiplier"] = 10;
         }
-        add(packet);
+        add(std::move(packet));
     }
 
     [[nodiscard]] Json mark(const std::string& id, const std::string& name, const Point& position_m,
@@ -161,7 +165,7 @@ private:
         Json packet =
             mark("iceberg/" + now.iceberg.id, titleOf(now.iceberg), now.position_m, kIceColour);
         addProperties(packet, dataOf(m_content, now));
-        add(packet);
+        add(std::move(packet));
     }
 
     void addArea()
@@ -179,7 +183,7 @@ private:
         packet["polyline"]["positions"]["cartographicDegrees"] = std::move(outline);
         packet["polyline"]["width"] = 2;
         packet["polyline"]["material"] = solid(kAreaColour);
-        add(packet);
+        add(std::move(packet));
     }
 
     void addClosed(const std::string& id, const NoFlyArea& area)
@@ -199,7 +203,7 @@ private:
         polygon["material"] = solid(kClosedColour, 64);
         polygon["outline"] = true;
         polygon["outlineColor"] = colour(kClosedColour);
-        add(packet);
+        add(std::move(packet));
     }
 
     void addUav(const ExportUav& uav)

@@ -76,6 +76,7 @@ private:
     void add(Json geometry, Json properties)
     {
         Json feature;
+        const Dismantled later(feature);
         feature["type"] = "Feature";
         feature["geometry"] = std::move(geometry);
         feature["properties"] = std::move(properties);

@@ -214,6 +214,17 @@ std::string jsonText(const Tree& tree, int indent)
     return text.take();
 }
 
+Dismantled::~Dismantled()
+{
+    if (m_tree.is_array())
+        for (auto& list = m_tree.get_ref<Tree::array_t&>(); !list.empty(); list.pop_back())
+            Dismantled entry(list.back());
+    else if (m_tree.is_object())
+        for (auto& members = m_tree.get_ref<Tree::object_t&>(); !members.empty();
+             members.pop_back())
+            Dismantled member(members.back().second);
+}
+
 std::size_t characterSize(std::string_view text)
 {
     constexpr std::size_t kLongest = 4;

@@ -35,6 +35,22 @@ namespace berg {
  */
 [[nodiscard]] std::string jsonText(const nlohmann::ordered_json& tree, int indent = -1);
 
+/**
+ * Takes a tree apart piece by piece at the end of a scope. The library's own destructor needs
+ * memory for that, and ends the program where there is none.
+ */
+class Dismantled
+{
+public:
+    explicit Dismantled(nlohmann::ordered_json& tree) : m_tree(tree) {}
+    Dismantled(const Dismantled&) = delete;
+    Dismantled& operator=(const Dismantled&) = delete;
+    ~Dismantled();
+
+private:
+    nlohmann::ordered_json& m_tree;
+};
+
 /** Bytes of the UTF-8 character at the front, 0 when there is no valid one. */
 [[nodiscard]] std::size_t characterSize(std::string_view text);
 
