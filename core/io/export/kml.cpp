@@ -154,9 +154,10 @@ private:
             m_put(closedStyle("stand-off"));
         for (const ExportUav& uav : m_content.uavs) {
             const std::string colour = "<color>" + colourText(uavColour(uav.row)) + "</color>";
-            m_put("<Style id=\"" + styleId(uav) + "\"><IconStyle>" + colour +
-                  "<scale>0.6</scale></IconStyle><LineStyle>" + colour +
-                  "<width>3</width></LineStyle></Style>\n");
+            std::string style = "<Style id=\"" + styleId(uav) + "\"><IconStyle>";
+            style.append(colour).append("<scale>0.6</scale></IconStyle><LineStyle>");
+            style.append(colour).append("<width>3</width></LineStyle></Style>\n");
+            m_put(style);
         }
     }
 
