@@ -1,6 +1,5 @@
 #include "app/start/start_items.h"
 #include "core/io/files/run_json.h"
-#include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/file_texts.h"
 #include "tests/support/map_fixture.h"

@@ -216,13 +216,12 @@ std::string jsonText(const Tree& tree, int indent)
 
 Dismantled::~Dismantled()
 {
-    if (m_tree.is_array())
-        for (auto& list = m_tree.get_ref<Tree::array_t&>(); !list.empty(); list.pop_back())
-            Dismantled entry(list.back());
-    else if (m_tree.is_object())
-        for (auto& members = m_tree.get_ref<Tree::object_t&>(); !members.empty();
-             members.pop_back())
-            Dismantled member(members.back().second);
+    if (auto* list = m_tree.get_ptr<Tree::array_t*>())
+        for (; !list->empty(); list->pop_back())
+            Dismantled entry(list->back());
+    if (auto* members = m_tree.get_ptr<Tree::object_t*>())
+        for (; !members->empty(); members->pop_back())
+            Dismantled member(members->back().second);
 }
 
 std::size_t characterSize(std::string_view text)
