@@ -90,11 +90,11 @@ void writeRecovery(const RecoveryFiles& files, const Scenario& scenario, const R
                                 info.edited.toUTC().toString(Qt::ISODateWithMs).toStdString(),
                             .pid = info.pid,
                             .host = info.host.toStdString()};
-    if (run != nullptr)
-        saveRun(*run, nativePath(files.run()));
-    else
+    if (run == nullptr) // one of another scenario is never beside this one
         QFile::remove(files.run());
     writeFileAtomically(nativePath(files.scenario()), scenarioToJson(scenario));
+    if (run != nullptr)
+        saveRun(*run, nativePath(files.run()));
     writeFileAtomically(nativePath(files.info()), recoveryToJson(note));
 }
 
