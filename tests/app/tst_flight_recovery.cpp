@@ -81,6 +81,20 @@ private slots:
         w.workspace.reset();
         QVERIFY(w.until([&] { return runsIn(left).isEmpty(); })); // given up by the user
     }
+
+    /** Restored but edited before it flies again: an old flight must not come back over the edit.
+     */
+    void flightOfAnEditedScenarioIsForgotten()
+    {
+        const QTemporaryDir folder;
+        WindowFixture w(randomScenario(33, {.icebergs = 3}));
+        w.workspace.autosaver().start(folder.path(), {.pause_ms = 0, .longest_ms = 0});
+        w.workspace.autosaver().setRun(test::flownRun(w));
+        QVERIFY(w.until([&] { return runsIn(folder.path()).size() == 1; }));
+        w.document().edit(u"Edit"_s, [](Scenario& s) { s.icebergs.pop_back(); });
+        QVERIFY(w.until([&] { return runsIn(folder.path()).isEmpty(); }));
+        QVERIFY(!QDir(folder.path()).entryList({u"*.berg"_s}).isEmpty());
+    }
 };
 
 QTEST_MAIN(TestFlightRecovery)

@@ -47,14 +47,16 @@ void Autosaver::adopt(HeldRecovery recovery, std::shared_ptr<const RunFile> run)
     drop();
     m_thread.waitForDone(); // of the one given up
     m_recovery = std::move(recovery);
-    setRun(std::move(run));
+    m_run = std::move(run);
+    follow();
 }
 
 void Autosaver::setRun(std::shared_ptr<const RunFile> run)
 {
+    if (!m_store || (m_run == nullptr && run == nullptr))
+        return;
     m_run = std::move(run);
-    if (m_store)
-        follow();
+    follow();
 }
 
 bool Autosaver::hasNothing() const

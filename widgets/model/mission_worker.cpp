@@ -254,8 +254,11 @@ void MissionWorker::sendRun(const QString& path)
 
 void MissionWorker::sendNote()
 {
-    if (m_mission)
-        emit runNoted(std::make_shared<const RunFile>(runOf(*m_mission)));
+    if (!m_mission)
+        return;
+    // The flight does not end because it cannot be noted.
+    static_cast<void>(
+        failureOf([&] { emit runNoted(std::make_shared<const RunFile>(runOf(*m_mission))); }));
 }
 
 std::shared_ptr<const ExportJob> MissionWorker::prepared(const ExportOrder& order) const

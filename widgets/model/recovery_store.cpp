@@ -93,9 +93,9 @@ void writeRecovery(const RecoveryFiles& files, const Scenario& scenario, const R
     if (run == nullptr) // one of another scenario is never beside this one
         QFile::remove(files.run());
     writeFileAtomically(nativePath(files.scenario()), scenarioToJson(scenario));
-    if (run != nullptr)
-        saveRun(*run, nativePath(files.run()));
     writeFileAtomically(nativePath(files.info()), recoveryToJson(note));
+    if (run != nullptr) // last: the scenario is what counts
+        saveRun(*run, nativePath(files.run()));
 }
 
 void removeRecovery(const RecoveryFiles& files)

@@ -102,6 +102,7 @@ std::vector<std::string> Workspace::flownAmong(const std::vector<std::string>& i
 void Workspace::planAgain()
 {
     m_selection.keepExisting(m_document.scenario());
+    m_autosaver.setRun({});
     const bool wasInFlight = inFlight();
     if (wasInFlight)
         m_runs.add(m_record);
@@ -140,7 +141,9 @@ void Workspace::acceptSnapshot()
         reportInFlight();
     if (m_givenUp && inFlight() && !(m_givenUp->scenario == m_record.scenario))
         setGivenUp({}); // another world is flown now
-    if (inFlight() && !m_notePause.isActive())
+    if (m_record.now.phase == RunPhase::Ready || m_record.now.phase == RunPhase::Failed)
+        m_autosaver.setRun({}); // nor was one that was restored flown
+    else if (inFlight() && !m_notePause.isActive())
         m_notePause.start();
     emit flightChanged();
 }
@@ -310,7 +313,9 @@ void Workspace::openRun(std::shared_ptr<const RunFile> run)
 
 void Workspace::restore(FoundRecovery found)
 {
-    m_document.restore(found.run ? found.run->scenario : found.scenario, found.info.originalPath);
+    if (found.run && !(found.run->scenario == found.scenario))
+        found.run.reset(); // left from before an edit
+    m_document.restore(found.scenario, found.info.originalPath);
     m_autosaver.adopt(std::move(found.held), found.run);
     if (found.run)
         m_runner.setRun(std::move(found.run));

@@ -23,8 +23,8 @@ std::filesystem::path folder()
 
 [[noreturn]] void fail()
 {
-    throw Error(ErrorCode::FileUnwritable, folder().string(),
-                {IssueId::CannotWrite, {std::generic_category().message(errno)}});
+    const std::string why = std::generic_category().message(errno);
+    throw Error(ErrorCode::FileUnwritable, folder().string(), {IssueId::CannotWrite, {why}});
 }
 
 } // namespace
@@ -57,8 +57,12 @@ void Spool::writeFile(std::size_t at, std::string_view bytes)
 {
     if (bytes.empty())
         return;
-    if (m_file == nullptr)
-        m_file = std::make_unique<TemporaryFile>(folder() / "bergwatch");
+    if (m_file == nullptr) {
+        auto file = std::make_unique<TemporaryFile>(folder() / "bergwatch");
+        if (!file->isOpen())
+            fail();
+        m_file = std::move(file);
+    }
     while (!bytes.empty()) {
         const ssize_t put =
             ::pwrite(m_file->descriptor(), bytes.data(), bytes.size(), static_cast<off_t>(at));
