@@ -141,9 +141,10 @@ void Workspace::acceptSnapshot()
         reportInFlight();
     if (m_givenUp && inFlight() && !(m_givenUp->scenario == m_record.scenario))
         setGivenUp({}); // another world is flown now
-    if (m_record.now.phase == RunPhase::Ready || m_record.now.phase == RunPhase::Failed)
+    const RunPhase phase = m_record.now.phase;
+    if (phase == RunPhase::Ready || phase == RunPhase::Failed)
         m_autosaver.setRun({}); // nor was one that was restored flown
-    else if (inFlight() && !m_notePause.isActive())
+    if (inFlight() && !m_notePause.isActive())
         m_notePause.start();
     emit flightChanged();
 }
