@@ -35,12 +35,6 @@ void storeIf(bool holds, T& option)
         option = T{};
 }
 
-/** Files of what is flown next rather than of what was. */
-bool isPlan(const ExportFormat& format)
-{
-    return format.id == "plan" || format.id == "wpl" || format.id == "brief";
-}
-
 void choose(QComboBox& box, const QVariant& data)
 {
     box.setCurrentIndex(std::max(0, box.findData(data)));
@@ -156,7 +150,9 @@ void ExportOptionsView::showFormat(const ExportFormat& format)
 {
     if (m_isFlown && !m_isWhatChosen) {
         const QSignalBlocker blocker(m_what);
-        choose(*m_what, static_cast<int>(isPlan(format) ? ExportWhat::Order : ExportWhat::Track));
+        // What has acceptance radii is to be flown.
+        choose(*m_what,
+               static_cast<int>(format.holds.radii ? ExportWhat::Order : ExportWhat::Track));
     }
     const bool hasPath = !format.holds.flownOnly;
     for (QWidget* box :

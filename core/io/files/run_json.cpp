@@ -378,7 +378,8 @@ RunContext contextOf(const RunFile& file)
                 std::max<std::int64_t>(1, std::llround(scenario.duration_s / scenario.dt_s)),
             .icebergsAtStart = scenario.icebergs.size(),
             .icebergs = icebergCount(file),
-            .uavs = scenario.uavs.size()};
+            .uavs = scenario.uavs.size(),
+            .current_mps = scenario.current_mps};
 }
 
 RunFile readRun(ObjectReader& run)

@@ -114,9 +114,12 @@ std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
             {IssueId::EntryRange,
              {countOf(context.icebergsAtStart), countOf(context.icebergs), countOf(list->size())}});
     makeRoom(tracks, list, object.faults());
-    for (std::size_t i = 0; i < list->size(); ++i)
-        tracks.push_back(
-            readTrack((*list)[i], entryPath(object.path("tracks"), i), object.faults()));
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        Track track = readTrack((*list)[i], entryPath(object.path("tracks"), i), object.faults());
+        if (!(track.velocityTime_s > 0)) // then the file does not tell it
+            track.mean_mps = context.current_mps;
+        tracks.push_back(track);
+    }
     return tracks;
 }
 

@@ -26,6 +26,7 @@ struct RunContext
     std::size_t icebergsAtStart = 0;
     std::size_t icebergs = 0; ///< those added in flight included
     std::size_t uavs = 1;
+    Point current_mps = Point::Zero();
 
     /** Indices of icebergs; -1 means none. */
     [[nodiscard]] WholeLimits indices() const
