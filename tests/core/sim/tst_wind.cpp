@@ -34,6 +34,17 @@ class TestWind : public QObject
     Q_OBJECT
 
 private slots:
+    /** What a velocity fades to is the current, also where it is constant and not in the file. */
+    void runsInACurrentRoundTrip()
+    {
+        Scenario scenario = randomScenario(3);
+        scenario.current_mps = Point(0.12, 0.18);
+        Mission mission(scenario);
+        mission.advance(50);
+        const RunFile run = runOf(mission);
+        QVERIFY(runFromJson(runToJson(run), "run") == run);
+    }
+
     /**
      * In a uniform wind the part of the time of a leg that changes sign with its direction adds up
      * along an order to what depends on the ends alone: no order is better for it at its stops.

@@ -235,17 +235,6 @@ private slots:
         QVERIFY(std::signbit(read.keyframes[3].uavs[0].pose.psi_rad));
     }
 
-    /** What a velocity fades to is the current, also where it is constant and not in the file. */
-    void runsInACurrentRoundTrip()
-    {
-        Scenario scenario = recorded().scenario;
-        scenario.current_mps = Point(0.12, 0.18);
-        Mission mission(scenario);
-        mission.advance(50);
-        const RunFile run = runOf(mission);
-        QVERIFY(again(run) == run);
-    }
-
     void savedAndLoaded()
     {
         const QTemporaryDir dir;
