@@ -145,6 +145,7 @@ void MapLinks::connectMap(const Docks& docks)
     connect(map, &MapView::windEdited, &workspace(), &Workspace::setWind);
     connect(map, &MapView::assetMoved, &workspace(), &Workspace::moveAsset);
     connect(map, &MapView::icebergPlaced, &workspace(), &Workspace::addIceberg);
+    connect(map, &MapView::removalRequested, &workspace(), &Workspace::remove);
     connect(panels().alarms, &AlarmStrip::noticeChosen, this,
             [this](const std::vector<std::string>& about) {
                 workspace().selection().set(about);

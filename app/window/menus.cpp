@@ -433,8 +433,8 @@ void Menus::updateActions()
     m_shared.log->setEnabled(locked);
     m_shared.undo->setEnabled(panels().map->isDrawing() || (!locked && history->canUndo()));
     m_shared.redo->setEnabled(!locked && history->canRedo());
-    m_shared.remove->setEnabled(!locked && !workspace().selection().isEmpty());
     const std::vector<std::string>& ids = workspace().selection().ids();
+    m_shared.remove->setEnabled(locked ? !workspace().flownAmong(ids).empty() : !ids.empty());
     const Scenario& scenario = workspace().document().scenario();
     const bool hasIcebergs = !icebergsOf(scenario, ids).empty();
     m_shared.copy->setEnabled(hasIcebergs);

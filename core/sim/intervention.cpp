@@ -24,6 +24,8 @@ void apply(const Intervention& intervention, Simulation& world,
         world.addIceberg(*intervention.appears);
     if (intervention.seen)
         world.reportSighting(indexOfId(icebergs, *intervention.seen));
+    if (intervention.removed)
+        world.removeIceberg(indexOfId(icebergs, *intervention.removed));
     if (intervention.assigned)
         world.assign(indexOfId(icebergs, intervention.assigned->iceberg),
                      indexOfId(uavs, intervention.assigned->uav));

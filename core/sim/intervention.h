@@ -28,10 +28,11 @@ struct Intervention
     double time_s = 0;
     std::optional<double> tau;
     std::optional<PolicyKind> policy;
-    std::optional<Point> wind_mps;   ///< from now on
-    std::optional<Asset> asset;      ///< protected from now on; its position is that at time 0
-    std::optional<Iceberg> appears;  ///< a new iceberg, here and now
-    std::optional<std::string> seen; ///< id of one that somebody else sees now
+    std::optional<Point> wind_mps;      ///< from now on
+    std::optional<Asset> asset;         ///< protected from now on; its position is that at time 0
+    std::optional<Iceberg> appears;     ///< a new iceberg, here and now
+    std::optional<std::string> seen;    ///< id of one that somebody else sees now
+    std::optional<std::string> removed; ///< id of one that is none, or is not to be watched
     std::optional<Assignment> assigned;
     std::optional<UavCommand> commanded;
     bool operator==(const Intervention&) const = default;

@@ -146,6 +146,8 @@ void Mission::intervene(Intervention intervention)
     checked(after);
     if (intervention.seen)
         requireAppeared(*intervention.seen, "seen");
+    if (intervention.removed)
+        requireAppeared(*intervention.removed, "removed");
     if (intervention.assigned) {
         requireAppeared(intervention.assigned->iceberg, "assigned.iceberg");
         requireUav(intervention.assigned->uav, "assigned.uav");
@@ -172,7 +174,8 @@ void Mission::noteChanges(const Intervention& intervention)
     const auto changed = [this](ChangedPart part) {
         note({.kind = EventKind::Intervention,
               .changed = part,
-              .policy = m_planner.settings().policy});
+              .policy = m_planner.settings().policy,
+              .tau = m_planner.settings().tau});
     };
     if (intervention.tau || intervention.policy)
         changed(ChangedPart::Planner);
@@ -181,11 +184,17 @@ void Mission::noteChanges(const Intervention& intervention)
     if (intervention.asset)
         changed(ChangedPart::Asset);
     if (intervention.appears)
-        note({.kind = EventKind::Appeared, .iceberg = m_simulation.icebergCount() - 1});
+        note({.kind = EventKind::Appeared,
+              .iceberg = m_simulation.icebergCount() - 1,
+              .reported = true});
     if (intervention.seen)
         note({.kind = EventKind::Sighted,
               .iceberg = indexOfId(m_icebergs, *intervention.seen),
               .reported = true});
+    if (intervention.removed)
+        note({.kind = EventKind::Intervention,
+              .iceberg = indexOfId(m_icebergs, *intervention.removed),
+              .changed = ChangedPart::Removal});
     if (const std::optional<Assignment>& assigned = intervention.assigned) {
         const int iceberg = indexOfId(m_icebergs, assigned->iceberg);
         m_icebergs[static_cast<std::size_t>(iceberg)].uav = assigned->uav;
@@ -201,11 +210,14 @@ void Mission::noteChanges(const Intervention& intervention)
               .order = intervention.commanded->order});
 }
 
-/** Throws `Error{InvalidInput}` when there is no iceberg of that id now. */
+/**
+ * Throws `Error{InvalidInput}` when there is no iceberg of that id now. What is removed may have
+ * left the area before: another policy, flown in a world changed like this one, knows it elsewhere.
+ */
 void Mission::requireAppeared(const std::string& iceberg, const char* field) const
 {
     const int index = indexOfId(m_icebergs, iceberg);
-    if (index < 0 || !m_simulation.active(index))
+    if (index < 0 || (!m_simulation.active(index) && field != std::string_view("removed")))
         throw Error(ErrorCode::InvalidInput, m_scenario.name,
                     {{Severity::Error, field, {IssueId::NoSuchIceberg, {iceberg}}}});
 }

@@ -38,6 +38,7 @@ enum class ChangedPart
     Wind,
     Asset,
     Assignment, ///< of an iceberg to a UAV
+    Removal,    ///< of an iceberg
     Order       ///< to a UAV
 };
 
@@ -47,18 +48,19 @@ struct MissionEvent
 {
     double time_s = 0;
     EventKind kind = EventKind::Planned;
-    int iceberg = -1;                         ///< index; -1: none in particular
-    int uav = -1;                             ///< likewise
-    int otherUav = -1;                        ///< Close: the other one
-    double distance_m = 0;                    ///< Close: between them
-    double entry_s = 0;                       ///< Alarm: until it is in the ring
-    bool reported = false;                    ///< Sighted: not by a UAV, by somebody else
+    int iceberg = -1;      ///< index; -1: none in particular
+    int uav = -1;          ///< likewise
+    int otherUav = -1;     ///< Close: the other one
+    double distance_m = 0; ///< Close: between them
+    double entry_s = 0;    ///< Alarm: until it is in the ring
+    bool reported = false; ///< Sighted: not by a UAV, by somebody else; Appeared: added in flight
     std::vector<int> together;                ///< Reached: the others of its cluster
     AnswerSource source = AnswerSource::None; ///< Planned
     bool fellBack = false;                    ///< Planned: the last plan is kept
     std::string failure;                      ///< PlannerFailed: the reason, in English
     ChangedPart changed{};                    ///< Intervention
     PolicyKind policy{};                      ///< Intervention in the planner: in force since then
+    double tau = 0;                           ///< likewise
     FlightOrder order{};                      ///< Intervention by an order: that one
 };
 

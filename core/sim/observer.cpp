@@ -341,7 +341,7 @@ void Observer::beginSearch(int uav, Search search)
 void Observer::watchArea(StepReport& report)
 {
     for (int i = 0; i < m_world.icebergCount(); ++i) {
-        if (m_world.age(i) < 0)
+        if (m_world.age(i) < 0 || m_world.body(i).isRemoved)
             continue;
         Track& track = m_tracks[toIndex(i)];
         const bool isInside = insidePolygon(m_area_m, estimate_m(i));
@@ -355,6 +355,13 @@ void Observer::watchArea(StepReport& report)
             m_searches.end(i);
         }
     }
+}
+
+void Observer::removeIceberg(int iceberg)
+{
+    m_world.remove(iceberg);
+    m_tracks[toIndex(iceberg)].left = true;
+    m_searches.end(iceberg);
 }
 
 Point middle_m(const Observer& observer, std::span<const int> icebergs)

@@ -53,6 +53,8 @@ public:
 
     /** Appears now; its index is the new last one. */
     void addIceberg(const Iceberg& iceberg);
+    /** As if it had left the area, for good. */
+    void removeIceberg(int iceberg);
     /** Its position is known now as if it were in view. */
     void reportSighting(int iceberg, StepReport& report);
 

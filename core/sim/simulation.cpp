@@ -84,6 +84,12 @@ void Simulation::reportSighting(int iceberg)
     requestPlan();
 }
 
+void Simulation::removeIceberg(int iceberg)
+{
+    m_fleet.observer().removeIceberg(iceberg);
+    requestPlan();
+}
+
 void Simulation::addIceberg(const Iceberg& iceberg)
 {
     m_fleet.observer().addIceberg(iceberg);

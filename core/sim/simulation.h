@@ -92,6 +92,8 @@ public:
     void reportSighting(int iceberg);
     /** Adds an iceberg that appears now; its index is the new last one. */
     void addIceberg(const Iceberg& iceberg);
+    /** It is monitored no more; a new plan is needed. */
+    void removeIceberg(int iceberg);
 
     /** What else happened since this was asked last, without times; asking changes nothing about
      * the flight. */

@@ -191,14 +191,13 @@ private slots:
         w.trigger(start);
         QVERIFY(w.until([&] { return w.workspace.inFlight(); }));
 
-        for (const QString& name :
-             {u"undoAction"_s, u"redoAction"_s, u"deleteAction"_s, u"areaTool"_s, u"uavTool"_s})
+        for (const QString& name : {u"undoAction"_s, u"redoAction"_s, u"areaTool"_s, u"uavTool"_s})
             QVERIFY2(!w.action(name).isEnabled(), qPrintable(name));
         QVERIFY(w.action(u"selectTool"_s).isChecked());
         w.drag(w.pixelOf("berg-2"), w.pixelOf(Point(3000, 2000)));
         QTest::keyClick(&w.map(), Qt::Key_I);
         w.click(w.pixelOf(Point(2800, 1400)));
-        w.workspace.selection().set({"berg-2"});
+        w.workspace.selection().set({"uav-1"});
         QTest::keyClick(&w.map(), Qt::Key_Delete);
         QTest::keyClick(&w.map(), Qt::Key_Left);
         QTest::keyClick(&w.window(), Qt::Key_Z, Qt::ControlModifier);

@@ -246,6 +246,33 @@ private slots:
         QVERIFY(!(w.scenario() == flown));
     }
 
+    /** One that was placed by mistake, or turned out to be none: the scenario keeps it. */
+    void deleteInFlightRemovesAnIceberg()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QVERIFY(w.untilReady());
+        const Scenario before = w.scenario();
+        w.trigger(u"stepAction"_s);
+        QVERIFY(w.until(RunPhase::Paused));
+        QVERIFY(!w.action(u"deleteAction"_s).isEnabled());
+        w.workspace.selection().set({"berg-2"});
+        QTest::keyClick(&w.map(), Qt::Key_Delete);
+        QVERIFY(w.until([&] { return !w.record().now.active.at(1); }));
+        QCOMPARE(w.record().now.active, (std::vector<bool>{true, false, true, true}));
+        QVERIFY(w.scenario() == before);
+        QVERIFY(w.until([&] {
+            return std::ranges::none_of(w.record().now.plans, [](const PlanEvent& plan) {
+                return std::ranges::find(plan.order, 1) != plan.order.end();
+            });
+        }));
+        const MissionEvent& last = *std::ranges::find_if(
+            w.record().history.events, [](auto& e) { return e.kind == EventKind::Intervention; });
+        QCOMPARE(last.iceberg, 1);
+        w.trigger(u"resetAction"_s);
+        QVERIFY(w.untilReady());
+        QVERIFY(w.record().now.active.at(1));
+    }
+
     /** The command to fly is of the scenario it was given for. */
     void anotherScenarioIsNotFlown()
     {

@@ -249,8 +249,11 @@ private slots:
         QVERIFY(w.action(u"seenAction"_s).isEnabled());
         QVERIFY(flyTo(w, 10));
         w.trigger(u"seenAction"_s);
-        QVERIFY(
-            w.until([&] { return countEvents(w, [](const auto& e) { return e.reported; }) == 1; }));
+        QVERIFY(w.until([&] {
+            return countEvents(w, [](const auto& e) {
+                       return e.kind == EventKind::Sighted && e.reported;
+                   }) == 1;
+        }));
         QVERIFY(repeats(*flownRun(w)));
     }
 

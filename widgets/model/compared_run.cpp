@@ -76,7 +76,8 @@ ComparedRun comparedRun(const FlightRecord& record)
                 run.uavVisits_s[static_cast<std::size_t>(event.uav)].push_back(event.time_s);
         } else if (event.kind == EventKind::Intervention) {
             run.wasChanged = run.wasChanged || (event.changed != ChangedPart::Wind &&
-                                                event.changed != ChangedPart::Asset);
+                                                event.changed != ChangedPart::Asset &&
+                                                event.changed != ChangedPart::Removal);
         }
     }
     return run;

@@ -11,15 +11,15 @@ namespace berg {
 /** What is kept of a run that was flown, to be set beside others. */
 struct ComparedRun
 {
-    Scenario scenario;                            ///< as flown, with the planner chosen at take-off
-    PlannerSettings planner;                      ///< at the end
-    bool wasChanged = false;                      ///< tau or policy, in flight
-    std::vector<Intervention> worldChanges;       ///< in flight: wind, asset, icebergs added
-    QString file;                                 ///< it was opened from; empty: flown here
-    Metrics metrics;                              ///< at the end
-    double flown_s = 0;                           ///< up to here
-    std::vector<Sample> samples;                  ///< the last one at `flown_s`
-    std::vector<double> visits_s;                 ///< when a target was reached
+    Scenario scenario;                      ///< as flown, with the planner chosen at take-off
+    PlannerSettings planner;                ///< at the end
+    bool wasChanged = false;                ///< tau or policy, in flight
+    std::vector<Intervention> worldChanges; ///< in flight: wind, asset, icebergs added and removed
+    QString file;                           ///< it was opened from; empty: flown here
+    Metrics metrics;                        ///< at the end
+    double flown_s = 0;                     ///< up to here
+    std::vector<Sample> samples;            ///< the last one at `flown_s`
+    std::vector<double> visits_s;           ///< when a target was reached
     std::vector<std::vector<double>> uavVisits_s; ///< the same by UAV
     std::vector<double> plans_s;   ///< when a plan was made, of several UAVs one for all
     std::vector<Iceberg> icebergs; ///< those added in flight at the end

@@ -162,7 +162,8 @@ KnownBound FlightRecord::boundOfFlight() const
     const bool isBroken =
         std::any_of(history.events.begin(), history.events.end(), [](const MissionEvent& event) {
             return (event.kind == EventKind::Sighted && event.reported) ||
-                   (event.kind == EventKind::Intervention && event.changed == ChangedPart::Wind);
+                   (event.kind == EventKind::Intervention &&
+                    (event.changed == ChangedPart::Wind || event.changed == ChangedPart::Removal));
         });
     return isBroken ? KnownBound() : bound;
 }

@@ -65,7 +65,8 @@ struct FlightRecord
     [[nodiscard]] bool inFlight() const;
     /** What is shown is the end of the run: nothing is left to fly. */
     [[nodiscard]] bool isOver() const;
-    /** Of this flight: nothing when an iceberg was reported seen, or the wind changed in flight. */
+    /** Of this flight: nothing when an iceberg was reported seen or removed, or the wind changed in
+     * flight. */
     [[nodiscard]] KnownBound boundOfFlight() const;
     /** At the time shown. */
     [[nodiscard]] Point estimate_m(std::size_t iceberg) const;

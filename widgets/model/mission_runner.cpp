@@ -12,7 +12,7 @@ namespace {
 /** Of one iceberg or UAV: the next one may be of another. */
 bool isOfOne(const Intervention& change)
 {
-    return change.appears || change.seen || change.assigned || change.commanded;
+    return change.appears || change.seen || change.removed || change.assigned || change.commanded;
 }
 
 /** A drag in flight: only the newest of the values that wait is flown. */

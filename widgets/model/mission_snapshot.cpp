@@ -73,11 +73,12 @@ std::vector<Intervention> worldChangesOf(const Mission& mission)
 {
     std::vector<Intervention> changes;
     for (const Intervention& change : mission.interventions())
-        if (change.wind_mps || change.asset || change.appears)
+        if (change.wind_mps || change.asset || change.appears || change.removed)
             changes.push_back({.time_s = change.time_s,
                                .wind_mps = change.wind_mps,
                                .asset = change.asset,
-                               .appears = change.appears});
+                               .appears = change.appears,
+                               .removed = change.removed});
     return changes;
 }
 

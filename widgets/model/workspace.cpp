@@ -224,6 +224,14 @@ void Workspace::reportSeen(const std::vector<std::string>& ids)
         m_runner.intervene({.seen = id});
 }
 
+void Workspace::remove(const std::vector<std::string>& ids)
+{
+    if (!inFlight() || refuseWhileLookingBack())
+        return;
+    for (const std::string& id : flownAmong(ids))
+        m_runner.intervene({.removed = id});
+}
+
 void Workspace::assign(const std::vector<std::string>& icebergs, const std::string& uav)
 {
     if (!inFlight()) {

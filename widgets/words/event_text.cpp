@@ -41,6 +41,8 @@ QString changeSentence(const MissionEvent& event, const QString& iceberg)
         return EventText::tr("Any UAV may visit %1").arg(iceberg);
     case ChangedPart::Order:
         return orderSentence(event.order);
+    case ChangedPart::Removal:
+        return EventText::tr("%1 removed").arg(iceberg);
     }
     return {};
 }

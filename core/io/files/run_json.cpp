@@ -48,6 +48,8 @@ std::string interventionText(const Intervention& intervention)
         object.addText("appears", icebergText(*intervention.appears));
     if (intervention.seen)
         object.add("seen", *intervention.seen);
+    if (intervention.removed)
+        object.add("removed", *intervention.removed);
     if (intervention.assigned) {
         JsonObject assigned;
         assigned.add("iceberg", intervention.assigned->iceberg);
@@ -163,6 +165,8 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
             intervention.appears = readIceberg(*appears, object.path("appears"), run.faults());
         if (object.find("seen") != nullptr)
             intervention.seen = object.text("seen");
+        if (object.find("removed") != nullptr)
+            intervention.removed = object.text("removed");
         if (const Json* assigned = object.find("assigned"))
             intervention.assigned =
                 readAssignment(*assigned, object.path("assigned"), run.faults());
@@ -201,6 +205,8 @@ void checkNamed(const RunFile& file, Faults& faults)
         const std::string path = entryPath("interventions", i);
         if (change.seen && !isThere(*change.seen))
             faults.add(path + ".seen", {IssueId::NoSuchIceberg, {printable(*change.seen)}});
+        if (change.removed && !isThere(*change.removed))
+            faults.add(path + ".removed", {IssueId::NoSuchIceberg, {printable(*change.removed)}});
         const auto isUav = [&](const std::string& id) {
             return std::ranges::find(file.scenario.uavs, id, &Uav::id) != file.scenario.uavs.end();
         };

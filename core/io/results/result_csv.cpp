@@ -19,10 +19,11 @@ namespace berg {
 
 namespace {
 
-constexpr std::array<Named<ChangedPart>, 3> kChangedPartNames{{
+constexpr std::array<Named<ChangedPart>, 4> kChangedPartNames{{
     {ChangedPart::Wind, "wind"},
     {ChangedPart::Asset, "asset"},
     {ChangedPart::Assignment, "assigned"},
+    {ChangedPart::Removal, "removed"},
 }};
 
 /** Appends `value` and the separator that follows it. */
@@ -108,6 +109,8 @@ std::string eventDetail(const MissionEvent& event, const Mission& mission)
         return text;
     case EventKind::Sighted:
         return event.reported ? "reported" : "";
+    case EventKind::Appeared:
+        return event.reported ? "added" : "";
     case EventKind::PlannerFailed:
         return event.failure;
     case EventKind::Alarm:
@@ -120,7 +123,6 @@ std::string eventDetail(const MissionEvent& event, const Mission& mission)
     case EventKind::Close:
         return idOf(mission.scenario().uavs, event.otherUav) + ", " +
                std::to_string(std::llround(event.distance_m)) + " m";
-    case EventKind::Appeared:
     case EventKind::Left:
     case EventKind::Lost:
     case EventKind::Found:

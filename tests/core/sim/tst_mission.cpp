@@ -1,6 +1,7 @@
 #include "core/plan/policy/policy.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
+#include "core/sim/mission_instant.h"
 #include "tests/support/scenario_builder.h"
 
 #include <QtTest>
@@ -18,7 +19,10 @@ class FailingSolver final : public TvpSolver
 public:
     explicit FailingSolver(int good) : m_good(good) {}
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
-    [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
+    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
+    {
+        return std::nullopt;
+    }
 
 protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,
@@ -40,7 +44,10 @@ class NotingSolver final : public TvpSolver
 public:
     explicit NotingSolver(std::vector<bool>& inFlight) : m_inFlight(inFlight) {}
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
-    [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
+    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
+    {
+        return std::nullopt;
+    }
 
 protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,
@@ -321,6 +328,35 @@ private slots:
         compareMissions(live, replayed);
         QCOMPARE(live.plans()[0].reason, PlanReason::Start);
         QCOMPARE(live.plans()[2].reason, PlanReason::Intervention);
+    }
+
+    /** Nothing about it counts from then on, and the area does not bring it back. */
+    void removedIcebergIsLeftAlone()
+    {
+        Scenario scenario = randomScenario(19);
+        scenario.area_m = {{-9000, -9000}, {9000, -9000}, {9000, 9000}, {-9000, 9000}};
+        Mission mission(scenario);
+        mission.advance(100);
+        const int target = mission.plans().back().target;
+        const std::string id = mission.icebergs()[static_cast<std::size_t>(target)].id;
+        const double before_m2 = mission.simulation().observer().sigmaSum_m2();
+        mission.intervene({.removed = id});
+        mission.advance(100.1);
+        QVERIFY(mission.simulation().observer().sigmaSum_m2() < before_m2);
+        flyToEnd(mission);
+        QVERIFY(!mission.simulation().active(target));
+        for (const PlanEvent& plan : mission.plans())
+            if (plan.time_s > 100)
+                QVERIFY(std::ranges::find(plan.order, target) == plan.order.end());
+        const auto removals = std::ranges::count_if(mission.events(), [&](const MissionEvent& e) {
+            return e.kind == EventKind::Intervention && e.changed == ChangedPart::Removal &&
+                   e.iceberg == target;
+        });
+        QCOMPARE(removals, 1);
+
+        QVERIFY(instantAt(mission, 99).simulation.active(target));
+        QVERIFY(!instantAt(mission, 500).simulation.active(target));
+        QVERIFY_EXCEPTION_THROWN(mission.intervene({.removed = "nobody"}), Error);
     }
 
     void badInterventionsAreRefused()

@@ -64,9 +64,11 @@ QString MapEdits::removalText(const std::vector<std::string>& ids) const
 
 void MapEdits::deleteSelected()
 {
+    const std::vector<std::string> ids = m_selection.ids();
+    if (m_view.mayIntervene())
+        emit m_view.removalRequested(ids);
     if (!begin() || m_view.removePart())
         return;
-    const std::vector<std::string> ids = m_selection.ids();
     if (const QString text = removalText(ids); !text.isEmpty())
         m_document.edit(text, [&](Scenario& scenario) { removeObjects(scenario, ids); });
     else if (!uavsOf(m_document.scenario(), ids).empty())

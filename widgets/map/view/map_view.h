@@ -134,6 +134,8 @@ signals:
     void assetMoved(const berg::Point& position_m);
     /** Without an id. */
     void icebergPlaced(const berg::Iceberg& iceberg);
+    /** In flight: of icebergs among them. */
+    void removalRequested(const std::vector<std::string>& ids);
 
     /** At an object, which is selected then, or on water: empty. */
     void contextMenuRequested(const QPoint& globalPos, const berg::Point& position_m,

@@ -174,31 +174,36 @@ private slots:
         QCOMPARE(compareRun(run, other)[0].field, path);
     }
 
-    void reportedSightingsReplay()
+    /** Of one iceberg, by its id. */
+    void namedIcebergsReplay_data()
     {
-        Mission mission(randomScenario(5));
-        mission.advance(80);
-        mission.intervene({.seen = mission.icebergs()[4].id});
-        mission.advance(200);
-        const RunFile run = runFromJson(runToJson(runOf(mission)), "text");
-        QCOMPARE(run.interventions.size(), std::size_t{1});
-        QCOMPARE(*run.interventions[0].seen, mission.icebergs()[4].id);
-        QVERIFY(compareRun(run, runOf(replay(run))).empty());
+        QTest::addColumn<QByteArray>("field");
+        QTest::newRow("seen") << QByteArray("seen");
+        QTest::newRow("removed") << QByteArray("removed");
     }
-
-    void sightingOfNobodyIsAFault()
+    void namedIcebergsReplay()
     {
+        QFETCH(QByteArray, field);
+        const auto named = [&](Intervention& change) -> std::optional<std::string>& {
+            return field == "seen" ? change.seen : change.removed;
+        };
         Mission mission(randomScenario(5));
         mission.advance(80);
-        mission.intervene({.seen = mission.icebergs()[4].id});
-        RunFile run = runOf(mission);
-        run.interventions[0].seen = "nobody";
+        Intervention change;
+        named(change) = mission.icebergs()[4].id;
+        mission.intervene(change);
+        mission.advance(200);
+        RunFile run = runFromJson(runToJson(runOf(mission)), "text");
+        QCOMPARE(*named(run.interventions.at(0)), mission.icebergs()[4].id);
+        QVERIFY(compareRun(run, runOf(replay(run))).empty());
+
+        named(run.interventions[0]) = "nobody";
         try {
             static_cast<void>(runFromJson(runToJson(run), "text"));
             QFAIL("read");
         } catch (const Error& error) {
             QCOMPARE(error.issues().size(), std::size_t{1});
-            QCOMPARE(error.issues()[0].field, std::string("interventions[0].seen"));
+            QCOMPARE(error.issues()[0].field, "interventions[0]." + field.toStdString());
         }
     }
 
