@@ -205,7 +205,8 @@ void checkOutcome(const SolveOutcome& outcome, const std::string& file)
     if (outcome.reason == StopReason::Cancelled)
         throw Interrupted{};
     if (outcome.reason == StopReason::Unable)
-        throw Error(ErrorCode::Unsupported, file, outcome.detail);
+        throw Error(ErrorCode::Unsupported, file,
+                    {outcome.whyUnable.value_or(IssueReason{IssueId::Verbatim, {outcome.detail}})});
 }
 
 /** Proves the plan anew. */

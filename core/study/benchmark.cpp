@@ -82,7 +82,8 @@ struct Contestant
     {
         if (unfinished)
             return "not tried: " + std::to_string(*unfinished) + " icebergs took too long";
-        return solver->whyNot(tableOneProblem(1, icebergs));
+        const std::optional<IssueReason> reason = solver->whyNot(tableOneProblem(1, icebergs));
+        return reason ? englishText(*reason) : std::string();
     }
 };
 

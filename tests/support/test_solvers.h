@@ -24,7 +24,10 @@ class ScriptedSolver final : public TvpSolver
 public:
     explicit ScriptedSolver(SolverScript& script) : m_script(script) {}
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
-    [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
+    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
+    {
+        return std::nullopt;
+    }
 
 protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,

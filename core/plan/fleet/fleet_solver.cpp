@@ -287,21 +287,14 @@ CoverFunction coverOf(Backend backend)
 SolveOutcome solveValid(const FleetProblem& problem, Backend backend, const SolveOptions& options)
 {
     if (backend == Backend::Cbc && problem.criterion == Criterion::Latency)
-        return {.reason = StopReason::Unable,
-                .plan = {},
-                .detail = "the set partitioning is that of Eq. (1), not of latency"};
+        return unable({IssueId::CbcLatency});
     const bool mustProve = backend == Backend::Exact || backend == Backend::Cbc;
     if (mustProve && problem.icebergCount() > kMostProvenByEngine)
-        return {.reason = StopReason::Unable,
-                .plan = {},
-                .detail = nameOf(kBackendNames, backend) + " proves plans of up to " +
-                          std::to_string(kMostProvenByEngine) + " icebergs"};
+        return unable({IssueId::ProofTooLarge,
+                       {nameOf(kBackendNames, backend), std::int64_t{kMostProvenByEngine}}});
     if (backend == Backend::Exact && problem.criterion == Criterion::Latency &&
         problem.icebergCount() > kMostFleetSubsets)
-        return {.reason = StopReason::Unable,
-                .plan = {},
-                .detail = "exact proves latency plans of several UAVs up to " +
-                          std::to_string(kMostFleetSubsets) + " icebergs"};
+        return unable({IssueId::FleetLatencyProof, {std::int64_t{kMostFleetSubsets}}});
     if (options.stop.stop_requested())
         return {.reason = StopReason::Cancelled, .plan = {}};
     if (problem.icebergCount() == 0)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/translate_noop.h"
 #include "core/plan/solve/names.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ struct PolicyTraits
 {
     PolicyKind kind = PolicyKind::Visitation;
     std::string_view name;    ///< in files and on the command line
-    std::string_view meaning; ///< for reports, English, after the name
+    std::string_view meaning; ///< for reports, after the name
     PolicyMethod method = PolicyMethod::Solver;
     Criterion criterion = Criterion::Visitation; ///< of the problem that is solved
     PlanLife life = PlanLife::ToNextIceberg;
@@ -57,42 +58,50 @@ struct PolicyTraits
 inline constexpr std::array kPolicyTable{
     PolicyTraits{.kind = PolicyKind::Visitation,
                  .name = "visitation",
-                 .meaning = "the order of Eq. (1) with the weight τ of Eq. (14), planned again at "
-                            "each iceberg",
+                 .meaning = QT_TRANSLATE_NOOP(
+                     "Report",
+                     "the order of Eq. (1) with the weight τ of Eq. (14), planned again at "
+                     "each iceberg"),
                  .usesTau = true,
                  .weighsSigma = true,
                  .plansClusters = true},
     PolicyTraits{.kind = PolicyKind::Path,
                  .name = "path",
-                 .meaning = "the shortest path through all icebergs, flown to its end, then solved "
-                            "again",
+                 .meaning = QT_TRANSLATE_NOOP(
+                     "Report",
+                     "the shortest path through all icebergs, flown to its end, then solved "
+                     "again"),
                  .life = PlanLife::ToItsEnd},
     PolicyTraits{.kind = PolicyKind::Tour,
                  .name = "tour",
-                 .meaning = "the shortest round tour, flown again and again",
+                 .meaning =
+                     QT_TRANSLATE_NOOP("Report", "the shortest round tour, flown again and again"),
                  .life = PlanLife::WholeFlight},
     PolicyTraits{.kind = PolicyKind::Nearest,
                  .name = "nearest",
-                 .meaning = "the nearest iceberg next",
+                 .meaning = QT_TRANSLATE_NOOP("Report", "the nearest iceberg next"),
                  .method = PolicyMethod::OneByOne,
                  .weighsSigma = true,
                  .plansClusters = true},
     PolicyTraits{.kind = PolicyKind::Uncertainty,
                  .name = "uncertainty",
-                 .meaning = "the most uncertain iceberg next",
+                 .meaning = QT_TRANSLATE_NOOP("Report", "the most uncertain iceberg next"),
                  .method = PolicyMethod::OneByOne,
                  .weighsSigma = true,
                  .plansClusters = true},
     PolicyTraits{.kind = PolicyKind::Latency,
                  .name = "latency",
-                 .meaning = "the order with the least waiting, weighted by uncertainty, planned "
-                            "again at each iceberg",
+                 .meaning = QT_TRANSLATE_NOOP(
+                     "Report", "the order with the least waiting, weighted by uncertainty, planned "
+                               "again at each iceberg"),
                  .criterion = Criterion::Latency,
                  .plansClusters = true},
     PolicyTraits{.kind = PolicyKind::Coverage,
                  .name = "coverage",
-                 .meaning = "legs with aim points that give the lowest predicted ζ, planned again "
-                            "at each sighting",
+                 .meaning = QT_TRANSLATE_NOOP(
+                     "Report",
+                     "legs with aim points that give the lowest predicted ζ, planned again "
+                     "at each sighting"),
                  .method = PolicyMethod::PredictedZeta},
 };
 

@@ -1,6 +1,7 @@
 #include "core/plan/solve/cbc_solver.h"
 
 #include "core/plan/solve/cbc_helper.h"
+#include "core/plan/solve/names.h"
 #include "core/plan/solve/solve_watch.h"
 
 #include <stdexcept>
@@ -104,30 +105,33 @@ private:
     SolveOutcome m_known;
 };
 
+int largestOf(Formulation formulation)
+{
+    switch (formulation) {
+    case Formulation::Position:
+        return kLargestPosition;
+    case Formulation::Printed:
+        return kLargestPrinted;
+    case Formulation::Reduced:
+        return kLargestReduced;
+    }
+    throw std::logic_error("CbcSolver: no such formulation");
+}
+
 } // namespace
 
 CbcSolver::CbcSolver(Formulation formulation) : m_formulation(formulation) {}
 
-std::string CbcSolver::whyNot(const TvpProblem& problem) const
+std::optional<IssueReason> CbcSolver::whyNot(const TvpProblem& problem) const
 {
     if (problem.criterion != Criterion::Visitation)
-        return "The MILPs are those of Eq. (1); latency is not its objective.";
-    const auto limit = [this]() -> std::pair<const char*, int> {
-        switch (m_formulation) {
-        case Formulation::Position:
-            return {"position-indexed", kLargestPosition};
-        case Formulation::Printed:
-            return {"printed", kLargestPrinted};
-        case Formulation::Reduced:
-            return {"reduced", kLargestReduced};
-        }
-        throw std::logic_error("CbcSolver: no such formulation");
-    };
-    const auto [name, largest] = limit();
+        return IssueReason{IssueId::CbcLatency};
+    const int largest = largestOf(m_formulation);
     if (problem.icebergCount() <= largest)
-        return {};
-    return "the " + std::string(name) + " MILP is offered for at most " + std::to_string(largest) +
-           " icebergs, not for " + std::to_string(problem.icebergCount());
+        return std::nullopt;
+    return IssueReason{IssueId::MilpTooLarge,
+                       {nameOf(kFormulationNames, m_formulation), std::int64_t{largest},
+                        std::int64_t{problem.icebergCount()}}};
 }
 
 SolveOutcome CbcSolver::doSolve(const TvpProblem& problem, const SolveOptions& options) const

@@ -17,7 +17,7 @@ class CbcSolver final : public TvpSolver
 public:
     explicit CbcSolver(Formulation formulation);
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Cbc; }
-    [[nodiscard]] std::string whyNot(const TvpProblem& problem) const override;
+    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem& problem) const override;
 
 protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,

@@ -1,16 +1,17 @@
 #include "core/plan/solve/exact_solver.h"
 
 #include "core/plan/solve/engine.h"
+#include "core/plan/solve/names.h"
 #include "core/plan/solve/subset_solver.h"
 
 namespace berg {
 
-std::string ExactSolver::whyNot(const TvpProblem& problem) const
+std::optional<IssueReason> ExactSolver::whyNot(const TvpProblem& problem) const
 {
     if (problem.icebergCount() <= kMostProvenByEngine || problem.mu == 0)
-        return {};
-    return "Proofs are limited to " + std::to_string(kMostProvenByEngine) +
-           " icebergs; the back end auto gives an order and a bound.";
+        return std::nullopt;
+    return IssueReason{IssueId::ProofTooLarge,
+                       {nameOf(kBackendNames, Backend::Exact), std::int64_t{kMostProvenByEngine}}};
 }
 
 SolveOutcome ExactSolver::doSolve(const TvpProblem& problem, const SolveOptions& options) const

@@ -16,7 +16,7 @@ class ExactSolver final : public TvpSolver
 {
 public:
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
-    [[nodiscard]] std::string whyNot(const TvpProblem& problem) const override;
+    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem& problem) const override;
 
 protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,

@@ -4,9 +4,9 @@
 
 namespace berg {
 
-std::string LocalSearch::whyNot(const TvpProblem&) const
+std::optional<IssueReason> LocalSearch::whyNot(const TvpProblem&) const
 {
-    return {};
+    return std::nullopt;
 }
 
 SolveOutcome LocalSearch::doSolve(const TvpProblem& problem, const SolveOptions& options) const

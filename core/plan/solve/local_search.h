@@ -12,7 +12,7 @@ class LocalSearch final : public TvpSolver
 {
 public:
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Heuristic; }
-    [[nodiscard]] std::string whyNot(const TvpProblem& problem) const override;
+    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem& problem) const override;
 
 protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,

@@ -26,7 +26,10 @@ class AutoSolver final : public TvpSolver
 {
 public:
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Auto; }
-    [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
+    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
+    {
+        return std::nullopt;
+    }
 
 protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,
@@ -78,6 +81,14 @@ double Stopwatch::elapsed_s() const
     return static_cast<double>(now_ns() - m_start_ns) * 1e-9;
 }
 
+SolveOutcome unable(IssueReason reason)
+{
+    return {.reason = StopReason::Unable,
+            .plan = {},
+            .detail = englishText(reason),
+            .whyUnable = std::move(reason)};
+}
+
 SolveOutcome TvpSolver::solve(const TvpProblem& problem, const SolveOptions& options) const
 {
     requireSolvingAllowed();
@@ -88,8 +99,8 @@ SolveOutcome TvpSolver::solve(const TvpProblem& problem, const SolveOptions& opt
     SolveOutcome outcome;
     if (problem.icebergCount() == 0) {
         outcome = {.status = SolveStatus::Optimal, .plan = FleetPlan(1), .bound = 0.0};
-    } else if (std::string reason = whyNot(problem); !reason.empty()) {
-        outcome = {.reason = StopReason::Unable, .plan = {}, .detail = std::move(reason)};
+    } else if (std::optional<IssueReason> reason = whyNot(problem)) {
+        outcome = unable(std::move(*reason));
     } else if (options.stop.stop_requested()) {
         outcome = {.reason = StopReason::Cancelled, .plan = {}};
     } else if (options.hint.empty() || isPlan(problem, options.hint)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/issue.h"
 #include "core/plan/solve/aimed_leg.h"
 #include "core/plan/solve/tvp.h"
 
@@ -91,11 +92,15 @@ struct SolveOutcome
      * (`firstMultipliers`), one per node. Empty: the answer needed none. */
     std::vector<double> multipliers = {};
     AnswerSource source = AnswerSource::None;
-    std::string detail = {}; ///< the back end's own words, for a tooltip
+    std::string detail = {};                   ///< the back end's own words
+    std::optional<IssueReason> whyUnable = {}; ///< not even tried
 
     /** That of the only UAV; empty when there is none. */
     [[nodiscard]] const VisitOrder& order() const;
 };
+
+/** Not even tried, and why. */
+[[nodiscard]] SolveOutcome unable(IssueReason reason);
 
 /**
  * One way to solve the target visitation problem of one UAV. Stateless: one object may solve on
@@ -113,8 +118,8 @@ public:
     /** What signs the answers that name no other source. */
     [[nodiscard]] virtual AnswerSource source() const = 0;
 
-    /** Empty when the back end is able to solve the problem, else the reason in a sentence. */
-    [[nodiscard]] virtual std::string whyNot(const TvpProblem& problem) const = 0;
+    /** Why the back end is not able to solve the problem; none: it is. */
+    [[nodiscard]] virtual std::optional<IssueReason> whyNot(const TvpProblem& problem) const = 0;
 
     /**
      * Solves the problem within the options' limits. Limits and cancellation are outcomes, not

@@ -336,12 +336,12 @@ SolveOutcome solveWithAtLeast(const TvpProblem& problem, const SolveOptions& opt
 
 } // namespace
 
-std::string SubsetSolver::whyNot(const TvpProblem& problem) const
+std::optional<IssueReason> SubsetSolver::whyNot(const TvpProblem& problem) const
 {
     if (problem.icebergCount() <= kMostIcebergs)
-        return {};
-    return "Dynamic programming over subsets is limited to " + std::to_string(kMostIcebergs) +
-           " icebergs.";
+        return std::nullopt;
+    return IssueReason{IssueId::ProofTooLarge,
+                       {std::string("subsets"), std::int64_t{kMostIcebergs}}};
 }
 
 SolveOutcome SubsetSolver::doSolve(const TvpProblem& problem, const SolveOptions& options) const

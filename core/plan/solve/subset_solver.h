@@ -27,7 +27,7 @@ public:
     }
 
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Subsets; }
-    [[nodiscard]] std::string whyNot(const TvpProblem& problem) const override;
+    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem& problem) const override;
 
 protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,

@@ -202,7 +202,7 @@ private slots:
         QVERIFY(outcome.status == SolveStatus::Feasible);
         QVERIFY(isVisitOrder(problem, outcome.order()));
         QVERIFY(outcome.bound && *outcome.bound > 0 && *outcome.bound < outcome.objective);
-        QVERIFY(!makeSolver(Backend::Exact)->whyNot(problem).empty());
+        QVERIFY(makeSolver(Backend::Exact)->whyNot(problem).has_value());
     }
 
     /** The same order every time; among equals the smallest numbers first, up to 16 icebergs. */
