@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # What the command line says in another language, as pairs {"English", "translation"} of a C++ table:
 #   cmake/catalogue.sh translations/bergwatch_nb.ts > catalogue_nb.inc
-# These are the contexts CommandLine and IssueText without what is unfinished or counts. Without Qt.
+# These are the contexts CommandLine, EventText, IssueText and Report without what is unfinished or
+# counts. Without Qt.
 set -euo pipefail
 export LC_ALL=C
 awk '
@@ -18,7 +19,7 @@ function text(line) { # of an element, as a C++ string
     gsub(/["\\]/, "\\\\&", line)
     return "\"" line "\""
 }
-/<name>/ { ours = /<name>(CommandLine|IssueText)</ }
+/<name>/ { ours = /<name>(CommandLine|EventText|IssueText|Report)</ }
 !ours { next }
 /<message/ { single = !/numerus/ }
 /<source>/ { source = $0 }

@@ -838,10 +838,6 @@
         <translation>%1 dukkede op</translation>
     </message>
     <message>
-        <source>Trade-off or policy changed</source>
-        <translation>Afvejning eller strategi ændret</translation>
-    </message>
-    <message>
         <source>take-off</source>
         <translation>start</translation>
     </message>
@@ -942,10 +938,6 @@
         <translation>Enhver drone må besøge %1</translation>
     </message>
     <message>
-        <source>Close to another UAV: %1</source>
-        <translation>Tæt på en anden drone: %1</translation>
-    </message>
-    <message>
         <source>%1 and %2 are %3 apart</source>
         <translation>%1 og %2 er %3 fra hinanden</translation>
     </message>
@@ -996,6 +988,22 @@
     <message>
         <source>end of hold</source>
         <translation>slut på ventetid</translation>
+    </message>
+    <message>
+        <source>Planned from now on by: %2</source>
+        <translation>Planlægges fra nu af med: %2</translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation>%1 fjernet</translation>
+    </message>
+    <message>
+        <source>%1 added</source>
+        <translation>%1 tilføjet</translation>
+    </message>
+    <message>
+        <source>Close to another UAV: %3</source>
+        <translation>Tæt på en anden drone: %3</translation>
     </message>
 </context>
 <context>
@@ -5069,6 +5077,18 @@ Tilstødende område %4</translation>
         <source>proving the optimum of so many icebergs can take a minute and more</source>
         <translation>at bevise optimum for så mange isbjerge kan tage et minut eller mere</translation>
     </message>
+    <message>
+        <source>the MILP %1 is offered for at most %2 icebergs, not for %3</source>
+        <translation>MILP’en %1 tilbydes for højst %2 isbjerge, ikke for %3</translation>
+    </message>
+    <message>
+        <source>the back end %1 proves plans of at most %2 icebergs; auto gives a plan and a bound</source>
+        <translation>løseren %1 beviser planer med højst %2 isbjerge; auto giver en plan og en grænse</translation>
+    </message>
+    <message>
+        <source>the back end exact proves latency plans of several UAVs for at most %1 icebergs</source>
+        <translation>løseren exact beviser latency-planer for flere droner med højst %1 isbjerge</translation>
+    </message>
 </context>
 <context>
     <name>LogText</name>
@@ -6812,6 +6832,517 @@ Tilstødende område %4</translation>
     <message>
         <source>at all heights</source>
         <translation>i alle højder</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>predicted before take-off %1 m² s, until the end of the run</source>
+        <translation>forudsagt før start %1 m² s, til slutningen af kørslen</translation>
+    </message>
+    <message>
+        <source>changed in flight, so that the prediction was for another flight</source>
+        <translation>ændret under flyvningen, så forudsigelsen gjaldt en anden flyvning</translation>
+    </message>
+    <message>
+        <source>Flown</source>
+        <translation>Fløjet</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>Visits, plans</source>
+        <translation>Besøg, planer</translation>
+    </message>
+    <message>
+        <source>Policy</source>
+        <translation>Strategi</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startværdi</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Program</translation>
+    </message>
+    <message>
+        <source>Planned: the first plan, before take-off. Distances flown are through the air.</source>
+        <translation>Planlagt: den første plan, før start. Fløjne afstande er gennem luften.</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Visits planned</source>
+        <translation>Besøg planlagt</translation>
+    </message>
+    <message>
+        <source>flown</source>
+        <translation>fløjet</translation>
+    </message>
+    <message>
+        <source>Distance planned, km</source>
+        <translation>Planlagt afstand, km</translation>
+    </message>
+    <message>
+        <source>flown, km</source>
+        <translation>fløjet, km</translation>
+    </message>
+    <message>
+        <source>Time planned</source>
+        <translation>Tid planlagt</translation>
+    </message>
+    <message>
+        <source>aloft</source>
+        <translation>i luften</translation>
+    </message>
+    <message>
+        <source>Outside the flight geography</source>
+        <translation>Uden for flyvegeografien</translation>
+    </message>
+    <message>
+        <source>Planned and flown</source>
+        <translation>Planlagt og fløjet</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the first plan as a file of the format wpl:</source>
+        <translation>SHA-256 af den første plan som fil i formatet wpl:</translation>
+    </message>
+    <message>
+        <source>Zeta over time</source>
+        <translation>Zeta over tid</translation>
+    </message>
+    <message>
+        <source>s since the start</source>
+        <translation>s siden start</translation>
+    </message>
+    <message>
+        <source>Zeta over time, in the end %1 square metres times seconds.</source>
+        <translation>Zeta over tid, til sidst %1 kvadratmeter gange sekunder.</translation>
+    </message>
+    <message>
+        <source>ζ over time</source>
+        <translation>ζ over tid</translation>
+    </message>
+    <message>
+        <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again or the record ends.</source>
+        <translation>Længst uset: fra et isbjerg blev kendt eller set, til det blev set igen eller optagelsen slutter.</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isbjerg</translation>
+    </message>
+    <message>
+        <source>First seen</source>
+        <translation>Først set</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Sidst set</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøg</translation>
+    </message>
+    <message>
+        <source>Longest unseen</source>
+        <translation>Længst uset</translation>
+    </message>
+    <message>
+        <source>σ at the end, m²</source>
+        <translation>σ ved slutningen, m²</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>aldrig</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>Observationer</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>og %1 mere</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Afvigelser</translation>
+    </message>
+    <message>
+        <source>None on record.</source>
+        <translation>Ingen er registreret.</translation>
+    </message>
+    <message>
+        <source>Flight log: %1</source>
+        <translation>Flyvelog: %1</translation>
+    </message>
+    <message>
+        <source>90 % of cases below</source>
+        <translation>90 % af tilfældene under</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>median</translation>
+    </message>
+    <message>
+        <source>mean, visitation</source>
+        <translation>middel, visitation</translation>
+    </message>
+    <message>
+        <source>Zeta against tau; the numbers are in the table of settings</source>
+        <translation>Zeta mod tau; tallene står i tabellen over indstillinger</translation>
+    </message>
+    <message>
+        <source>trade-off τ</source>
+        <translation>afvejning τ</translation>
+    </message>
+    <message>
+        <source>Differences to the reference; the numbers are in the table of differences</source>
+        <translation>Forskelle fra referencen; tallene står i tabellen over forskelle</translation>
+    </message>
+    <message>
+        <source>mean difference of ζ to %1, %</source>
+        <translation>middelforskel i ζ fra %1, %</translation>
+    </message>
+    <message>
+        <source>%1 (reference)</source>
+        <translation>%1 (reference)</translation>
+    </message>
+    <message>
+        <source>Cases in which each tau is the best</source>
+        <translation>Tilfælde, hvor hver tau er bedst</translation>
+    </message>
+    <message>
+        <source>cases</source>
+        <translation>tilfælde</translation>
+    </message>
+    <message>
+        <source>τ of the lowest ζ of a case</source>
+        <translation>τ med lavest ζ i et tilfælde</translation>
+    </message>
+    <message>
+        <source>a scenario without a name</source>
+        <translation>et scenarie uden navn</translation>
+    </message>
+    <message>
+        <source>%1: icebergs: %2, seed %3, %4 s in steps of %5 s</source>
+        <translation>%1: isbjerge: %2, startværdi %3, %4 s i trin på %5 s</translation>
+    </message>
+    <message>
+        <source>without noise</source>
+        <translation>uden støj</translation>
+    </message>
+    <message>
+        <source>measured with noise, velocities known</source>
+        <translation>målt med støj, kendte hastigheder</translation>
+    </message>
+    <message>
+        <source>measured with noise, velocities not known by 0.1 m/s</source>
+        <translation>målt med støj, hastigheder ukendte med 0.1 m/s</translation>
+    </message>
+    <message>
+        <source>measured with noise, with unknown velocities that change as those of icebergs do</source>
+        <translation>målt med støj, med ukendte hastigheder, der ændrer sig som isbjerges</translation>
+    </message>
+    <message>
+        <source>Random fields: %1, seeds %2 to %3. Icebergs in each: %4, in %5 m × %6 m, drifting at up to %7 m/s</source>
+        <translation>Tilfældige felter: %1, startværdier %2 til %3. Isbjerge i hvert: %4, i %5 m × %6 m, med drift op til %7 m/s</translation>
+    </message>
+    <message>
+        <source>σ at first %1 to %2 m², growing by q = %3 m²/s</source>
+        <translation>σ først %1 til %2 m², vokser med q = %3 m²/s</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Scenarier</translation>
+    </message>
+    <message>
+        <source>Policies</source>
+        <translation>Strategier</translation>
+    </message>
+    <message>
+        <source>the scenario’s own seed, the same for every setting</source>
+        <translation>scenariets egen startværdi, den samme for alle indstillinger</translation>
+    </message>
+    <message>
+        <source>seeds for each scenario: %1, its own first, the same for every setting</source>
+        <translation>startværdier for hvert scenarie: %1, dets egen først, de samme for alle indstillinger</translation>
+    </message>
+    <message>
+        <source>%1 to %2 by %3 (%4 values)</source>
+        <translation>%1 til %2 i trin på %3 (%4 værdier)</translation>
+    </message>
+    <message>
+        <source>Random fields: %1, icebergs in each: %2</source>
+        <translation>Tilfældige felter: %1, isbjerge i hvert: %2</translation>
+    </message>
+    <message>
+        <source>Study, scenarios: %1</source>
+        <translation>Studie, scenarier: %1</translation>
+    </message>
+    <message>
+        <source>What was flown</source>
+        <translation>Det fløjne</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Afvejning τ</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Støj</translation>
+    </message>
+    <message>
+        <source>Missions</source>
+        <translation>Missioner</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 af %2</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maskine</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Lavet</translation>
+    </message>
+    <message>
+        <source>Last run took</source>
+        <translation>Sidste kørsel tog</translation>
+    </message>
+    <message>
+        <source>How to make it again</source>
+        <translation>Sådan laves den igen</translation>
+    </message>
+    <message>
+        <source>This page holds the whole study, with every scenario, seed and result, and can be given to Bergwatch as a study file. From the results in it:</source>
+        <translation>Denne side indeholder hele studiet, med alle scenarier, startværdier og resultater, og kan gives til Bergwatch som studiefil. Fra resultaterne i den:</translation>
+    </message>
+    <message>
+        <source>Flown anew; the numbers depend neither on the machine nor on how many threads fly them:</source>
+        <translation>Fløjet igen; tallene afhænger hverken af maskinen eller af, hvor mange tråde der flyver:</translation>
+    </message>
+    <message>
+        <source>Flown anew, with the scenario files by name; the numbers depend neither on the machine nor on how many threads fly them:</source>
+        <translation>Fløjet igen, med scenariefilerne ved navn; tallene afhænger hverken af maskinen eller af, hvor mange tråde der flyver:</translation>
+    </message>
+    <message>
+        <source>ζ is the integral over the flight of the uncertainty σ of all icebergs together: less is better.</source>
+        <translation>ζ er integralet over flyvningen af usikkerheden σ for alle isbjerge tilsammen: mindre er bedre.</translation>
+    </message>
+    <message>
+        <source>One case, so there is no spread to show.</source>
+        <translation>Ét tilfælde, så der er ingen spredning at vise.</translation>
+    </message>
+    <message>
+        <source>The line is the mean over the cases (%1), the bands hold the middle half and 80 % of them. Lines across are the means of policies that have no τ.</source>
+        <translation>Linjen er middelværdien over tilfældene (%1), båndene rummer den midterste halvdel og 80 % af dem. Linjer på tværs er middelværdien for strategier uden τ.</translation>
+    </message>
+    <message>
+        <source>Each case is compared with itself, on the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Left of 0 is better than the reference.</source>
+        <translation>Hvert tilfælde sammenlignes med sig selv, med de samme isbjerge og den samme støj; stregerne er 95 %-intervaller for middelværdien (Students t). Til venstre for 0 er bedre end referencen.</translation>
+    </message>
+    <message>
+        <source>Not every τ is drawn; all are in the table.</source>
+        <translation>Ikke alle τ er tegnet; alle står i tabellen.</translation>
+    </message>
+    <message>
+        <source>ζ against τ</source>
+        <translation>ζ mod τ</translation>
+    </message>
+    <message>
+        <source>Differences to the reference</source>
+        <translation>Forskelle til referencen</translation>
+    </message>
+    <message>
+        <source>Best τ of each case</source>
+        <translation>Bedste τ i hvert tilfælde</translation>
+    </message>
+    <message>
+        <source>The τ with the lowest ζ of a case, chosen in hindsight: nobody knows it before the flight. Of equal ones the smallest counts.</source>
+        <translation>Den τ, der giver lavest ζ i et tilfælde, valgt bagefter: ingen kender den før flyvningen. Af lige gode tæller den mindste.</translation>
+    </message>
+    <message>
+        <source>Stuck: two icebergs at most as targets in the last half of the flight.</source>
+        <translation>Fastlåst: højst to isbjerge som mål i den sidste halvdel af flyvningen.</translation>
+    </message>
+    <message>
+        <source>ζ of the case and its difference to %1.</source>
+        <translation>ζ for tilfældet og forskellen fra %1.</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Indstilling</translation>
+    </message>
+    <message>
+        <source>Difference, m² s</source>
+        <translation>Forskel, m² s</translation>
+    </message>
+    <message>
+        <source>Difference, %</source>
+        <translation>Forskel, %</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Fastlåst</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nej</translation>
+    </message>
+    <message>
+        <source>ζ in m² s. Cases: %1.</source>
+        <translation>ζ i m² s. Tilfælde: %1.</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Middel</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>Standardfejl</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Differences of ζ to %1, case by case, with 95 % intervals of the mean. Worst: the largest difference of a case.</source>
+        <translation>Forskelle i ζ fra %1, tilfælde for tilfælde, med 95 %-intervaller for middelværdien. Værst: den største forskel i et tilfælde.</translation>
+    </message>
+    <message>
+        <source>Mean, m² s</source>
+        <translation>Middel, m² s</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95 %-interval</translation>
+    </message>
+    <message>
+        <source>Mean, %</source>
+        <translation>Middel, %</translation>
+    </message>
+    <message>
+        <source>Cases below</source>
+        <translation>Tilfælde under</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>Værst</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>reference</translation>
+    </message>
+    <message>
+        <source>best τ of each case</source>
+        <translation>bedste τ i hvert tilfælde</translation>
+    </message>
+    <message>
+        <source>Best τ of each case, chosen in hindsight</source>
+        <translation>Bedste τ i hvert tilfælde, valgt bagefter</translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation>Tilfælde</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Andel</translation>
+    </message>
+    <message>
+        <source>One case recommends no policy: fly more of them.</source>
+        <translation>Ét tilfælde anbefaler ingen strategi: flyv flere.</translation>
+    </message>
+    <message>
+        <source>Recommended: %1, %2 against %3, the best of another policy.</source>
+        <translation>Anbefalet: %1, %2 mod %3, den bedste af en anden strategi.</translation>
+    </message>
+    <message>
+        <source>No policy is surely the best: %1 is %2 against %3.</source>
+        <translation>Ingen strategi er sikkert den bedste: %1 er %2 mod %3.</translation>
+    </message>
+    <message>
+        <source>Lowest ζ: %1, %2 m² s.</source>
+        <translation>Lavest ζ: %1, %2 m² s.</translation>
+    </message>
+    <message>
+        <source>Lowest mean ζ: %1, %2 m² s.</source>
+        <translation>Lavest gennemsnitlig ζ: %1, %2 m² s.</translation>
+    </message>
+    <message>
+        <source>Lowest ζ: %1, %2 m² s, %3 against %4.</source>
+        <translation>Lavest ζ: %1, %2 m² s, %3 mod %4.</translation>
+    </message>
+    <message>
+        <source>Lowest mean ζ: %1, %2 m² s, %3 against %4.</source>
+        <translation>Lavest gennemsnitlig ζ: %1, %2 m² s, %3 mod %4.</translation>
+    </message>
+    <message>
+        <source>Best τ of this case: %1.</source>
+        <translation>Bedste τ i dette tilfælde: %1.</translation>
+    </message>
+    <message>
+        <source>Best τ of each case, chosen in hindsight: median %1, 80 % of the cases between %2 and %3; its mean ζ is %4 against %5.</source>
+        <translation>Bedste τ i hvert tilfælde, valgt bagefter: median %1, 80 % af tilfældene mellem %2 og %3; gennemsnitlig ζ er %4 mod %5.</translation>
+    </message>
+    <message>
+        <source>Not complete.</source>
+        <translation>Ikke fuldstændig.</translation>
+    </message>
+    <message>
+        <source>Missions flown: %1 of %2. Everything below is of the cases that every setting has flown: %3 of %4.</source>
+        <translation>Fløjne missioner: %1 af %2. Alt herunder gælder de tilfælde, som alle indstillinger har fløjet: %3 af %4.</translation>
+    </message>
+    <message>
+        <source>Missions: %1. Cases: %2, each flown with every setting. Settings: %3.</source>
+        <translation>Missioner: %1. Tilfælde: %2, hvert fløjet med alle indstillinger. Indstillinger: %3.</translation>
+    </message>
+    <message>
+        <source>The numbers</source>
+        <translation>Tallene</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>da</translation>
+    </message>
+    <message>
+        <source>the order of Eq. (1) with the weight τ of Eq. (14), planned again at each iceberg</source>
+        <translation>rækkefølgen efter lign. (1) med vægten τ fra lign. (14), planlagt igen ved hvert isbjerg</translation>
+    </message>
+    <message>
+        <source>the shortest path through all icebergs, flown to its end, then solved again</source>
+        <translation>den korteste rute gennem alle isbjerge, fløjet til slutningen og så løst igen</translation>
+    </message>
+    <message>
+        <source>the shortest round tour, flown again and again</source>
+        <translation>den korteste rundtur, fløjet igen og igen</translation>
+    </message>
+    <message>
+        <source>the nearest iceberg next</source>
+        <translation>det nærmeste isbjerg som det næste</translation>
+    </message>
+    <message>
+        <source>the most uncertain iceberg next</source>
+        <translation>det mest usikre isbjerg som det næste</translation>
+    </message>
+    <message>
+        <source>the order with the least waiting, weighted by uncertainty, planned again at each iceberg</source>
+        <translation>rækkefølgen med mindst ventetid, vægtet med usikkerhed, planlagt igen ved hvert isbjerg</translation>
+    </message>
+    <message>
+        <source>legs with aim points that give the lowest predicted ζ, planned again at each sighting</source>
+        <translation>etaper med sigtepunkter, der giver lavest forudsagt ζ, planlagt igen ved hver observation</translation>
     </message>
 </context>
 <context>

@@ -838,10 +838,6 @@
         <translation>%1 est apparu</translation>
     </message>
     <message>
-        <source>Trade-off or policy changed</source>
-        <translation>Compromis ou stratégie modifiés</translation>
-    </message>
-    <message>
         <source>take-off</source>
         <translation>décollage</translation>
     </message>
@@ -942,10 +938,6 @@
         <translation>N&apos;importe quel drone peut visiter %1</translation>
     </message>
     <message>
-        <source>Close to another UAV: %1</source>
-        <translation>Proche d&apos;un autre drone : %1</translation>
-    </message>
-    <message>
         <source>%1 and %2 are %3 apart</source>
         <translation>%1 et %2 sont distants de %3</translation>
     </message>
@@ -996,6 +988,22 @@
     <message>
         <source>end of hold</source>
         <translation>fin de l&apos;attente</translation>
+    </message>
+    <message>
+        <source>Planned from now on by: %2</source>
+        <translation>Planifié désormais par : %2</translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation>%1 retiré</translation>
+    </message>
+    <message>
+        <source>%1 added</source>
+        <translation>%1 ajouté</translation>
+    </message>
+    <message>
+        <source>Close to another UAV: %3</source>
+        <translation>Proche d’un autre drone : %3</translation>
     </message>
 </context>
 <context>
@@ -5069,6 +5077,18 @@ Zone adjacente %4</translation>
         <source>proving the optimum of so many icebergs can take a minute and more</source>
         <translation>prouver l&apos;optimum pour autant d&apos;icebergs peut prendre une minute ou plus</translation>
     </message>
+    <message>
+        <source>the MILP %1 is offered for at most %2 icebergs, not for %3</source>
+        <translation>le MILP %1 est proposé pour %2 icebergs au plus, pas pour %3</translation>
+    </message>
+    <message>
+        <source>the back end %1 proves plans of at most %2 icebergs; auto gives a plan and a bound</source>
+        <translation>le solveur %1 prouve des plans de %2 icebergs au plus ; auto donne un plan et une borne</translation>
+    </message>
+    <message>
+        <source>the back end exact proves latency plans of several UAVs for at most %1 icebergs</source>
+        <translation>le solveur exact prouve les plans latency de plusieurs drones pour %1 icebergs au plus</translation>
+    </message>
 </context>
 <context>
     <name>LogText</name>
@@ -6812,6 +6832,517 @@ Zone adjacente %4</translation>
     <message>
         <source>at all heights</source>
         <translation>à toutes les hauteurs</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>predicted before take-off %1 m² s, until the end of the run</source>
+        <translation>prévu avant le décollage %1 m² s, jusqu’à la fin de la simulation</translation>
+    </message>
+    <message>
+        <source>changed in flight, so that the prediction was for another flight</source>
+        <translation>modifié en vol : la prévision concernait un autre vol</translation>
+    </message>
+    <message>
+        <source>Flown</source>
+        <translation>Parcouru</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Visits, plans</source>
+        <translation>Visites, plans</translation>
+    </message>
+    <message>
+        <source>Policy</source>
+        <translation>Stratégie</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Planned: the first plan, before take-off. Distances flown are through the air.</source>
+        <translation>Prévu : le premier plan, avant le décollage. Les distances volées sont dans l’air.</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
+    </message>
+    <message>
+        <source>Visits planned</source>
+        <translation>Visites planifiées</translation>
+    </message>
+    <message>
+        <source>flown</source>
+        <translation>en vol</translation>
+    </message>
+    <message>
+        <source>Distance planned, km</source>
+        <translation>Distance prévue, km</translation>
+    </message>
+    <message>
+        <source>flown, km</source>
+        <translation>volée, km</translation>
+    </message>
+    <message>
+        <source>Time planned</source>
+        <translation>Temps planifié</translation>
+    </message>
+    <message>
+        <source>aloft</source>
+        <translation>en l&apos;air</translation>
+    </message>
+    <message>
+        <source>Outside the flight geography</source>
+        <translation>Hors de la géographie de vol</translation>
+    </message>
+    <message>
+        <source>Planned and flown</source>
+        <translation>Prévu et volé</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the first plan as a file of the format wpl:</source>
+        <translation>SHA-256 du premier plan en fichier au format wpl :</translation>
+    </message>
+    <message>
+        <source>Zeta over time</source>
+        <translation>Zêta dans le temps</translation>
+    </message>
+    <message>
+        <source>s since the start</source>
+        <translation>s depuis le départ</translation>
+    </message>
+    <message>
+        <source>Zeta over time, in the end %1 square metres times seconds.</source>
+        <translation>Zêta dans le temps, à la fin %1 mètres carrés fois secondes.</translation>
+    </message>
+    <message>
+        <source>ζ over time</source>
+        <translation>ζ dans le temps</translation>
+    </message>
+    <message>
+        <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again or the record ends.</source>
+        <translation>Plus long sans vue : depuis qu’un iceberg est connu, ou vu, jusqu’à ce qu’il soit revu ou que l’enregistrement finisse.</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Iceberg</translation>
+    </message>
+    <message>
+        <source>First seen</source>
+        <translation>Première observation</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Dernière observation</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Visites</translation>
+    </message>
+    <message>
+        <source>Longest unseen</source>
+        <translation>Plus longtemps non vu</translation>
+    </message>
+    <message>
+        <source>σ at the end, m²</source>
+        <translation>σ à la fin, m²</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>jamais</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>Observations</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Écarts</translation>
+    </message>
+    <message>
+        <source>None on record.</source>
+        <translation>Aucun écart enregistré.</translation>
+    </message>
+    <message>
+        <source>Flight log: %1</source>
+        <translation>Journal de vol : %1</translation>
+    </message>
+    <message>
+        <source>90 % of cases below</source>
+        <translation>90 % des cas au-dessous</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>médiane</translation>
+    </message>
+    <message>
+        <source>mean, visitation</source>
+        <translation>moyenne, visitation</translation>
+    </message>
+    <message>
+        <source>Zeta against tau; the numbers are in the table of settings</source>
+        <translation>Zêta selon tau ; les nombres sont dans le tableau des réglages</translation>
+    </message>
+    <message>
+        <source>trade-off τ</source>
+        <translation>compromis τ</translation>
+    </message>
+    <message>
+        <source>Differences to the reference; the numbers are in the table of differences</source>
+        <translation>Différences avec la référence ; les nombres sont dans le tableau des différences</translation>
+    </message>
+    <message>
+        <source>mean difference of ζ to %1, %</source>
+        <translation>différence moyenne de ζ avec %1, %</translation>
+    </message>
+    <message>
+        <source>%1 (reference)</source>
+        <translation>%1 (référence)</translation>
+    </message>
+    <message>
+        <source>Cases in which each tau is the best</source>
+        <translation>Cas où chaque tau est le meilleur</translation>
+    </message>
+    <message>
+        <source>cases</source>
+        <translation>cas</translation>
+    </message>
+    <message>
+        <source>τ of the lowest ζ of a case</source>
+        <translation>τ du ζ le plus bas d’un cas</translation>
+    </message>
+    <message>
+        <source>a scenario without a name</source>
+        <translation>un scénario sans nom</translation>
+    </message>
+    <message>
+        <source>%1: icebergs: %2, seed %3, %4 s in steps of %5 s</source>
+        <translation>%1 : icebergs : %2, graine %3, %4 s par pas de %5 s</translation>
+    </message>
+    <message>
+        <source>without noise</source>
+        <translation>sans bruit</translation>
+    </message>
+    <message>
+        <source>measured with noise, velocities known</source>
+        <translation>mesuré avec du bruit, vitesses connues</translation>
+    </message>
+    <message>
+        <source>measured with noise, velocities not known by 0.1 m/s</source>
+        <translation>mesuré avec du bruit, vitesses inconnues à 0.1 m/s</translation>
+    </message>
+    <message>
+        <source>measured with noise, with unknown velocities that change as those of icebergs do</source>
+        <translation>mesuré avec du bruit, vitesses inconnues qui changent comme celles des icebergs</translation>
+    </message>
+    <message>
+        <source>Random fields: %1, seeds %2 to %3. Icebergs in each: %4, in %5 m × %6 m, drifting at up to %7 m/s</source>
+        <translation>Champs aléatoires : %1, graines %2 à %3. Icebergs dans chacun : %4, dans %5 m × %6 m, dérivant à %7 m/s au plus</translation>
+    </message>
+    <message>
+        <source>σ at first %1 to %2 m², growing by q = %3 m²/s</source>
+        <translation>σ d’abord %1 à %2 m², croissant de q = %3 m²/s</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Scénarios</translation>
+    </message>
+    <message>
+        <source>Policies</source>
+        <translation>Stratégies</translation>
+    </message>
+    <message>
+        <source>the scenario’s own seed, the same for every setting</source>
+        <translation>la graine du scénario, la même pour tous les réglages</translation>
+    </message>
+    <message>
+        <source>seeds for each scenario: %1, its own first, the same for every setting</source>
+        <translation>graines par scénario : %1, la sienne d’abord, les mêmes pour tous les réglages</translation>
+    </message>
+    <message>
+        <source>%1 to %2 by %3 (%4 values)</source>
+        <translation>%1 à %2 par pas de %3 (%4 valeurs)</translation>
+    </message>
+    <message>
+        <source>Random fields: %1, icebergs in each: %2</source>
+        <translation>Champs aléatoires : %1, icebergs dans chacun : %2</translation>
+    </message>
+    <message>
+        <source>Study, scenarios: %1</source>
+        <translation>Étude, scénarios : %1</translation>
+    </message>
+    <message>
+        <source>What was flown</source>
+        <translation>Le vol effectué</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Compromis τ</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Bruit</translation>
+    </message>
+    <message>
+        <source>Missions</source>
+        <translation>Missions</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Créé</translation>
+    </message>
+    <message>
+        <source>Last run took</source>
+        <translation>Durée de la dernière exécution</translation>
+    </message>
+    <message>
+        <source>How to make it again</source>
+        <translation>Comment la refaire</translation>
+    </message>
+    <message>
+        <source>This page holds the whole study, with every scenario, seed and result, and can be given to Bergwatch as a study file. From the results in it:</source>
+        <translation>Cette page contient toute l’étude, avec chaque scénario, graine et résultat, et peut être donnée à Bergwatch comme fichier d’étude. À partir de ses résultats :</translation>
+    </message>
+    <message>
+        <source>Flown anew; the numbers depend neither on the machine nor on how many threads fly them:</source>
+        <translation>Volé de nouveau ; les nombres ne dépendent ni de la machine ni du nombre de fils d’exécution :</translation>
+    </message>
+    <message>
+        <source>Flown anew, with the scenario files by name; the numbers depend neither on the machine nor on how many threads fly them:</source>
+        <translation>Volé de nouveau, avec les fichiers de scénario par leur nom ; les nombres ne dépendent ni de la machine ni du nombre de fils d’exécution :</translation>
+    </message>
+    <message>
+        <source>ζ is the integral over the flight of the uncertainty σ of all icebergs together: less is better.</source>
+        <translation>ζ est l’intégrale sur le vol de l’incertitude σ de tous les icebergs : moins, c’est mieux.</translation>
+    </message>
+    <message>
+        <source>One case, so there is no spread to show.</source>
+        <translation>Un seul cas : aucune dispersion à montrer.</translation>
+    </message>
+    <message>
+        <source>The line is the mean over the cases (%1), the bands hold the middle half and 80 % of them. Lines across are the means of policies that have no τ.</source>
+        <translation>La ligne est la moyenne des cas (%1), les bandes contiennent la moitié centrale et 80 % d’entre eux. Les lignes horizontales sont les moyennes des stratégies sans τ.</translation>
+    </message>
+    <message>
+        <source>Each case is compared with itself, on the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Left of 0 is better than the reference.</source>
+        <translation>Chaque cas est comparé à lui-même, sur les mêmes icebergs et le même bruit ; les barres sont les intervalles à 95 % de la moyenne (t de Student). À gauche de 0, c’est mieux que la référence.</translation>
+    </message>
+    <message>
+        <source>Not every τ is drawn; all are in the table.</source>
+        <translation>Tous les τ ne sont pas dessinés ; tous sont dans le tableau.</translation>
+    </message>
+    <message>
+        <source>ζ against τ</source>
+        <translation>ζ selon τ</translation>
+    </message>
+    <message>
+        <source>Differences to the reference</source>
+        <translation>Différences par rapport à la référence</translation>
+    </message>
+    <message>
+        <source>Best τ of each case</source>
+        <translation>Meilleur τ de chaque cas</translation>
+    </message>
+    <message>
+        <source>The τ with the lowest ζ of a case, chosen in hindsight: nobody knows it before the flight. Of equal ones the smallest counts.</source>
+        <translation>Le τ du ζ le plus bas d’un cas, choisi après coup : personne ne le connaît avant le vol. À égalité, le plus petit compte.</translation>
+    </message>
+    <message>
+        <source>Stuck: two icebergs at most as targets in the last half of the flight.</source>
+        <translation>Bloqué : deux icebergs au plus comme cibles dans la seconde moitié du vol.</translation>
+    </message>
+    <message>
+        <source>ζ of the case and its difference to %1.</source>
+        <translation>ζ du cas et sa différence avec %1.</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Difference, m² s</source>
+        <translation>Différence, m² s</translation>
+    </message>
+    <message>
+        <source>Difference, %</source>
+        <translation>Différence, %</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Bloqué</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>ζ in m² s. Cases: %1.</source>
+        <translation>ζ en m² s. Cas : %1.</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>Erreur type</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
+    </message>
+    <message>
+        <source>Differences of ζ to %1, case by case, with 95 % intervals of the mean. Worst: the largest difference of a case.</source>
+        <translation>Différences de ζ avec %1, cas par cas, avec les intervalles à 95 % de la moyenne. Pire : la plus grande différence d’un cas.</translation>
+    </message>
+    <message>
+        <source>Mean, m² s</source>
+        <translation>Moyenne, m² s</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>Intervalle à 95 %</translation>
+    </message>
+    <message>
+        <source>Mean, %</source>
+        <translation>Moyenne, %</translation>
+    </message>
+    <message>
+        <source>Cases below</source>
+        <translation>Cas au-dessous</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>Pire</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>référence</translation>
+    </message>
+    <message>
+        <source>best τ of each case</source>
+        <translation>meilleur τ de chaque cas</translation>
+    </message>
+    <message>
+        <source>Best τ of each case, chosen in hindsight</source>
+        <translation>Meilleur τ de chaque cas, choisi après coup</translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation>Cas</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Part</translation>
+    </message>
+    <message>
+        <source>One case recommends no policy: fly more of them.</source>
+        <translation>Un seul cas ne recommande aucune stratégie : volez-en davantage.</translation>
+    </message>
+    <message>
+        <source>Recommended: %1, %2 against %3, the best of another policy.</source>
+        <translation>Recommandé : %1, %2 par rapport à %3, le meilleur d’une autre stratégie.</translation>
+    </message>
+    <message>
+        <source>No policy is surely the best: %1 is %2 against %3.</source>
+        <translation>Aucune stratégie n’est sûrement la meilleure : %1 est à %2 de %3.</translation>
+    </message>
+    <message>
+        <source>Lowest ζ: %1, %2 m² s.</source>
+        <translation>ζ le plus bas : %1, %2 m² s.</translation>
+    </message>
+    <message>
+        <source>Lowest mean ζ: %1, %2 m² s.</source>
+        <translation>ζ moyen le plus bas : %1, %2 m² s.</translation>
+    </message>
+    <message>
+        <source>Lowest ζ: %1, %2 m² s, %3 against %4.</source>
+        <translation>ζ le plus bas : %1, %2 m² s, %3 par rapport à %4.</translation>
+    </message>
+    <message>
+        <source>Lowest mean ζ: %1, %2 m² s, %3 against %4.</source>
+        <translation>ζ moyen le plus bas : %1, %2 m² s, %3 par rapport à %4.</translation>
+    </message>
+    <message>
+        <source>Best τ of this case: %1.</source>
+        <translation>Meilleur τ de ce cas : %1.</translation>
+    </message>
+    <message>
+        <source>Best τ of each case, chosen in hindsight: median %1, 80 % of the cases between %2 and %3; its mean ζ is %4 against %5.</source>
+        <translation>Meilleur τ de chaque cas, choisi après coup : médiane %1, 80 % des cas entre %2 et %3 ; son ζ moyen est à %4 de %5.</translation>
+    </message>
+    <message>
+        <source>Not complete.</source>
+        <translation>Incomplet.</translation>
+    </message>
+    <message>
+        <source>Missions flown: %1 of %2. Everything below is of the cases that every setting has flown: %3 of %4.</source>
+        <translation>Missions volées : %1 sur %2. Tout ce qui suit porte sur les cas que chaque réglage a volés : %3 sur %4.</translation>
+    </message>
+    <message>
+        <source>Missions: %1. Cases: %2, each flown with every setting. Settings: %3.</source>
+        <translation>Missions : %1. Cas : %2, chacun volé avec chaque réglage. Réglages : %3.</translation>
+    </message>
+    <message>
+        <source>The numbers</source>
+        <translation>Les nombres</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>fr</translation>
+    </message>
+    <message>
+        <source>the order of Eq. (1) with the weight τ of Eq. (14), planned again at each iceberg</source>
+        <translation>l’ordre de l’éq. (1) avec le poids τ de l’éq. (14), replanifié à chaque iceberg</translation>
+    </message>
+    <message>
+        <source>the shortest path through all icebergs, flown to its end, then solved again</source>
+        <translation>le chemin le plus court par tous les icebergs, volé jusqu’au bout, puis résolu de nouveau</translation>
+    </message>
+    <message>
+        <source>the shortest round tour, flown again and again</source>
+        <translation>la tournée la plus courte, volée encore et encore</translation>
+    </message>
+    <message>
+        <source>the nearest iceberg next</source>
+        <translation>l’iceberg le plus proche ensuite</translation>
+    </message>
+    <message>
+        <source>the most uncertain iceberg next</source>
+        <translation>l’iceberg le plus incertain ensuite</translation>
+    </message>
+    <message>
+        <source>the order with the least waiting, weighted by uncertainty, planned again at each iceberg</source>
+        <translation>l’ordre avec la moindre attente, pondérée par l’incertitude, replanifié à chaque iceberg</translation>
+    </message>
+    <message>
+        <source>legs with aim points that give the lowest predicted ζ, planned again at each sighting</source>
+        <translation>des segments à points de visée qui donnent le ζ prévu le plus bas, replanifiés à chaque observation</translation>
     </message>
 </context>
 <context>

@@ -838,10 +838,6 @@
         <translation>%1 dukket opp</translation>
     </message>
     <message>
-        <source>Trade-off or policy changed</source>
-        <translation>Avveining eller strategi endret</translation>
-    </message>
-    <message>
         <source>take-off</source>
         <translation>avgang</translation>
     </message>
@@ -942,10 +938,6 @@
         <translation>Enhver UAV kan besøke %1</translation>
     </message>
     <message>
-        <source>Close to another UAV: %1</source>
-        <translation>Nær en annen UAV: %1</translation>
-    </message>
-    <message>
         <source>%1 and %2 are %3 apart</source>
         <translation>%1 og %2 er %3 fra hverandre</translation>
     </message>
@@ -996,6 +988,22 @@
     <message>
         <source>end of hold</source>
         <translation>slutt på oppholdet</translation>
+    </message>
+    <message>
+        <source>Planned from now on by: %2</source>
+        <translation>Planlegges fra nå av med: %2</translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation>%1 fjernet</translation>
+    </message>
+    <message>
+        <source>%1 added</source>
+        <translation>%1 lagt til</translation>
+    </message>
+    <message>
+        <source>Close to another UAV: %3</source>
+        <translation>Nær en annen UAV: %3</translation>
     </message>
 </context>
 <context>
@@ -5069,6 +5077,18 @@ Tilstøtende område %4</translation>
         <source>proving the optimum of so many icebergs can take a minute and more</source>
         <translation>å bevise optimum for så mange isfjell kan ta et minutt eller mer</translation>
     </message>
+    <message>
+        <source>the MILP %1 is offered for at most %2 icebergs, not for %3</source>
+        <translation>MILP-en %1 tilbys for høyst %2 isfjell, ikke for %3</translation>
+    </message>
+    <message>
+        <source>the back end %1 proves plans of at most %2 icebergs; auto gives a plan and a bound</source>
+        <translation>løseren %1 beviser planer med høyst %2 isfjell; auto gir en plan og en grense</translation>
+    </message>
+    <message>
+        <source>the back end exact proves latency plans of several UAVs for at most %1 icebergs</source>
+        <translation>løseren exact beviser latency-planer for flere UAV-er med høyst %1 isfjell</translation>
+    </message>
 </context>
 <context>
     <name>LogText</name>
@@ -6812,6 +6832,517 @@ Tilstøtende område %4</translation>
     <message>
         <source>at all heights</source>
         <translation>i alle høyder</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>predicted before take-off %1 m² s, until the end of the run</source>
+        <translation>forutsagt før avgang %1 m² s, til slutten av kjøringen</translation>
+    </message>
+    <message>
+        <source>changed in flight, so that the prediction was for another flight</source>
+        <translation>endret under flygingen, slik at forutsigelsen gjaldt en annen flyging</translation>
+    </message>
+    <message>
+        <source>Flown</source>
+        <translation>Fløyet</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>Visits, plans</source>
+        <translation>Besøk, planer</translation>
+    </message>
+    <message>
+        <source>Policy</source>
+        <translation>Strategi</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startfrø</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Program</translation>
+    </message>
+    <message>
+        <source>Planned: the first plan, before take-off. Distances flown are through the air.</source>
+        <translation>Planlagt: den første planen, før avgang. Fløyne avstander er gjennom luften.</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>UAV</translation>
+    </message>
+    <message>
+        <source>Visits planned</source>
+        <translation>Besøk planlagt</translation>
+    </message>
+    <message>
+        <source>flown</source>
+        <translation>fløyet</translation>
+    </message>
+    <message>
+        <source>Distance planned, km</source>
+        <translation>Planlagt avstand, km</translation>
+    </message>
+    <message>
+        <source>flown, km</source>
+        <translation>fløyet, km</translation>
+    </message>
+    <message>
+        <source>Time planned</source>
+        <translation>Tid planlagt</translation>
+    </message>
+    <message>
+        <source>aloft</source>
+        <translation>i luften</translation>
+    </message>
+    <message>
+        <source>Outside the flight geography</source>
+        <translation>Utenfor flygeografien</translation>
+    </message>
+    <message>
+        <source>Planned and flown</source>
+        <translation>Planlagt og fløyet</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the first plan as a file of the format wpl:</source>
+        <translation>SHA-256 av den første planen som fil i formatet wpl:</translation>
+    </message>
+    <message>
+        <source>Zeta over time</source>
+        <translation>Zeta over tid</translation>
+    </message>
+    <message>
+        <source>s since the start</source>
+        <translation>s siden start</translation>
+    </message>
+    <message>
+        <source>Zeta over time, in the end %1 square metres times seconds.</source>
+        <translation>Zeta over tid, til slutt %1 kvadratmeter ganger sekunder.</translation>
+    </message>
+    <message>
+        <source>ζ over time</source>
+        <translation>ζ over tid</translation>
+    </message>
+    <message>
+        <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again or the record ends.</source>
+        <translation>Lengst usett: fra et isfjell ble kjent eller sett, til det ble sett igjen eller opptaket slutter.</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>First seen</source>
+        <translation>Først sett</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Sist sett</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøk</translation>
+    </message>
+    <message>
+        <source>Longest unseen</source>
+        <translation>Lengst usett</translation>
+    </message>
+    <message>
+        <source>σ at the end, m²</source>
+        <translation>σ til slutt, m²</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>aldri</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>Observasjoner</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>og %1 til</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Avvik</translation>
+    </message>
+    <message>
+        <source>None on record.</source>
+        <translation>Ingen registrert.</translation>
+    </message>
+    <message>
+        <source>Flight log: %1</source>
+        <translation>Flygelogg: %1</translation>
+    </message>
+    <message>
+        <source>90 % of cases below</source>
+        <translation>90 % av tilfellene under</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>median</translation>
+    </message>
+    <message>
+        <source>mean, visitation</source>
+        <translation>middel, visitation</translation>
+    </message>
+    <message>
+        <source>Zeta against tau; the numbers are in the table of settings</source>
+        <translation>Zeta mot tau; tallene står i tabellen over innstillinger</translation>
+    </message>
+    <message>
+        <source>trade-off τ</source>
+        <translation>avveining τ</translation>
+    </message>
+    <message>
+        <source>Differences to the reference; the numbers are in the table of differences</source>
+        <translation>Forskjeller fra referansen; tallene står i tabellen over forskjeller</translation>
+    </message>
+    <message>
+        <source>mean difference of ζ to %1, %</source>
+        <translation>midlere forskjell i ζ fra %1, %</translation>
+    </message>
+    <message>
+        <source>%1 (reference)</source>
+        <translation>%1 (referanse)</translation>
+    </message>
+    <message>
+        <source>Cases in which each tau is the best</source>
+        <translation>Tilfeller der hver tau er best</translation>
+    </message>
+    <message>
+        <source>cases</source>
+        <translation>tilfeller</translation>
+    </message>
+    <message>
+        <source>τ of the lowest ζ of a case</source>
+        <translation>τ med lavest ζ i et tilfelle</translation>
+    </message>
+    <message>
+        <source>a scenario without a name</source>
+        <translation>et scenario uten navn</translation>
+    </message>
+    <message>
+        <source>%1: icebergs: %2, seed %3, %4 s in steps of %5 s</source>
+        <translation>%1: isfjell: %2, frø %3, %4 s i steg på %5 s</translation>
+    </message>
+    <message>
+        <source>without noise</source>
+        <translation>uten støy</translation>
+    </message>
+    <message>
+        <source>measured with noise, velocities known</source>
+        <translation>målt med støy, kjente hastigheter</translation>
+    </message>
+    <message>
+        <source>measured with noise, velocities not known by 0.1 m/s</source>
+        <translation>målt med støy, hastigheter ukjente med 0.1 m/s</translation>
+    </message>
+    <message>
+        <source>measured with noise, with unknown velocities that change as those of icebergs do</source>
+        <translation>målt med støy, med ukjente hastigheter som endrer seg slik isfjells gjør</translation>
+    </message>
+    <message>
+        <source>Random fields: %1, seeds %2 to %3. Icebergs in each: %4, in %5 m × %6 m, drifting at up to %7 m/s</source>
+        <translation>Tilfeldige felt: %1, frø %2 til %3. Isfjell i hvert: %4, i %5 m × %6 m, med drift opptil %7 m/s</translation>
+    </message>
+    <message>
+        <source>σ at first %1 to %2 m², growing by q = %3 m²/s</source>
+        <translation>σ først %1 til %2 m², øker med q = %3 m²/s</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Scenarioer</translation>
+    </message>
+    <message>
+        <source>Policies</source>
+        <translation>Strategier</translation>
+    </message>
+    <message>
+        <source>the scenario’s own seed, the same for every setting</source>
+        <translation>scenarioets eget frø, det samme for alle innstillinger</translation>
+    </message>
+    <message>
+        <source>seeds for each scenario: %1, its own first, the same for every setting</source>
+        <translation>frø for hvert scenario: %1, dets eget først, de samme for alle innstillinger</translation>
+    </message>
+    <message>
+        <source>%1 to %2 by %3 (%4 values)</source>
+        <translation>%1 til %2 i steg på %3 (%4 verdier)</translation>
+    </message>
+    <message>
+        <source>Random fields: %1, icebergs in each: %2</source>
+        <translation>Tilfeldige felt: %1, isfjell i hvert: %2</translation>
+    </message>
+    <message>
+        <source>Study, scenarios: %1</source>
+        <translation>Studie, scenarioer: %1</translation>
+    </message>
+    <message>
+        <source>What was flown</source>
+        <translation>Det som er fløyet</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Avveining τ</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Støy</translation>
+    </message>
+    <message>
+        <source>Missions</source>
+        <translation>Oppdrag</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 av %2</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maskin</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Laget</translation>
+    </message>
+    <message>
+        <source>Last run took</source>
+        <translation>Siste kjøring tok</translation>
+    </message>
+    <message>
+        <source>How to make it again</source>
+        <translation>Slik lages den på nytt</translation>
+    </message>
+    <message>
+        <source>This page holds the whole study, with every scenario, seed and result, and can be given to Bergwatch as a study file. From the results in it:</source>
+        <translation>Denne siden inneholder hele studien, med alle scenarioer, frø og resultater, og kan gis til Bergwatch som studiefil. Fra resultatene i den:</translation>
+    </message>
+    <message>
+        <source>Flown anew; the numbers depend neither on the machine nor on how many threads fly them:</source>
+        <translation>Fløyet på nytt; tallene avhenger verken av maskinen eller av hvor mange tråder som flyr:</translation>
+    </message>
+    <message>
+        <source>Flown anew, with the scenario files by name; the numbers depend neither on the machine nor on how many threads fly them:</source>
+        <translation>Fløyet på nytt, med scenariofilene ved navn; tallene avhenger verken av maskinen eller av hvor mange tråder som flyr:</translation>
+    </message>
+    <message>
+        <source>ζ is the integral over the flight of the uncertainty σ of all icebergs together: less is better.</source>
+        <translation>ζ er integralet over flygingen av usikkerheten σ for alle isfjell samlet: mindre er bedre.</translation>
+    </message>
+    <message>
+        <source>One case, so there is no spread to show.</source>
+        <translation>Ett tilfelle, så det er ingen spredning å vise.</translation>
+    </message>
+    <message>
+        <source>The line is the mean over the cases (%1), the bands hold the middle half and 80 % of them. Lines across are the means of policies that have no τ.</source>
+        <translation>Linjen er middelet over tilfellene (%1), båndene rommer den midterste halvdelen og 80 % av dem. Linjer på tvers er middelet for strategier uten τ.</translation>
+    </message>
+    <message>
+        <source>Each case is compared with itself, on the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Left of 0 is better than the reference.</source>
+        <translation>Hvert tilfelle sammenlignes med seg selv, med de samme isfjellene og den samme støyen; strekene er 95 %-intervaller for middelet (Students t). Til venstre for 0 er bedre enn referansen.</translation>
+    </message>
+    <message>
+        <source>Not every τ is drawn; all are in the table.</source>
+        <translation>Ikke alle τ er tegnet; alle står i tabellen.</translation>
+    </message>
+    <message>
+        <source>ζ against τ</source>
+        <translation>ζ mot τ</translation>
+    </message>
+    <message>
+        <source>Differences to the reference</source>
+        <translation>Forskjeller fra referansen</translation>
+    </message>
+    <message>
+        <source>Best τ of each case</source>
+        <translation>Beste τ i hvert tilfelle</translation>
+    </message>
+    <message>
+        <source>The τ with the lowest ζ of a case, chosen in hindsight: nobody knows it before the flight. Of equal ones the smallest counts.</source>
+        <translation>Den τ som gir lavest ζ i et tilfelle, valgt i ettertid: ingen kjenner den før flygingen. Av like gode teller den minste.</translation>
+    </message>
+    <message>
+        <source>Stuck: two icebergs at most as targets in the last half of the flight.</source>
+        <translation>Fastlåst: høyst to isfjell som mål i siste halvdel av flygingen.</translation>
+    </message>
+    <message>
+        <source>ζ of the case and its difference to %1.</source>
+        <translation>ζ for tilfellet og forskjellen fra %1.</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Innstilling</translation>
+    </message>
+    <message>
+        <source>Difference, m² s</source>
+        <translation>Forskjell, m² s</translation>
+    </message>
+    <message>
+        <source>Difference, %</source>
+        <translation>Forskjell, %</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Fast</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nei</translation>
+    </message>
+    <message>
+        <source>ζ in m² s. Cases: %1.</source>
+        <translation>ζ i m² s. Tilfeller: %1.</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Middel</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>Standardfeil</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Differences of ζ to %1, case by case, with 95 % intervals of the mean. Worst: the largest difference of a case.</source>
+        <translation>Forskjeller i ζ fra %1, tilfelle for tilfelle, med 95 %-intervaller for middelet. Verst: den største forskjellen i et tilfelle.</translation>
+    </message>
+    <message>
+        <source>Mean, m² s</source>
+        <translation>Middel, m² s</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95 %-intervall</translation>
+    </message>
+    <message>
+        <source>Mean, %</source>
+        <translation>Middel, %</translation>
+    </message>
+    <message>
+        <source>Cases below</source>
+        <translation>Tilfeller under</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>Verst</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>referanse</translation>
+    </message>
+    <message>
+        <source>best τ of each case</source>
+        <translation>beste τ i hvert tilfelle</translation>
+    </message>
+    <message>
+        <source>Best τ of each case, chosen in hindsight</source>
+        <translation>Beste τ i hvert tilfelle, valgt i ettertid</translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation>Tilfeller</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Andel</translation>
+    </message>
+    <message>
+        <source>One case recommends no policy: fly more of them.</source>
+        <translation>Ett tilfelle anbefaler ingen strategi: fly flere.</translation>
+    </message>
+    <message>
+        <source>Recommended: %1, %2 against %3, the best of another policy.</source>
+        <translation>Anbefalt: %1, %2 mot %3, den beste av en annen strategi.</translation>
+    </message>
+    <message>
+        <source>No policy is surely the best: %1 is %2 against %3.</source>
+        <translation>Ingen strategi er sikkert den beste: %1 er %2 mot %3.</translation>
+    </message>
+    <message>
+        <source>Lowest ζ: %1, %2 m² s.</source>
+        <translation>Lavest ζ: %1, %2 m² s.</translation>
+    </message>
+    <message>
+        <source>Lowest mean ζ: %1, %2 m² s.</source>
+        <translation>Lavest midlere ζ: %1, %2 m² s.</translation>
+    </message>
+    <message>
+        <source>Lowest ζ: %1, %2 m² s, %3 against %4.</source>
+        <translation>Lavest ζ: %1, %2 m² s, %3 mot %4.</translation>
+    </message>
+    <message>
+        <source>Lowest mean ζ: %1, %2 m² s, %3 against %4.</source>
+        <translation>Lavest midlere ζ: %1, %2 m² s, %3 mot %4.</translation>
+    </message>
+    <message>
+        <source>Best τ of this case: %1.</source>
+        <translation>Beste τ i dette tilfellet: %1.</translation>
+    </message>
+    <message>
+        <source>Best τ of each case, chosen in hindsight: median %1, 80 % of the cases between %2 and %3; its mean ζ is %4 against %5.</source>
+        <translation>Beste τ i hvert tilfelle, valgt i ettertid: median %1, 80 % av tilfellene mellom %2 og %3; midlere ζ er %4 mot %5.</translation>
+    </message>
+    <message>
+        <source>Not complete.</source>
+        <translation>Ikke fullstendig.</translation>
+    </message>
+    <message>
+        <source>Missions flown: %1 of %2. Everything below is of the cases that every setting has flown: %3 of %4.</source>
+        <translation>Fløyne oppdrag: %1 av %2. Alt nedenfor gjelder tilfellene som alle innstillinger har fløyet: %3 av %4.</translation>
+    </message>
+    <message>
+        <source>Missions: %1. Cases: %2, each flown with every setting. Settings: %3.</source>
+        <translation>Oppdrag: %1. Tilfeller: %2, hvert fløyet med alle innstillinger. Innstillinger: %3.</translation>
+    </message>
+    <message>
+        <source>The numbers</source>
+        <translation>Tallene</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>nb</translation>
+    </message>
+    <message>
+        <source>the order of Eq. (1) with the weight τ of Eq. (14), planned again at each iceberg</source>
+        <translation>rekkefølgen etter lign. (1) med vekten τ fra lign. (14), planlagt på nytt ved hvert isfjell</translation>
+    </message>
+    <message>
+        <source>the shortest path through all icebergs, flown to its end, then solved again</source>
+        <translation>den korteste ruten gjennom alle isfjell, fløyet til slutten og så løst på nytt</translation>
+    </message>
+    <message>
+        <source>the shortest round tour, flown again and again</source>
+        <translation>den korteste rundturen, fløyet om og om igjen</translation>
+    </message>
+    <message>
+        <source>the nearest iceberg next</source>
+        <translation>det nærmeste isfjellet som neste</translation>
+    </message>
+    <message>
+        <source>the most uncertain iceberg next</source>
+        <translation>det mest usikre isfjellet som neste</translation>
+    </message>
+    <message>
+        <source>the order with the least waiting, weighted by uncertainty, planned again at each iceberg</source>
+        <translation>rekkefølgen med minst venting, vektet med usikkerhet, planlagt på nytt ved hvert isfjell</translation>
+    </message>
+    <message>
+        <source>legs with aim points that give the lowest predicted ζ, planned again at each sighting</source>
+        <translation>etapper med siktepunkter som gir lavest forutsagt ζ, planlagt på nytt ved hver observasjon</translation>
     </message>
 </context>
 <context>

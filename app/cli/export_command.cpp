@@ -122,7 +122,8 @@ void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat
         checkOutputs(arguments, format, scenario);
         printWarnings(arguments.file, validate(scenario));
         const PlanAnswer plan = planned(scenario);
-        addExported(set, {.scenario = scenario, .plan = plan}, arguments, format);
+        addExported(set, {.scenario = scenario, .plan = plan, .words = reportLanguage()}, arguments,
+                    format);
         return;
     }
     const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
@@ -138,7 +139,12 @@ void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat
     if (stop.stop_requested())
         throw Interrupted{};
     const PlanAnswer plan = planned(run.scenario);
-    addExported(set, {.scenario = run.scenario, .plan = plan, .mission = &mission, .flown = flown},
+    addExported(set,
+                {.scenario = run.scenario,
+                 .plan = plan,
+                 .mission = &mission,
+                 .flown = flown,
+                 .words = reportLanguage()},
                 arguments, format);
 }
 

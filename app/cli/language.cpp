@@ -101,6 +101,11 @@ std::string said(const Error& error)
     return text;
 }
 
+ReportWords reportLanguage()
+{
+    return ReportWords([](std::string_view english) { return std::string(said(english)); });
+}
+
 Sentence sentence(std::string_view pattern, const std::vector<IssueArgument>& arguments)
 {
     return {.english = filledIn(pattern, arguments), .said = said(pattern, arguments)};

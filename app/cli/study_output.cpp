@@ -94,7 +94,8 @@ ReportOrigin originNow(const std::optional<double>& elapsed_s)
     return {.program = std::string("Bergwatch ") + BERG_VERSION,
             .machine = machineText(),
             .madeUtc = utcText(now, 0),
-            .elapsed_s = elapsed_s};
+            .elapsed_s = elapsed_s,
+            .words = reportLanguage()};
 }
 
 void sayWhenIncomplete(const Study& study)

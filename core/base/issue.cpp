@@ -241,7 +241,8 @@ std::string filledIn(std::string_view pattern, const std::vector<IssueArgument>&
     };
     std::string text;
     for (std::size_t i = 0; i < pattern.size(); ++i)
-        if (pattern[i] == '%' && i + 1 < pattern.size())
+        if (pattern[i] == '%' && i + 1 < pattern.size() && pattern[i + 1] >= '1' &&
+            pattern[i + 1] <= '9')
             text += argument(pattern[++i]);
         else
             text += pattern[i];

@@ -360,7 +360,7 @@ text = " ".join(page.itertext()); sys.exit(0 if eval(sys.argv[2]) else 1)' "$1" 
 }
 check "report" exits 0 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --report report.html
 check "report: charts" report_is report.html 'len(list(page.iter("{http://www.w3.org/2000/svg}svg"))) == 3'
-check "report: what was flown" report_is report.html '"6 random fields, seeds 1 to 6" in text and "24 of 24" in text'
+check "report: what was flown" report_is report.html '"Random fields: 6, seeds 1 to 6." in text and "24 of 24" in text'
 check "report: version" report_is report.html "\"Bergwatch $("$cli" --version)\" in text"
 check "report: names neither machine nor user" report_is report.html 'not any(len(n) > 3 and n in text for n in (__import__("socket").gethostname(), __import__("os").environ.get("USER", "")))'
 check "report is read again" exits 0 "$cli" study report.html --output again.csv --report again.html

@@ -33,7 +33,7 @@ class PairedSolver final : public TvpSolver
 public:
     PairedSolver(Backend backend, Times& times) : m_solver(makeSolver(backend)), m_times(times) {}
     [[nodiscard]] AnswerSource source() const override { return m_solver->source(); }
-    [[nodiscard]] std::string whyNot(const TvpProblem& p) const override
+    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem& p) const override
     {
         return m_solver->whyNot(p);
     }

@@ -14,7 +14,10 @@ class WindlessSolver : public TvpSolver
 {
 public:
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
-    [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
+    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
+    {
+        return std::nullopt;
+    }
 
 protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,

@@ -135,10 +135,7 @@ std::vector<Message> textsOfTheProgram(const QStringList& options)
     lupdate.start(QStringLiteral(BERG_LUPDATE),
                   QStringList{u"-no-obsolete"_s, u"-locations"_s, u"none"_s} + options +
                       QStringList{u"-I"_s, root, root + u"/widgets"_s, root + u"/app"_s,
-                                  root + u"/core/base/issue.cpp"_s,
-                                  root + u"/core/io/export/export_notes.cpp"_s,
-                                  root + u"/core/io/import/import_scenario.cpp"_s, u"-ts"_s,
-                                  fresh});
+                                  root + u"/core"_s, u"-ts"_s, fresh});
     if (!lupdate.waitForFinished(60000) || lupdate.exitCode() != 0)
         return {};
     return messagesOf(fresh);

@@ -3,6 +3,7 @@
 #include "core/io/export/export_flight.h"
 #include "widgets/words/error_text.h"
 #include "widgets/words/issue_text.h"
+#include "widgets/words/report_language.h"
 
 #include <algorithm>
 #include <iterator>
@@ -268,7 +269,8 @@ std::shared_ptr<const ExportJob> MissionWorker::prepared(const ExportOrder& orde
     const PlanAnswer plan = startPlan(*m_mission);
     const ExportSource source{.scenario = m_mission->scenario(),
                               .plan = plan,
-                              .mission = m_phase == RunPhase::Ready ? nullptr : m_mission.get()};
+                              .mission = m_phase == RunPhase::Ready ? nullptr : m_mission.get(),
+                              .words = reportLanguage()};
     return std::make_shared<const ExportJob>(
         ExportJob{.order = order, .prepared = prepareExport(source, order.request, m_paint)});
 }

@@ -6,6 +6,7 @@
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/machine_text.h"
 #include "widgets/model/work_failure.h"
+#include "widgets/words/report_language.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -76,7 +77,8 @@ void StudyFiles::writeReport(const StudyPointer& result, std::optional<double> e
                                {.program = versionText(),
                                 .machine = machineText(),
                                 .madeUtc = now,
-                                .elapsed_s = elapsed_s});
+                                .elapsed_s = elapsed_s,
+                                .words = reportLanguage()});
     });
 }
 

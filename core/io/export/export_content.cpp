@@ -315,7 +315,8 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         .wind_mps =
             source.mission ? source.mission->simulation().motion(0).wind_mps : scenario.wind_mps,
         .zeta_m2s = {},
-        .mission = source.mission};
+        .mission = source.mission,
+        .words = source.words};
     if (content.asset)
         content.standoff = standoffArea(*content.asset, scenario.duration_s);
     if (scenario.operation)

@@ -3,6 +3,7 @@
 #include "core/io/export/geo_shapes.h"
 #include "core/io/export/track_points.h"
 #include "core/io/results/result_csv.h"
+#include "core/io/text/report_words.h"
 #include "core/io/text/utc_time.h"
 #include "core/plan/solve/names.h"
 #include "core/scenario/operation.h"
@@ -32,6 +33,7 @@ struct ExportSource
     const Mission* mission = nullptr; ///< null: nothing flown
     /** By UAV, moved from; none: what the mission recorded. */
     std::span<TrackPoints> flown = {};
+    ReportWords words = {}; ///< of pages for people
 };
 
 enum class ExportWhat
@@ -146,6 +148,7 @@ struct ExportContent
     Point wind_mps = Point::Zero();   ///< at `now_s`, in the plane
     std::optional<double> zeta_m2s;   ///< until now, of all UAVs; none: nothing was flown
     const Mission* mission = nullptr; ///< for formats that are `flownOnly` alone; borrowed
+    ReportWords words;                ///< of pages for people
 };
 
 /**

@@ -26,9 +26,10 @@ bool isDeviation(const MissionEvent& event)
         return true;
     case EventKind::Planned:
         return event.fellBack;
+    case EventKind::Appeared:
+        return event.reported;
     case EventKind::Reached:
     case EventKind::Sighted:
-    case EventKind::Appeared:
     case EventKind::Left:
     case EventKind::Found:
     case EventKind::HomeBound:
@@ -37,6 +38,23 @@ bool isDeviation(const MissionEvent& event)
         break;
     }
     return false;
+}
+
+bool isPlannerChange(const MissionEvent& event)
+{
+    return event.kind == EventKind::Intervention && event.changed == ChangedPart::Planner;
+}
+
+/** Of a drag of tau, which is many changes, the last. */
+void addDeviation(std::vector<MissionEvent>& deviations, const MissionEvent& event)
+{
+    constexpr double kDrag_s = 60;
+    if (!deviations.empty() && isPlannerChange(deviations.back()) && isPlannerChange(event) &&
+        deviations.back().policy == event.policy &&
+        event.time_s - deviations.back().time_s <= kDrag_s)
+        deviations.back() = event;
+    else
+        deviations.push_back(event);
 }
 
 /** What the first plan was to be, and its file. */
@@ -162,7 +180,7 @@ FlightLog flightLog(const ExportContent& content)
                         event.together.end())
                     ++iceberg.visits;
         if (isDeviation(event))
-            log.deviations.push_back(event);
+            addDeviation(log.deviations, event);
     }
     return log;
 }

@@ -42,7 +42,7 @@ struct FlightLog
     bool wasChanged = false;          ///< in flight: then the prediction was for another flight
     std::vector<LogUav> uavs;
     std::vector<LogIceberg> icebergs;     ///< those that have appeared
-    std::vector<MissionEvent> deviations; ///< from what was planned
+    std::vector<MissionEvent> deviations; ///< from what was planned; of a drag of tau the last
 };
 
 /**
@@ -54,7 +54,8 @@ struct FlightLog
 /** The program that makes logs: "Bergwatch 1.2.0". */
 [[nodiscard]] std::string programName();
 
-/** The log as a page of its own for browsers: HTML that is well-formed XML, English. */
+/** The log as a page of its own for browsers: HTML that is well-formed XML, in the words of the
+ * content. */
 [[nodiscard]] std::string flightLogHtml(const ExportContent& content);
 
 } // namespace berg

@@ -2,7 +2,7 @@
 #include "core/io/export/flight_log.h"
 #include "core/io/figure/figure_svg.h"
 #include "core/io/figure/report_style.h"
-#include "core/io/results/result_csv.h"
+#include "core/io/results/event_words.h"
 #include "core/io/text/html_text.h"
 
 #include <algorithm>
@@ -33,46 +33,70 @@ std::string rounded(double value)
     return printedNumber(std::round(value), 0);
 }
 
+/** "visitation, τ = 1.2" */
+std::string plannerText(PolicyKind policy, double tau)
+{
+    const std::string name = nameOf(kPolicyNames, policy);
+    return traitsOf(policy).usesTau ? name + ", τ = " + numberText(tau) : name;
+}
+
 std::string kilometres(double length_m)
 {
     return printedNumber(std::round(length_m / 100) / 10, 1);
 }
 
-std::string rowOf(std::string_view term, const std::string& description)
+std::string rowOf(const std::string& term, const std::string& description)
 {
-    return "<dt>" + std::string(term) + "</dt>\n<dd>" + description + "</dd>\n";
+    return "<dt>" + term + "</dt>\n<dd>" + description + "</dd>\n";
 }
 
-std::string zetaText(const FlightLog& log)
+std::string zetaText(const FlightLog& log, const ReportWords& words)
 {
     std::string text = rounded(log.metrics.zeta_m2s) + " m²\u00a0s";
     if (log.predicted)
-        text += "; predicted before take-off " + rounded(log.predicted->zeta_m2s) +
-                " m²\u00a0s, until the end of the run";
+        text += "; " + words.html(QT_TRANSLATE_NOOP("Report", "predicted before take-off %1 m² s, "
+                                                              "until the end of the run"),
+                                  {rounded(log.predicted->zeta_m2s)});
     if (log.wasChanged)
-        text += "; changed in flight, so that the prediction was for another flight";
+        text += "; " + words.html(QT_TRANSLATE_NOOP("Report", "changed in flight, so that the "
+                                                              "prediction was for another flight"));
     return text;
 }
 
 std::string factsHtml(const ExportContent& content, const FlightLog& log)
 {
     const Scenario& scenario = content.mission->scenario();
-    std::string rows = rowOf("Flown", timeOf(content, 0) + " to " + timeOf(content, log.flown_s));
-    rows += rowOf("ζ", zetaText(log));
-    rows += rowOf("Visits, plans",
-                  std::to_string(log.metrics.visits) + ", " + std::to_string(log.metrics.replans));
-    rows += rowOf("Policy", nameOf(kPolicyNames, scenario.planner.policy));
-    rows += rowOf("Seed", std::to_string(scenario.seed));
-    rows += rowOf("Program", htmlText(programName()));
-    return "<section>\n<dl>\n" + rows + "</dl>\n</section>\n";
+    const ReportWords& words = content.words;
+    const auto row = [&](std::string_view english, const std::string& description) {
+        return rowOf(words.html(english), description);
+    };
+    return "<section>\n<dl>\n" +
+           row(QT_TRANSLATE_NOOP("Report", "Flown"),
+               words.html(QT_TRANSLATE_NOOP("Report", "%1 to %2"),
+                          {timeOf(content, 0), timeOf(content, log.flown_s)})) +
+           rowOf("ζ", zetaText(log, words)) +
+           row(QT_TRANSLATE_NOOP("Report", "Visits, plans"),
+               std::to_string(log.metrics.visits) + ", " + std::to_string(log.metrics.replans)) +
+           row(QT_TRANSLATE_NOOP("Report", "Policy"),
+               plannerText(scenario.planner.policy, scenario.planner.tau)) +
+           row(QT_TRANSLATE_NOOP("Report", "Seed"), std::to_string(scenario.seed)) +
+           row(QT_TRANSLATE_NOOP("Report", "Program"), htmlText(programName())) +
+           "</dl>\n</section>\n";
 }
 
 std::string uavsHtml(const ExportContent& content, const FlightLog& log)
 {
+    const ReportWords& words = content.words;
     HtmlTable table(
-        "Planned: the first plan, before take-off. Distances flown are through the air.",
-        {"UAV", "Visits planned", "flown", "Distance planned, km", "flown, km", "Time planned",
-         "aloft", "Outside the flight geography"});
+        words.html(QT_TRANSLATE_NOOP("Report", "Planned: the first plan, before take-off. "
+                                               "Distances flown are through the air.")),
+        words.heads(
+            {QT_TRANSLATE_NOOP("Report", "UAV"), QT_TRANSLATE_NOOP("Report", "Visits planned"),
+             QT_TRANSLATE_NOOP("Report", "flown"),
+             QT_TRANSLATE_NOOP("Report", "Distance planned, km"),
+             QT_TRANSLATE_NOOP("Report", "flown, km"), QT_TRANSLATE_NOOP("Report", "Time planned"),
+             QT_TRANSLATE_NOOP("Report", "aloft"),
+             QT_TRANSLATE_NOOP("Report", "Outside the flight geography")}));
     std::string hashes;
     for (const LogUav& uav : log.uavs) {
         const std::string name = htmlName(titleOf(content.mission->scenario().uavs[uav.row]));
@@ -82,9 +106,11 @@ std::string uavsHtml(const ExportContent& content, const FlightLog& log)
                       content.operation ? clockOf(uav.outside_s) : "–"});
         hashes += rowOf(name, "<code>" + uav.planHash + "</code>");
     }
-    return "<section>\n<h2>Planned and flown</h2>\n<div class=\"wide\">" + table.html() +
-           "</div>\n<p>SHA-256 of the first plan as a file of the format wpl:</p>\n<dl>\n" +
-           hashes + "</dl>\n</section>\n";
+    return "<section>\n<h2>" + words.html(QT_TRANSLATE_NOOP("Report", "Planned and flown")) +
+           "</h2>\n<div class=\"wide\">" + table.html() + "</div>\n<p>" +
+           words.html(QT_TRANSLATE_NOOP("Report",
+                                        "SHA-256 of the first plan as a file of the format wpl:")) +
+           "</p>\n<dl>\n" + hashes + "</dl>\n</section>\n";
 }
 
 std::string zetaFigureHtml(const ExportContent& content, const FlightLog& log)
@@ -92,13 +118,14 @@ std::string zetaFigureHtml(const ExportContent& content, const FlightLog& log)
     const std::vector<Sample>& samples = content.mission->recorder().samples();
     if (samples.size() < 2)
         return {};
+    const ReportWords& words = content.words;
     constexpr std::size_t kMostPoints = 400;
     const std::size_t stride = samples.size() / kMostPoints + 1;
     PlotLine line{.points = {}, .ink = {.of = InkOf::Plan}, .width_px = 2, .key = "mean"};
     for (std::size_t i = 0; i < samples.size(); i += stride)
         line.points.push_back({.x = samples[i].time_s, .y = samples[i].zeta_m2s});
     line.points.push_back({.x = samples.back().time_s, .y = samples.back().zeta_m2s});
-    Figure figure{.name = "Zeta over time",
+    Figure figure{.name = words.text(QT_TRANSLATE_NOOP("Report", "Zeta over time")),
                   .title = {},
                   .emptyText = {},
                   .leftTitles = {"ζ, m² s"},
@@ -108,7 +135,7 @@ std::string zetaFigureHtml(const ExportContent& content, const FlightLog& log)
                         .largest = samples.back().time_s,
                         .spacing_px = 90,
                         .text = printedNumber,
-                        .title = "s since the start"},
+                        .title = words.text(QT_TRANSLATE_NOOP("Report", "s since the start"))},
                   .y = {.ends = AxisEnds::Around0,
                         .least = 0,
                         .largest = std::max(1.0, samples.back().zeta_m2s),
@@ -119,55 +146,76 @@ std::string zetaFigureHtml(const ExportContent& content, const FlightLog& log)
                   .marks = {},
                   .labels = {},
                   .items = {},
-                  .description = "Zeta over time, in the end " + rounded(log.metrics.zeta_m2s) +
-                                 " square metres times seconds."};
-    return "<section>\n<h2>ζ over time</h2>\n<figure>\n" + figureSvg(figure, 760, 300) +
-           "</figure>\n</section>\n";
+                  .description = words.text(
+                      QT_TRANSLATE_NOOP(
+                          "Report", "Zeta over time, in the end %1 square metres times seconds."),
+                      {rounded(log.metrics.zeta_m2s)})};
+    return "<section>\n<h2>" + words.html(QT_TRANSLATE_NOOP("Report", "ζ over time")) +
+           "</h2>\n<figure>\n" + figureSvg(figure, 760, 300) + "</figure>\n</section>\n";
 }
 
 std::string sightingsHtml(const ExportContent& content, const FlightLog& log)
 {
+    const ReportWords& words = content.words;
     HtmlTable table(
-        "Longest unseen: from when an iceberg was known of, or seen, until it was seen "
-        "again or the record ends.",
-        {"Iceberg", "First seen", "Last seen", "Visits", "Longest unseen", "σ at the end, m²"});
-    for (const LogIceberg& iceberg : log.icebergs) {
-        const auto time = [&](const std::optional<double>& time_s) {
-            return time_s ? timeOf(content, *time_s) : std::string("never");
-        };
+        words.html(QT_TRANSLATE_NOOP("Report",
+                                     "Longest unseen: from when an iceberg was known of, or seen, "
+                                     "until it was seen again or the record ends.")),
+        words.heads(
+            {QT_TRANSLATE_NOOP("Report", "Iceberg"), QT_TRANSLATE_NOOP("Report", "First seen"),
+             QT_TRANSLATE_NOOP("Report", "Last seen"), QT_TRANSLATE_NOOP("Report", "Visits"),
+             QT_TRANSLATE_NOOP("Report", "Longest unseen"),
+             QT_TRANSLATE_NOOP("Report", "σ at the end, m²")}));
+    const auto time = [&](const std::optional<double>& time_s) {
+        return time_s ? timeOf(content, *time_s) : words.html(QT_TRANSLATE_NOOP("Report", "never"));
+    };
+    for (const LogIceberg& iceberg : log.icebergs)
         table.addRow({htmlName(titleOf(content.mission->icebergs()[iceberg.iceberg])),
                       time(iceberg.first_s), time(iceberg.last_s), std::to_string(iceberg.visits),
                       clockOf(iceberg.longestUnseen_s),
                       printedNumber(std::round(iceberg.sigma_m2 * 10) / 10, 1)});
-    }
-    return "<section>\n<h2>Sightings</h2>\n<div class=\"wide\">" + table.html() +
-           "</div>\n</section>\n";
+    return "<section>\n<h2>" + words.html(QT_TRANSLATE_NOOP("Report", "Sightings")) +
+           "</h2>\n<div class=\"wide\">" + table.html() + "</div>\n</section>\n";
+}
+
+std::string deviationHtml(const ExportContent& content, const MissionEvent& event)
+{
+    const Mission& mission = *content.mission;
+    const auto name = [](const auto& all, int index) {
+        const auto i = static_cast<std::size_t>(index);
+        return index >= 0 && i < all.size() ? htmlName(titleOf(all[i])) : std::string();
+    };
+    const std::vector<Uav>& uavs = mission.scenario().uavs;
+    const EventNames names{.iceberg = name(mission.icebergs(), event.iceberg),
+                           .uav = uavs.size() > 1 ? name(uavs, event.uav) : std::string(),
+                           .otherUav = name(uavs, event.otherUav),
+                           .distance = rounded(event.distance_m) + " m",
+                           .planner = plannerText(event.policy, event.tau)};
+    std::string text = timeOf(content, event.time_s) + ' ' +
+                       eventSentence(event, names, [&content](std::string_view english) {
+                           return htmlText(content.words.said(english));
+                       });
+    if (!event.failure.empty())
+        text += ": " + htmlText(event.failure);
+    return "<li>" + text + "</li>\n";
 }
 
 std::string deviationsHtml(const ExportContent& content, const FlightLog& log)
 {
     constexpr std::size_t kMostTold = 200;
-    const Mission& mission = *content.mission;
+    const ReportWords& words = content.words;
     std::string lines;
-    for (std::size_t i = 0; i < std::min(log.deviations.size(), kMostTold); ++i) {
-        const MissionEvent& event = log.deviations[i];
-        std::string line = timeOf(content, event.time_s);
-        line.append(" ").append(eventName(event.kind));
-        if (event.uav >= 0)
-            line.append(" ").append(
-                titleOf(mission.scenario().uavs[static_cast<std::size_t>(event.uav)]));
-        if (event.iceberg >= 0)
-            line.append(" ").append(
-                titleOf(mission.icebergs()[static_cast<std::size_t>(event.iceberg)]));
-        if (const std::string detail = eventDetail(event, mission); !detail.empty())
-            line.append(": ").append(detail);
-        lines.append("<li>").append(htmlName(line)).append("</li>\n");
-    }
+    for (std::size_t i = 0; i < std::min(log.deviations.size(), kMostTold); ++i)
+        lines += deviationHtml(content, log.deviations[i]);
     if (log.deviations.size() > kMostTold)
-        lines += "<li>and " + std::to_string(log.deviations.size() - kMostTold) + " more</li>\n";
-    return "<section>\n<h2>Deviations</h2>\n" +
-           (lines.empty() ? std::string("<p>None on record.</p>\n")
-                          : "<ul class=\"findings\">\n" + lines + "</ul>\n") +
+        lines += "<li>" +
+                 words.html(QT_TRANSLATE_NOOP("Report", "and %1 more"),
+                            {std::to_string(log.deviations.size() - kMostTold)}) +
+                 "</li>\n";
+    return "<section>\n<h2>" + words.html(QT_TRANSLATE_NOOP("Report", "Deviations")) + "</h2>\n" +
+           (lines.empty()
+                ? "<p>" + words.html(QT_TRANSLATE_NOOP("Report", "None on record.")) + "</p>\n"
+                : "<ul class=\"findings\">\n" + lines + "</ul>\n") +
            "</section>\n";
 }
 
@@ -177,12 +225,13 @@ std::string flightLogHtml(const ExportContent& content)
 {
     const FlightLog log = flightLog(content);
     const std::string title =
-        "Flight log: " + (content.name.empty() ? std::string("Bergwatch") : content.name);
-    return reportHead(title, programName()) + "<body>\n<header>\n<h1>" + htmlName(title) +
-           "</h1>\n<p class=\"lead\">" + htmlText(programName()) + "</p>\n</header>\n<main>\n" +
-           factsHtml(content, log) + uavsHtml(content, log) + zetaFigureHtml(content, log) +
-           sightingsHtml(content, log) + deviationsHtml(content, log) +
-           "</main>\n</body>\n</html>\n";
+        content.words.text(QT_TRANSLATE_NOOP("Report", "Flight log: %1"),
+                           {content.name.empty() ? std::string("Bergwatch") : content.name});
+    return reportHead({.title = title, .program = programName(), .language = content.words.tag()}) +
+           "<body>\n<header>\n<h1>" + htmlName(title) + "</h1>\n<p class=\"lead\">" +
+           htmlText(programName()) + "</p>\n</header>\n<main>\n" + factsHtml(content, log) +
+           uavsHtml(content, log) + zetaFigureHtml(content, log) + sightingsHtml(content, log) +
+           deviationsHtml(content, log) + "</main>\n</body>\n</html>\n";
 }
 
 } // namespace berg

@@ -69,9 +69,15 @@ svg .hollow { fill: var(--page); stroke: var(--ink); stroke-width: 1.5; }
 }
 )css";
 
-/** From the doctype to the end of the head of a page by that program, in `kReportStyle` and more.
- */
-[[nodiscard]] std::string reportHead(const std::string& title, const std::string& program,
-                                     const std::string& style = {});
+/** What is in the head of a page. */
+struct ReportHead
+{
+    std::string title;
+    std::string program;
+    std::string language = "en"; ///< tag, for browsers
+};
+
+/** From the doctype to the end of the head of a page in `kReportStyle` and more. */
+[[nodiscard]] std::string reportHead(const ReportHead& head, const std::string& style = {});
 
 } // namespace berg

@@ -59,6 +59,7 @@ struct ZetaFigure
 {
     using Value = double Summary::*;
 
+    const ReportWords& words;
     Figure figure;
     std::vector<const SettingSummary*> taus;
 
@@ -97,9 +98,10 @@ struct ZetaFigure
                                 .width_px = 1.5,
                                 .dash_px = {2, 3},
                                 .key = "median"});
-        labelCurve(&Summary::decile9, "90 % of cases below");
+        labelCurve(&Summary::decile9,
+                   words.text(QT_TRANSLATE_NOOP("Report", "90 % of cases below")));
         labelCurve(&Summary::quartile3, "75 %");
-        labelCurve(&Summary::median, "median");
+        labelCurve(&Summary::median, words.text(QT_TRANSLATE_NOOP("Report", "median")));
         labelCurve(&Summary::quartile1, "25 %");
         labelCurve(&Summary::decile1, "10 %");
     }
@@ -119,7 +121,10 @@ struct ZetaFigure
                                 .ink = {.of = InkOf::Plan},
                                 .width_px = 2.5,
                                 .key = "mean"});
-        labelCurve(&Summary::mean, isSingle ? "visitation" : "mean, visitation", InkOf::Plan);
+        labelCurve(&Summary::mean,
+                   isSingle ? "visitation"
+                            : words.text(QT_TRANSLATE_NOOP("Report", "mean, visitation")),
+                   InkOf::Plan);
         constexpr std::size_t kMostDots = 60;
         const int decimals = decimalsFor(taus.front()->zeta_m2s.mean, 5);
         for (const SettingSummary* s : taus) {
@@ -164,16 +169,17 @@ std::string settingName(const StudySetting& setting)
     return "τ = " + numberText(std::round(*setting.tau * kPerUnit) / kPerUnit);
 }
 
-std::string zetaChart(const StudySummary& summary)
+std::string zetaChart(const StudySummary& summary, const ReportWords& words)
 {
-    ZetaFigure zeta{.figure = {}, .taus = byTau(summary)};
+    ZetaFigure zeta{.words = words, .figure = {}, .taus = byTau(summary)};
     if (summary.cases.empty() || zeta.taus.size() < 2)
         return {};
     const bool isSingle = summary.cases.size() == 1;
     Figure& figure = zeta.figure;
-    figure.name = "Zeta against tau; the numbers are in the table of settings";
+    figure.name = words.text(
+        QT_TRANSLATE_NOOP("Report", "Zeta against tau; the numbers are in the table of settings"));
     figure.leftTitles = {"ζ, m² s"};
-    figure.x = axisFor(AxisEnds::Round, 66, "trade-off τ");
+    figure.x = axisFor(AxisEnds::Round, 66, words.text(QT_TRANSLATE_NOOP("Report", "trade-off τ")));
     figure.x.least = *zeta.taus.front()->setting.tau;
     figure.x.largest = *zeta.taus.back()->setting.tau;
     figure.y = axisFor(AxisEnds::Round, 54);
@@ -202,7 +208,7 @@ std::vector<std::size_t> drawnDifferences(const StudySummary& summary)
     return drawn;
 }
 
-std::string differenceChart(const StudySummary& summary)
+std::string differenceChart(const StudySummary& summary, const ReportWords& words)
 {
     if (summary.cases.size() < 2 || summary.settings.size() < 2)
         return {};
@@ -210,10 +216,11 @@ std::string differenceChart(const StudySummary& summary)
     constexpr double kAround_px = 60; // above and below the rows
     const std::vector<std::size_t> drawn = drawnDifferences(summary);
     Figure figure;
-    figure.name = "Differences to the reference; the numbers are in the table of differences";
+    figure.name = words.text(QT_TRANSLATE_NOOP(
+        "Report", "Differences to the reference; the numbers are in the table of differences"));
     figure.x = axisFor(AxisEnds::Round, 52,
-                       "mean difference of ζ to " +
-                           settingName(summary.settings[summary.reference].setting) + ", %");
+                       words.text(QT_TRANSLATE_NOOP("Report", "mean difference of ζ to %1, %"),
+                                  {settingName(summary.settings[summary.reference].setting)}));
     figure.x.largest = 0;
     figure.y = {.ends = AxisEnds::Rows, .hasGrid = false};
     figure.lines.push_back(
@@ -226,13 +233,14 @@ std::string differenceChart(const StudySummary& summary)
             addDifference(figure, row, summary.differences[i]);
             continue;
         }
-        figure.y.rows.back() += " (reference)";
+        figure.y.rows.back() =
+            words.text(QT_TRANSLATE_NOOP("Report", "%1 (reference)"), {figure.y.rows.back()});
         figure.marks.push_back({.at = {0, row}, .radius_px = 4, .isHollow = true});
     }
     return figureSvg(figure, kWidth_px, kRow_px * static_cast<double>(drawn.size()) + kAround_px);
 }
 
-std::string bestTauChart(const StudySummary& summary)
+std::string bestTauChart(const StudySummary& summary, const ReportWords& words)
 {
     if (!summary.bestTau || summary.cases.size() < 2)
         return {};
@@ -242,9 +250,10 @@ std::string bestTauChart(const StudySummary& summary)
     for (const double tau : summary.bestTau->byCase)
         ++counts[tau];
     Figure figure;
-    figure.name = "Cases in which each tau is the best";
-    figure.leftTitles = {"cases"};
-    figure.x = axisFor(AxisEnds::Round, 80, "τ of the lowest ζ of a case");
+    figure.name = words.text(QT_TRANSLATE_NOOP("Report", "Cases in which each tau is the best"));
+    figure.leftTitles = {words.text(QT_TRANSLATE_NOOP("Report", "cases"))};
+    figure.x = axisFor(AxisEnds::Round, 80,
+                       words.text(QT_TRANSLATE_NOOP("Report", "τ of the lowest ζ of a case")));
     figure.x.least = counts.begin()->first;
     figure.x.largest = counts.rbegin()->first;
     figure.x.inset_px = 24; // room for half a bar

@@ -12,9 +12,9 @@ namespace berg {
 
 namespace {
 
-std::string counted(double count, const std::string& one, const std::string& many)
+std::string counted(double count)
 {
-    return printedNumber(count, 0) + ' ' + (count == 1 ? one : many);
+    return printedNumber(count, 0);
 }
 
 /** "72.4 s", "12 min 5 s", "3 h 7 min" */
@@ -32,55 +32,54 @@ std::string durationText(double seconds)
            fixedText(std::floor(std::fmod(whole, kHour_s) / kMinute_s), 0) + " min";
 }
 
-std::string scenarioHtml(const Scenario& scenario)
+std::string scenarioHtml(const Scenario& scenario, const ReportWords& words)
 {
     const std::string name =
-        scenario.name.empty() ? "a scenario without a name" : htmlName(scenario.name);
-    return name + ": " +
-           counted(static_cast<double>(scenario.icebergs.size()), "iceberg", "icebergs") +
-           ", seed " + std::to_string(scenario.seed) + ", " + numberText(scenario.duration_s) +
-           " s in steps of " + numberText(scenario.dt_s) + " s" +
-           (scenario.noise ? "" : ", without noise");
+        scenario.name.empty() ? words.html(QT_TRANSLATE_NOOP("Report", "a scenario without a name"))
+                              : htmlName(scenario.name);
+    return words.html(
+               QT_TRANSLATE_NOOP("Report", "%1: icebergs: %2, seed %3, %4 s in steps of %5 s"),
+               {name, counted(static_cast<double>(scenario.icebergs.size())),
+                std::to_string(scenario.seed), numberText(scenario.duration_s),
+                numberText(scenario.dt_s)}) +
+           (scenario.noise ? std::string()
+                           : ", " + words.html(QT_TRANSLATE_NOOP("Report", "without noise")));
 }
 
-std::string regimeHtml(FieldRegime regime)
+std::string regimeHtml(FieldRegime regime, const ReportWords& words)
 {
     switch (regime) {
     case FieldRegime::Published:
         return {};
     case FieldRegime::Measured:
-        return ", measured with noise, velocities known";
+        return ", " +
+               words.html(QT_TRANSLATE_NOOP("Report", "measured with noise, velocities known"));
     case FieldRegime::UnknownVelocity:
-        return ", measured with noise, velocities not known by 0.1 m/s";
+        return ", " + words.html(QT_TRANSLATE_NOOP(
+                          "Report", "measured with noise, velocities not known by 0.1 m/s"));
     case FieldRegime::FittedDrift:
-        return ", measured with noise, with unknown velocities that change as those of icebergs do";
+        return ", " + words.html(QT_TRANSLATE_NOOP(
+                          "Report", "measured with noise, with unknown velocities that change as "
+                                    "those of icebergs do"));
     }
     return {};
 }
 
-std::string randomHtml(const StudySpec& spec)
+std::string randomHtml(const StudySpec& spec, const ReportWords& words)
 {
     const FieldSpec& field = spec.field;
     const std::int64_t last = spec.firstSeed + spec.random - 1;
-    return counted(spec.random, "random field", "random fields") + ", " +
-           (spec.random == 1
-                ? "seed " + std::to_string(spec.firstSeed)
-                : "seeds " + std::to_string(spec.firstSeed) + " to " + std::to_string(last)) +
-           ": " + counted(field.icebergs, "iceberg", "icebergs") + " in " +
-           numberText(field.size_m.x()) + " m × " + numberText(field.size_m.y()) +
-           " m, drifting at up to " + numberText(field.speedMax_mps) + " m/s, σ at first " +
-           numberText(field.sigmaMin_m2) + " to " + numberText(field.sigmaMax_m2) +
-           " m², growing by q = " + numberText(field.q_m2ps) + " m²/s" + regimeHtml(field.regime);
-}
-
-std::string scenariosHtml(const StudySpec& spec)
-{
-    std::string html;
-    for (const Scenario& scenario : spec.scenarios)
-        html += "<dd>" + scenarioHtml(scenario) + "</dd>\n";
-    if (spec.random > 0)
-        html += "<dd>" + randomHtml(spec) + "</dd>\n";
-    return "<dt>Scenarios</dt>\n" + html;
+    return words.html(QT_TRANSLATE_NOOP("Report",
+                                        "Random fields: %1, seeds %2 to %3. Icebergs in each: "
+                                        "%4, in %5 m × %6 m, drifting at up to %7 m/s"),
+                      {counted(spec.random), std::to_string(spec.firstSeed), std::to_string(last),
+                       counted(field.icebergs), numberText(field.size_m.x()),
+                       numberText(field.size_m.y()), numberText(field.speedMax_mps)}) +
+           ", " +
+           words.html(QT_TRANSLATE_NOOP("Report", "σ at first %1 to %2 m², growing by q = %3 m²/s"),
+                      {numberText(field.sigmaMin_m2), numberText(field.sigmaMax_m2),
+                       numberText(field.q_m2ps)}) +
+           regimeHtml(field.regime, words);
 }
 
 std::string fact(const std::string& term, const std::string& html)
@@ -88,21 +87,33 @@ std::string fact(const std::string& term, const std::string& html)
     return html.empty() ? html : "<dt>" + term + "</dt>\n<dd>" + html + "</dd>\n";
 }
 
-std::string policiesHtml(const StudySpec& spec)
+std::string scenariosHtml(const StudySpec& spec, const ReportWords& words)
 {
-    std::string html = "<dt>Policies</dt>\n";
+    std::string html;
+    for (const Scenario& scenario : spec.scenarios)
+        html += "<dd>" + scenarioHtml(scenario, words) + "</dd>\n";
+    if (spec.random > 0)
+        html += "<dd>" + randomHtml(spec, words) + "</dd>\n";
+    return "<dt>" + words.html(QT_TRANSLATE_NOOP("Report", "Scenarios")) + "</dt>\n" + html;
+}
+
+std::string policiesHtml(const StudySpec& spec, const ReportWords& words)
+{
+    std::string html = "<dt>" + words.html(QT_TRANSLATE_NOOP("Report", "Policies")) + "</dt>\n";
     for (const PolicyKind policy : std::set(spec.policies.begin(), spec.policies.end()))
         html += "<dd><strong>" + std::string(traitsOf(policy).name) +
-                "</strong>: " + std::string(traitsOf(policy).meaning) + "</dd>\n";
+                "</strong>: " + words.html(traitsOf(policy).meaning) + "</dd>\n";
     return html;
 }
 
-std::string noiseHtml(const StudySpec& spec)
+std::string noiseHtml(const StudySpec& spec, const ReportWords& words)
 {
     if (spec.runs == 1)
-        return "the scenario’s own seed, the same for every setting";
-    return std::to_string(spec.runs) +
-           " seeds for each scenario, its own first, the same for every setting";
+        return words.html(
+            QT_TRANSLATE_NOOP("Report", "the scenario’s own seed, the same for every setting"));
+    return words.html(QT_TRANSLATE_NOOP("Report", "seeds for each scenario: %1, its own first, "
+                                                  "the same for every setting"),
+                      {std::to_string(spec.runs)});
 }
 
 /** Step of evenly spaced ascending values, none when they are not. */
@@ -130,20 +141,21 @@ std::string listed(const std::vector<double>& taus, const std::string& separator
 }
 
 /** "0 to 4 by 0.1 (41 values)", or the values themselves. */
-std::string tausInWords(const std::vector<double>& taus)
+std::string tausInWords(const std::vector<double>& taus, const ReportWords& words)
 {
     const std::optional<double> step = evenStep(taus);
     if (!step)
         return listed(taus, ", ");
-    return numberText(taus.front()) + " to " + numberText(taus.back()) + " by " +
-           numberText(*step) + " (" + std::to_string(taus.size()) + " values)";
+    return words.html(QT_TRANSLATE_NOOP("Report", "%1 to %2 by %3 (%4 values)"),
+                      {numberText(taus.front()), numberText(taus.back()), numberText(*step),
+                       std::to_string(taus.size())});
 }
 
-std::string tausFlown(const StudySpec& spec)
+std::string tausFlown(const StudySpec& spec, const ReportWords& words)
 {
     const bool isFlown = std::ranges::any_of(
         spec.policies, [](PolicyKind policy) { return traitsOf(policy).usesTau; });
-    return isFlown ? tausInWords(spec.taus) : std::string();
+    return isFlown ? tausInWords(spec.taus, words) : std::string();
 }
 
 /** The value of --tau. */
@@ -179,7 +191,7 @@ std::string sweepCommand(const StudySpec& spec)
 
 } // namespace
 
-std::string titleOf(const StudySpec& spec)
+std::string titleOf(const StudySpec& spec, const ReportWords& words)
 {
     if (!spec.name.empty())
         return spec.name;
@@ -187,41 +199,59 @@ std::string titleOf(const StudySpec& spec)
     if (scenarios == 1 && !spec.scenarios.empty() && !spec.scenarios.front().name.empty())
         return spec.scenarios.front().name;
     if (spec.scenarios.empty())
-        return counted(spec.random, "random field", "random fields") + " of " +
-               counted(spec.field.icebergs, "iceberg", "icebergs");
-    return "Study of " + counted(static_cast<double>(scenarios), "scenario", "scenarios");
+        return words.text(QT_TRANSLATE_NOOP("Report", "Random fields: %1, icebergs in each: %2"),
+                          {counted(spec.random), counted(spec.field.icebergs)});
+    return words.text(QT_TRANSLATE_NOOP("Report", "Study, scenarios: %1"),
+                      {counted(static_cast<double>(scenarios))});
 }
 
 std::string reportFacts(const Study& study, const ReportOrigin& origin)
 {
     const StudySpec& spec = study.spec;
-    return "<section>\n<h2>What was flown</h2>\n<dl>\n" + scenariosHtml(spec) +
-           fact("Trade-off τ", tausFlown(spec)) + policiesHtml(spec) +
-           fact("Noise", noiseHtml(spec)) +
-           fact("Missions", printedNumber(static_cast<double>(flownCount(study)), 0) + " of " +
-                                printedNumber(static_cast<double>(missionCount(spec)), 0)) +
-           fact("Program", htmlText(origin.program)) + fact("Machine", htmlText(origin.machine)) +
-           fact("Made", htmlText(origin.madeUtc)) +
-           fact("Last run took",
+    const ReportWords& words = origin.words;
+    const auto term = [&](std::string_view english, const std::string& html) {
+        return fact(words.html(english), html);
+    };
+    return "<section>\n<h2>" + words.html(QT_TRANSLATE_NOOP("Report", "What was flown")) +
+           "</h2>\n<dl>\n" + scenariosHtml(spec, words) +
+           term(QT_TRANSLATE_NOOP("Report", "Trade-off τ"), tausFlown(spec, words)) +
+           policiesHtml(spec, words) +
+           term(QT_TRANSLATE_NOOP("Report", "Noise"), noiseHtml(spec, words)) +
+           term(QT_TRANSLATE_NOOP("Report", "Missions"),
+                words.html(QT_TRANSLATE_NOOP("Report", "%1 of %2"),
+                           {counted(static_cast<double>(flownCount(study))),
+                            counted(static_cast<double>(missionCount(spec)))})) +
+           term(QT_TRANSLATE_NOOP("Report", "Program"), htmlText(origin.program)) +
+           term(QT_TRANSLATE_NOOP("Report", "Machine"), htmlText(origin.machine)) +
+           term(QT_TRANSLATE_NOOP("Report", "Made"), htmlText(origin.madeUtc)) +
+           term(QT_TRANSLATE_NOOP("Report", "Last run took"),
                 origin.elapsed_s ? durationText(*origin.elapsed_s) : std::string()) +
            "</dl>\n</section>\n";
 }
 
-std::string reportRecipe(const StudySpec& spec)
+std::string reportRecipe(const StudySpec& spec, const ReportWords& words)
 {
     std::string html =
-        "<section>\n<h2>How to make it again</h2>\n"
-        "<p>This page holds the whole study, with every scenario, seed and result, "
-        "and can be given to Bergwatch as a study file. From the results in it:</p>\n"
-        "<pre><code>bergwatch-cli study REPORT.html --report AGAIN.html"
-        "</code></pre>\n";
+        "<section>\n<h2>" + words.html(QT_TRANSLATE_NOOP("Report", "How to make it again")) +
+        "</h2>\n<p>" +
+        words.html(QT_TRANSLATE_NOOP(
+            "Report", "This page holds the whole study, with every scenario, seed and result, and "
+                      "can be given to Bergwatch as a study file. From the results in it:")) +
+        "</p>\n<pre><code>bergwatch-cli study REPORT.html --report AGAIN.html</code></pre>\n";
     // The command line has no other fields.
     if (spec.random == 0 || spec.field == FieldSpec{.regime = spec.field.regime})
-        html += "<p>Flown anew" +
-                std::string(spec.scenarios.empty() ? "" : ", with the scenario files by name") +
-                "; the numbers depend neither on the machine nor on how many threads fly "
-                "them:</p>\n<pre><code>" +
-                htmlText(sweepCommand(spec)) + " --report AGAIN.html</code></pre>\n";
+        html += "<p>" +
+                words.html(
+                    spec.scenarios.empty()
+                        ? QT_TRANSLATE_NOOP("Report", "Flown anew; the numbers depend neither on "
+                                                      "the machine nor on how many threads fly "
+                                                      "them:")
+                        : QT_TRANSLATE_NOOP("Report", "Flown anew, with the scenario files by "
+                                                      "name; the numbers depend neither on the "
+                                                      "machine nor on how many threads fly "
+                                                      "them:")) +
+                "</p>\n<pre><code>" + htmlText(sweepCommand(spec)) +
+                " --report AGAIN.html</code></pre>\n";
     return html + "</section>\n";
 }
 

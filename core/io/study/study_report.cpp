@@ -38,37 +38,48 @@ std::string figureHtml(const std::string& heading, const std::string& drawing,
            "</figcaption>\n</figure>\n</section>\n";
 }
 
-std::string zetaCaption(const StudySummary& summary)
+std::string zetaCaption(const StudySummary& summary, const ReportWords& words)
 {
-    std::string caption = "ζ is the integral over the flight of the uncertainty σ of all icebergs "
-                          "together: less is better. ";
+    const std::string caption =
+        words.html(QT_TRANSLATE_NOOP("Report", "ζ is the integral over the flight of the "
+                                               "uncertainty σ of all icebergs together: less is "
+                                               "better.")) +
+        ' ';
     if (summary.cases.size() == 1)
-        return caption + "One case, so there is no spread to show.";
-    return caption + "The line is the mean over " + std::to_string(summary.cases.size()) +
-           " cases, the bands hold the middle half and 80\u00a0% of them. Lines across are the "
-           "means of "
-           "policies that have no τ.";
+        return caption + words.html(QT_TRANSLATE_NOOP("Report", "One case, so there is no spread "
+                                                                "to show."));
+    return caption +
+           words.html(QT_TRANSLATE_NOOP("Report",
+                                        "The line is the mean over the cases (%1), the bands hold "
+                                        "the middle half and 80 % of them. Lines across are the "
+                                        "means of policies that have no τ."),
+                      {std::to_string(summary.cases.size())});
 }
 
-std::string differenceCaption(const StudySummary& summary)
+std::string differenceCaption(const StudySummary& summary, const ReportWords& words)
 {
-    std::string caption =
-        "Each case is compared with itself, on the same icebergs and the same "
-        "noise; the bars are 95\u00a0% intervals of the mean (Student’s t). Left of 0 "
-        "is better than the reference.";
+    std::string caption = words.html(
+        QT_TRANSLATE_NOOP("Report", "Each case is compared with itself, on the same icebergs and "
+                                    "the same noise; the bars are 95 % intervals of the mean "
+                                    "(Student’s t). Left of 0 is better than the reference."));
     if (drawnDifferences(summary).size() < summary.settings.size())
-        caption += " Not every τ is drawn; all are in the table.";
+        caption += ' ' + words.html(QT_TRANSLATE_NOOP("Report", "Not every τ is drawn; all are in "
+                                                                "the table."));
     return caption;
 }
 
-std::string figuresHtml(const StudySummary& summary)
+std::string figuresHtml(const StudySummary& summary, const ReportWords& words)
 {
-    return figureHtml("ζ against τ", zetaChart(summary), zetaCaption(summary)) +
-           figureHtml("Differences to the reference", differenceChart(summary),
-                      differenceCaption(summary)) +
-           figureHtml("Best τ of each case", bestTauChart(summary),
-                      "The τ with the lowest ζ of a case, chosen in hindsight: nobody knows it "
-                      "before the flight. Of equal ones the smallest counts.");
+    return figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "ζ against τ")),
+                      zetaChart(summary, words), zetaCaption(summary, words)) +
+           figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "Differences to the reference")),
+                      differenceChart(summary, words), differenceCaption(summary, words)) +
+           figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "Best τ of each case")),
+                      bestTauChart(summary, words),
+                      words.html(QT_TRANSLATE_NOOP(
+                          "Report", "The τ with the lowest ζ of a case, chosen in hindsight: "
+                                    "nobody knows it before the flight. Of equal ones the "
+                                    "smallest counts.")));
 }
 
 } // namespace
@@ -76,12 +87,15 @@ std::string figuresHtml(const StudySummary& summary)
 std::string studyReportHtml(const Study& study, const StudySummary& summary,
                             const ReportOrigin& origin)
 {
-    const std::string title = titleOf(study.spec);
-    return reportHead(title, origin.program, policyStyle()) + "<body>\n<header>\n<h1>" +
-           htmlName(title) + "</h1>\n" + "<p class=\"lead\">" + htmlText(origin.program) + ", " +
-           htmlText(origin.madeUtc) + "</p>\n</header>\n<main>\n" + reportFindings(study, summary) +
-           figuresHtml(summary) + reportTables(summary) + reportFacts(study, origin) +
-           reportRecipe(study.spec) + "</main>\n" + std::string(kStudyOpens) + '\n' +
+    const ReportWords& words = origin.words;
+    const std::string title = titleOf(study.spec, words);
+    return reportHead({.title = title, .program = origin.program, .language = words.tag()},
+                      policyStyle()) +
+           "<body>\n<header>\n<h1>" + htmlName(title) + "</h1>\n" + "<p class=\"lead\">" +
+           htmlText(origin.program) + ", " + htmlText(origin.madeUtc) +
+           "</p>\n</header>\n<main>\n" + reportFindings(study, summary, words) +
+           figuresHtml(summary, words) + reportTables(summary, words) + reportFacts(study, origin) +
+           reportRecipe(study.spec, words) + "</main>\n" + std::string(kStudyOpens) + '\n' +
            scriptJson(studyToJson(study)) + std::string(kStudyCloses) + "\n</body>\n</html>\n";
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/text/report_words.h"
 #include "core/study/study_summary.h"
 
 #include <optional>
@@ -15,12 +16,13 @@ struct ReportOrigin
     std::string machine;             ///< `machineText()`; empty: not told
     std::string madeUtc;             ///< ISO 8601 with Z
     std::optional<double> elapsed_s; ///< that the flying took; none: flown before
+    ReportWords words = {};          ///< what the page is written in
 };
 
 /**
  * A study as one page that needs nothing else: HTML that is well-formed XML, charts as SVG, tables
  * of the same numbers, what was flown, and the whole study file, so that the page can be made again
- * (`studyOfReport`). No scripts run in it. English.
+ * (`studyOfReport`). No scripts run in it.
  */
 [[nodiscard]] std::string studyReportHtml(const Study& study, const StudySummary& summary,
                                           const ReportOrigin& origin);

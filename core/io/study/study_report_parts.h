@@ -9,18 +9,19 @@
 namespace berg {
 
 /** The study's name, or what it is of. Not escaped. */
-[[nodiscard]] std::string titleOf(const StudySpec& spec);
+[[nodiscard]] std::string titleOf(const StudySpec& spec, const ReportWords& words);
 
 /** How many missions and cases are done, and what stands out in one sentence each. */
-[[nodiscard]] std::string reportFindings(const Study& study, const StudySummary& summary);
+[[nodiscard]] std::string reportFindings(const Study& study, const StudySummary& summary,
+                                         const ReportWords& words);
 
 /** The tables of settings, differences and best tau. */
-[[nodiscard]] std::string reportTables(const StudySummary& summary);
+[[nodiscard]] std::string reportTables(const StudySummary& summary, const ReportWords& words);
 
 /** What was flown, and by what: scenarios, seeds, settings, program, machine. */
 [[nodiscard]] std::string reportFacts(const Study& study, const ReportOrigin& origin);
 
 /** How to make the page, and its flights, again. */
-[[nodiscard]] std::string reportRecipe(const StudySpec& spec);
+[[nodiscard]] std::string reportRecipe(const StudySpec& spec, const ReportWords& words);
 
 } // namespace berg

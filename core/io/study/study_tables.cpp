@@ -11,8 +11,8 @@ namespace berg {
 namespace {
 
 constexpr int kZetaDigits = 5;
-const std::string kStuckMeans =
-    "Stuck: two icebergs at most as targets in the last half of the flight.";
+constexpr std::string_view kStuckMeans = QT_TRANSLATE_NOOP(
+    "Report", "Stuck: two icebergs at most as targets in the last half of the flight.");
 
 /** The same for a whole column: digits of the reference. */
 int zetaDecimals(const StudySummary& summary)
@@ -36,34 +36,53 @@ std::string interval(const MeanInterval& values, double scale, int decimals)
            signedNumber(scale * values.high, decimals);
 }
 
+std::string strong(const std::string& html)
+{
+    return "<strong>" + html + "</strong>";
+}
+
+std::string item(const std::string& html)
+{
+    return "<li>" + html + "</li>\n";
+}
+
 /** One case has no spread: zeta and the differences in one table. */
-std::string oneCaseTable(const StudySummary& summary)
+std::string oneCaseTable(const StudySummary& summary, const ReportWords& words)
 {
     const int decimals = zetaDecimals(summary);
-    HtmlTable table("ζ of the case and its difference to " +
-                        settingName(summary.settings[summary.reference].setting) + ". " +
-                        kStuckMeans,
-                    {"Setting", "ζ, m² s", "Difference, m² s", "Difference, %", "Visits", "Stuck"});
+    HtmlTable table(
+        words.html(QT_TRANSLATE_NOOP("Report", "ζ of the case and its difference to %1."),
+                   {settingName(summary.settings[summary.reference].setting)}) +
+            ' ' + words.html(kStuckMeans),
+        words.heads({QT_TRANSLATE_NOOP("Report", "Setting"), "ζ, m² s",
+                     QT_TRANSLATE_NOOP("Report", "Difference, m² s"),
+                     QT_TRANSLATE_NOOP("Report", "Difference, %"),
+                     QT_TRANSLATE_NOOP("Report", "Visits"), QT_TRANSLATE_NOOP("Report", "Stuck")}));
     for (std::size_t i = 0; i < summary.settings.size(); ++i) {
         const SettingSummary& s = summary.settings[i];
         const PairedDifference& d = summary.differences[i];
         table.addRow({settingName(s.setting), printedNumber(s.zeta_m2s.mean, decimals),
                       signedNumber(d.zeta_m2s.mean, decimals),
                       signedNumber(100 * d.relative.mean, 2), printedNumber(s.meanVisits, 0),
-                      s.stuckShare > 0 ? "yes" : "no"},
+                      words.html(s.stuckShare > 0 ? QT_TRANSLATE_NOOP("Report", "yes")
+                                                  : QT_TRANSLATE_NOOP("Report", "no"))},
                      i == summary.reference);
     }
     return table.html();
 }
 
-std::string settingsTable(const StudySummary& summary)
+std::string settingsTable(const StudySummary& summary, const ReportWords& words)
 {
     const int decimals = zetaDecimals(summary);
     const auto zeta = [decimals](double value_m2s) { return printedNumber(value_m2s, decimals); };
-    HtmlTable table("ζ in m² s over " + std::to_string(summary.cases.size()) + " cases. " +
-                        kStuckMeans,
-                    {"Setting", "Mean", "Standard error", "10 %", "25 %", "Median", "75 %", "90 %",
-                     "Visits", "Stuck"});
+    HtmlTable table(
+        words.html(QT_TRANSLATE_NOOP("Report", "ζ in m² s. Cases: %1."),
+                   {std::to_string(summary.cases.size())}) +
+            ' ' + words.html(kStuckMeans),
+        words.heads({QT_TRANSLATE_NOOP("Report", "Setting"), QT_TRANSLATE_NOOP("Report", "Mean"),
+                     QT_TRANSLATE_NOOP("Report", "Standard error"), "10 %", "25 %",
+                     QT_TRANSLATE_NOOP("Report", "Median"), "75 %", "90 %",
+                     QT_TRANSLATE_NOOP("Report", "Visits"), QT_TRANSLATE_NOOP("Report", "Stuck")}));
     for (std::size_t i = 0; i < summary.settings.size(); ++i) {
         const SettingSummary& s = summary.settings[i];
         const Summary& z = s.zeta_m2s;
@@ -75,19 +94,25 @@ std::string settingsTable(const StudySummary& summary)
     return table.html();
 }
 
-std::string differencesTable(const StudySummary& summary)
+std::string differencesTable(const StudySummary& summary, const ReportWords& words)
 {
     const int decimals = zetaDecimals(summary);
-    HtmlTable table("Differences of ζ to " +
-                        settingName(summary.settings[summary.reference].setting) +
-                        ", case by case, with 95 % intervals of the mean. Worst: the largest "
-                        "difference of a case.",
-                    {"Setting", "Mean, m² s", "95 % interval", "Mean, %", "95 % interval",
-                     "Cases below", "Worst"});
+    HtmlTable table(
+        words.html(QT_TRANSLATE_NOOP("Report",
+                                     "Differences of ζ to %1, case by case, with 95 % intervals of "
+                                     "the mean. Worst: the largest difference of a case."),
+                   {settingName(summary.settings[summary.reference].setting)}),
+        words.heads(
+            {QT_TRANSLATE_NOOP("Report", "Setting"), QT_TRANSLATE_NOOP("Report", "Mean, m² s"),
+             QT_TRANSLATE_NOOP("Report", "95 % interval"), QT_TRANSLATE_NOOP("Report", "Mean, %"),
+             QT_TRANSLATE_NOOP("Report", "95 % interval"),
+             QT_TRANSLATE_NOOP("Report", "Cases below"), QT_TRANSLATE_NOOP("Report", "Worst")}));
     for (std::size_t i = 0; i < summary.differences.size(); ++i) {
         const PairedDifference& d = summary.differences[i];
         if (i == summary.reference) {
-            table.addRow({settingName(d.setting), "reference", "", "", "", "", ""}, true);
+            table.addRow({settingName(d.setting),
+                          words.html(QT_TRANSLATE_NOOP("Report", "reference")), "", "", "", "", ""},
+                         true);
             continue;
         }
         table.addRow({settingName(d.setting), signedNumber(d.zeta_m2s.mean, decimals),
@@ -95,17 +120,21 @@ std::string differencesTable(const StudySummary& summary)
                       interval(d.relative, 100, 2), percent(d.lowerShare), change(d.worst)});
     }
     if (const auto& best = summary.bestTau)
-        table.addRow({"best τ of each case", "", "", signedNumber(100 * best->relative.mean, 2),
-                      interval(best->relative, 100, 2), "", ""});
+        table.addRow({words.html(QT_TRANSLATE_NOOP("Report", "best τ of each case")), "", "",
+                      signedNumber(100 * best->relative.mean, 2), interval(best->relative, 100, 2),
+                      "", ""});
     return table.html();
 }
 
-std::string bestTauTable(const BestTau& best)
+std::string bestTauTable(const BestTau& best, const ReportWords& words)
 {
     std::map<double, std::size_t> counts;
     for (const double tau : best.byCase)
         ++counts[tau];
-    HtmlTable table("Best τ of each case, chosen in hindsight", {"Setting", "Cases", "Share"});
+    HtmlTable table(
+        words.html(QT_TRANSLATE_NOOP("Report", "Best τ of each case, chosen in hindsight")),
+        words.heads({QT_TRANSLATE_NOOP("Report", "Setting"), QT_TRANSLATE_NOOP("Report", "Cases"),
+                     QT_TRANSLATE_NOOP("Report", "Share")}));
     for (const auto& [tau, count] : counts)
         table.addRow(
             {settingName({.tau = tau}), std::to_string(count),
@@ -114,91 +143,111 @@ std::string bestTauTable(const BestTau& best)
 }
 
 /** The policy to fly by these cases, where one is surely the best. */
-std::string recommendedText(const StudySummary& summary)
+std::string recommendedText(const StudySummary& summary, const ReportWords& words)
 {
     const Recommendation& best = *summary.recommendation;
     if (!best.next)
         return {};
-    const auto name = [&](std::size_t s) { return settingName(summary.settings[s].setting); };
     if (summary.cases.size() == 1)
-        return "<li>One case recommends no policy: fly more of them.</li>\n";
-    const std::string against =
-        change(best.relative.mean) + " (" + interval(best.relative, 100, 1) + ") against ";
+        return item(words.html(
+            QT_TRANSLATE_NOOP("Report", "One case recommends no policy: fly more of them.")));
+    const auto name = [&](std::size_t s) { return settingName(summary.settings[s].setting); };
+    const std::string difference =
+        change(best.relative.mean) + " (" + interval(best.relative, 100, 1) + ")";
     if (best.isSure)
-        return "<li>Recommended: <strong>" + name(best.setting) + "</strong>, " + against +
-               name(*best.next) + ", the best of another policy.</li>\n";
-    return "<li>No policy is surely the best: " + name(best.setting) + " is " + against +
-           name(*best.next) + ".</li>\n";
+        return item(
+            words.html(QT_TRANSLATE_NOOP(
+                           "Report", "Recommended: %1, %2 against %3, the best of another policy."),
+                       {strong(name(best.setting)), difference, name(*best.next)}));
+    return item(words.html(
+        QT_TRANSLATE_NOOP("Report", "No policy is surely the best: %1 is %2 against %3."),
+        {name(best.setting), difference, name(*best.next)}));
 }
 
 /** The setting of lowest mean zeta, and how it compares. */
-std::string lowestText(const StudySummary& summary)
+std::string lowestText(const StudySummary& summary, const ReportWords& words)
 {
     const std::size_t index = summary.recommendation->setting;
     const SettingSummary& lowest = summary.settings[index];
     const bool isOneCase = summary.cases.size() == 1;
-    std::string text = (isOneCase ? "Lowest ζ: <strong>" : "Lowest mean ζ: <strong>") +
-                       settingName(lowest.setting) + "</strong>, " +
-                       printedNumber(lowest.zeta_m2s.mean, zetaDecimals(summary)) + " m² s";
+    std::vector<std::string> told{strong(settingName(lowest.setting)),
+                                  printedNumber(lowest.zeta_m2s.mean, zetaDecimals(summary))};
+    if (index == summary.reference)
+        return item(words.html(isOneCase
+                                   ? QT_TRANSLATE_NOOP("Report", "Lowest ζ: %1, %2 m² s.")
+                                   : QT_TRANSLATE_NOOP("Report", "Lowest mean ζ: %1, %2 m² s."),
+                               told));
     const MeanInterval& relative = summary.differences[index].relative;
-    if (index != summary.reference)
-        text += ", " + change(relative.mean) +
-                (isOneCase ? std::string() : " (" + interval(relative, 100, 1) + ")") +
-                " against " + settingName(summary.settings[summary.reference].setting);
-    return "<li>" + text + ".</li>\n";
+    told.push_back(change(relative.mean) +
+                   (isOneCase ? std::string() : " (" + interval(relative, 100, 1) + ")"));
+    told.push_back(settingName(summary.settings[summary.reference].setting));
+    return item(words.html(
+        isOneCase ? QT_TRANSLATE_NOOP("Report", "Lowest ζ: %1, %2 m² s, %3 against %4.")
+                  : QT_TRANSLATE_NOOP("Report", "Lowest mean ζ: %1, %2 m² s, %3 against %4."),
+        told));
 }
 
-std::string bestTauText(const StudySummary& summary)
+std::string bestTauText(const StudySummary& summary, const ReportWords& words)
 {
     if (!summary.bestTau)
         return {};
     const BestTau& best = *summary.bestTau;
     if (summary.cases.size() == 1)
-        return "<li>Best τ of this case: <strong>" + settingName({.tau = best.tau.mean}) +
-               "</strong>.</li>\n";
-    return "<li>Best τ of each case, chosen in hindsight: median " +
-           printedNumber(best.tau.median, 2) + ", 80 % of the cases between " +
-           printedNumber(best.tau.decile1, 2) + " and " + printedNumber(best.tau.decile9, 2) +
-           "; its mean ζ is " + change(best.relative.mean) + " (" +
-           interval(best.relative, 100, 1) + ") against " +
-           settingName(summary.settings[summary.reference].setting) + ".</li>\n";
+        return item(words.html(QT_TRANSLATE_NOOP("Report", "Best τ of this case: %1."),
+                               {strong(settingName({.tau = best.tau.mean}))}));
+    return item(words.html(
+        QT_TRANSLATE_NOOP("Report", "Best τ of each case, chosen in hindsight: median %1, 80 % of "
+                                    "the cases between %2 and %3; its mean ζ is %4 against %5."),
+        {printedNumber(best.tau.median, 2), printedNumber(best.tau.decile1, 2),
+         printedNumber(best.tau.decile9, 2),
+         change(best.relative.mean) + " (" + interval(best.relative, 100, 1) + ")",
+         settingName(summary.settings[summary.reference].setting)}));
 }
 
 } // namespace
 
-std::string reportFindings(const Study& study, const StudySummary& summary)
+std::string reportFindings(const Study& study, const StudySummary& summary,
+                           const ReportWords& words)
 {
     const std::size_t flown = flownCount(study);
     const std::size_t missions = missionCount(study.spec);
     const auto count = [](std::size_t n) { return printedNumber(static_cast<double>(n), 0); };
     std::string html;
     if (flown < missions)
-        html = "<p class=\"incomplete\"><strong>Not complete:</strong> " + count(flown) + " of " +
-               count(missions) + " missions are flown. Everything below is of the " +
-               count(summary.cases.size()) + " of " + count(caseCount(study.spec)) +
-               " cases that every setting has flown.</p>\n";
+        html =
+            "<p class=\"incomplete\">" +
+            strong(words.html(QT_TRANSLATE_NOOP("Report", "Not complete."))) + ' ' +
+            words.html(QT_TRANSLATE_NOOP(
+                           "Report", "Missions flown: %1 of %2. Everything below is of the cases "
+                                     "that every setting has flown: %3 of %4."),
+                       {count(flown), count(missions), count(summary.cases.size()),
+                        count(caseCount(study.spec))}) +
+            "</p>\n";
     else
-        html = "<p>" + count(missions) + (missions == 1 ? " mission: " : " missions: ") +
-               count(summary.cases.size()) + (summary.cases.size() == 1 ? " case" : " cases") +
-               ", each flown with " + count(summary.settings.size()) +
-               (summary.settings.size() == 1 ? " setting" : " settings") + ".</p>\n";
+        html = "<p>" +
+               words.html(
+                   QT_TRANSLATE_NOOP("Report", "Missions: %1. Cases: %2, each flown with "
+                                               "every setting. Settings: %3."),
+                   {count(missions), count(summary.cases.size()), count(summary.settings.size())}) +
+               "</p>\n";
     if (summary.cases.empty())
         return html;
-    return html + "<ul class=\"findings\">\n" + recommendedText(summary) + lowestText(summary) +
-           bestTauText(summary) + "</ul>\n";
+    return html + "<ul class=\"findings\">\n" + recommendedText(summary, words) +
+           lowestText(summary, words) + bestTauText(summary, words) + "</ul>\n";
 }
 
-std::string reportTables(const StudySummary& summary)
+std::string reportTables(const StudySummary& summary, const ReportWords& words)
 {
     if (summary.cases.empty())
         return {};
-    const std::string opens = "<section>\n<h2>The numbers</h2>\n";
+    const std::string opens =
+        "<section>\n<h2>" + words.html(QT_TRANSLATE_NOOP("Report", "The numbers")) + "</h2>\n";
     const std::string closes = "</section>\n";
     if (summary.cases.size() == 1)
-        return opens + oneCaseTable(summary) + closes;
-    return opens + settingsTable(summary) +
-           (summary.settings.size() > 1 ? differencesTable(summary) : std::string()) +
-           (summary.bestTau ? bestTauTable(*summary.bestTau) : std::string()) + closes;
+        return opens + oneCaseTable(summary, words) + closes;
+    return opens + settingsTable(summary, words) +
+           (summary.settings.size() > 1 ? differencesTable(summary, words) : std::string()) +
+           (summary.bestTau ? bestTauTable(*summary.bestTau, words) : std::string()) + closes;
 }
 
 } // namespace berg

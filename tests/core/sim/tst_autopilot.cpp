@@ -21,7 +21,10 @@ class FaultySolver final : public TvpSolver
 public:
     FaultySolver(int good, int silent) : m_good(good), m_silent(silent) {}
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
-    [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
+    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
+    {
+        return std::nullopt;
+    }
 
 protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,

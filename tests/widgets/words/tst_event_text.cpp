@@ -31,7 +31,7 @@ private slots:
         QTest::newRow("appeared") << EventKind::Appeared << 3600.0 << 1
                                   << u"1:00:00  Storberget appeared"_s;
         QTest::newRow("intervention")
-            << EventKind::Intervention << 59.6 << -1 << u"01:00  Trade-off or policy changed"_s;
+            << EventKind::Intervention << 59.6 << -1 << u"01:00  Planned from now on by: τ 0.00"_s;
         QTest::newRow("left") << EventKind::Left << 1.0 << 0
                               << u"00:01  berg-1 has left the area"_s;
         QTest::newRow("lost") << EventKind::Lost << 1.0 << 1
@@ -93,6 +93,17 @@ private slots:
             u"Wind changed"_s);
         row("reported", {.kind = EventKind::Sighted, .iceberg = 0, .reported = true},
             u"berg-1 reported seen"_s);
+        row("planner",
+            {.kind = EventKind::Intervention,
+             .changed = ChangedPart::Planner,
+             .policy = PolicyKind::Visitation,
+             .tau = 1.35},
+            u"Planned from now on by: τ 1.35"_s);
+        row("added", {.kind = EventKind::Appeared, .iceberg = 0, .reported = true},
+            u"berg-1 added"_s);
+        row("removed",
+            {.kind = EventKind::Intervention, .iceberg = 0, .changed = ChangedPart::Removal},
+            u"berg-1 removed"_s);
         row("of none", {.kind = EventKind::Appeared, .iceberg = 0}, u"berg-1 appeared"_s);
         row("outside", {.kind = EventKind::LeftFence, .uav = 1}, u"uav-2: Outside the geofence"_s);
         row("inside", {.kind = EventKind::BackInside, .uav = 0},

@@ -96,6 +96,32 @@ private slots:
         }));
     }
 
+    /** A drag of tau is many changes; what was added and removed is named. */
+    void interventionsAreTold()
+    {
+        Mission mission(fourIcebergs());
+        mission.advance(100);
+        for (const double tau : {1.1, 1.2, 1.3}) {
+            mission.intervene({.tau = tau, .policy = PolicyKind::Visitation});
+            mission.advance(mission.simulation().time_s() + 1);
+        }
+        mission.intervene({.appears = Iceberg{.id = "late", .position_m = {2500, 1500}}});
+        mission.intervene({.removed = mission.icebergs()[0].id});
+        mission.advance(1e9);
+        const std::vector<MissionEvent> told = flightLog(runContent(mission)).deviations;
+        QCOMPARE(told.size(), std::size_t{3});
+        QCOMPARE(told[0].tau, 1.3);
+        const std::string page = flightLogHtml(runContent(mission));
+        for (const char* part : {"Planned from now on by: visitation, τ = 1.3",
+                                 "<bdi>late</bdi> added", "</bdi> removed"})
+            QVERIFY2(page.find(part) != std::string::npos, part);
+        ExportContent french = runContent(mission);
+        french.words = ReportWords([](std::string_view english) {
+            return std::string(english == "%1 added" ? "%1 ajouté" : english);
+        });
+        QVERIFY(flightLogHtml(french).find("<bdi>late</bdi> ajouté") != std::string::npos);
+    }
+
     void pageIsWellFormedAndWhole()
     {
         Scenario scenario = hostile();
