@@ -65,6 +65,12 @@ void TimeChart::setTitleShown(bool shown)
     layOut();
 }
 
+void TimeChart::setColumnWanted(bool wanted)
+{
+    m_isColumnWanted = wanted;
+    layOut();
+}
+
 void TimeChart::setGradients(bool wanted)
 {
     m_gradients = wanted;
@@ -139,11 +145,15 @@ int TimeChart::columns() const
 void TimeChart::layOut()
 {
     m_isLaidOut = true;
+    const QSizeF size_px = viewport()->size();
+    m_column = columnFor(size_px);
+    const double beside_px = static_cast<double>(m_column.columns) * m_column.width_px;
     m_figure = timeFigure(m_content, {.theme = m_theme,
                                       .locale = locale(),
-                                      .size_px = viewport()->size(),
+                                      .size_px = {size_px.width() - beside_px, size_px.height()},
                                       .window = window(),
                                       .hasTitle = m_titleShown,
+                                      .hasNames = m_column.columns == 0,
                                       .hasLines = false});
     chart()->setPlotArea(plot());
     for (std::size_t i = 0; i < m_series.size(); ++i) {

@@ -24,6 +24,22 @@ struct ReadoutFlag
     QPointF at; ///< on the line
     QString text;
     QColor colour; ///< of the line
+    QString name{};
+    QString value{};
+    QString key{};         ///< of the line
+    bool isStrong = false; ///< stands out, or is the one the pointer is at
+};
+
+/** Beside the plot: a row for each line, in one or more columns. */
+struct ValueColumn
+{
+    double left_px = 0; ///< of the first one
+    double top_px = 0;
+    double width_px = 0; ///< of one of them
+    double row_px = 0;
+    std::size_t rows = 0;    ///< in each of them
+    std::size_t columns = 0; ///< 0: values are flags over the plot
+    bool hasUnits = false;   ///< the value, with its unit, below the name
 };
 
 /** What all lines say at one instant. */
@@ -31,8 +47,9 @@ struct ChartReadout
 {
     std::optional<double> hover_px; ///< abscissa of the thin line; none: the cursor is there
     QRectF timeRect;
-    QString time;
+    QString time; ///< empty: neither pointer nor cursor, the newest values in the column
     std::vector<ReadoutFlag> flags;
+    std::size_t more = 0; ///< for which the column has no room
 };
 
 /**
@@ -55,6 +72,11 @@ public:
     void setTheme(const Theme& theme);
     /** Without it the plot has its room: for a chart inside something that has a title. */
     void setTitleShown(bool shown);
+    /**
+     * Names and values of the lines stand in a column beside the plot where the chart is wide
+     * enough for it: those at the pointer, at the cursor or the newest.
+     */
+    void setColumnWanted(bool wanted);
     /** False: lines in one colour each, for files that cannot hold pens with a gradient. */
     void setGradients(bool wanted);
     [[nodiscard]] const TimeChartContent& content() const { return m_content; }
@@ -87,7 +109,7 @@ public:
 signals:
     /** Pressed or dragged in the plot: the user wants to see this instant. */
     void timePicked(double time_s);
-    /** The label in the margin that belongs to the line of that key was pressed. */
+    /** The label in the margin, or the row, of the line of that key was pressed. */
     void linePicked(const QString& key);
     /** The right button was let go where it was pressed, or the menu key was pressed. */
     void menuRequested(const QPoint& globalPos);
@@ -126,6 +148,11 @@ private:
     void styleLine(std::size_t index, const QBrush& bySigma, Qt::PenCapStyle cap);
     [[nodiscard]] QColor colourOf(const TimeLine& line) const;
     [[nodiscard]] std::vector<PixelRect> flagsAtCursor() const;
+    [[nodiscard]] ValueColumn columnFor(const QSizeF& size_px) const;
+    [[nodiscard]] std::vector<std::size_t> rowsAt(const std::vector<std::optional<QPointF>>& values,
+                                                  ChartReadout& readout) const;
+    void fillColumn(ChartReadout& readout, double time_s) const;
+    void paintColumn(QPainter& painter, const ChartReadout& readout) const;
     [[nodiscard]] QString valueText(const TimeLine& line, double value) const;
     [[nodiscard]] ReadoutFlag flagOf(std::size_t index, const QPointF& value,
                                      double middle_px) const;
@@ -133,7 +160,8 @@ private:
     void paintReadout(QPainter& painter) const;
     void pick(const QMouseEvent& event);
     void hoverAt(std::optional<QPointF> position);
-    [[nodiscard]] const DrawnLabel* labelAt(const QPointF& position) const;
+    /** Key of the line whose label or row is there; empty: none. */
+    [[nodiscard]] QString lineAt(const QPointF& position) const;
     void zoom(double factor, double anchor_s);
     void pan(double by_s);
     void changeWindow();
@@ -142,6 +170,8 @@ private:
     TimeChartContent m_content;
     bool m_titleShown = true;
     bool m_gradients = true;
+    bool m_isColumnWanted = false;
+    ValueColumn m_column;
     bool m_plain = false; ///< so many segments that they are drawn thin and without smoothing
     std::optional<TimeWindow> m_zoom; ///< none: everything; its length when following
     bool m_following = false;

@@ -103,13 +103,17 @@ void TimeChart::pick(const QMouseEvent& event)
         emit timePicked(m_figure.viewToTime(event.position().x()));
 }
 
-const DrawnLabel* TimeChart::labelAt(const QPointF& position) const
+QString TimeChart::lineAt(const QPointF& position) const
 {
+    if (m_column.columns > 0 && position.x() >= m_column.left_px)
+        for (const ReadoutFlag& row : readout().flags)
+            if (row.rect.contains(position))
+                return row.key;
     const std::vector<DrawnLabel>& labels = m_figure.drawing.labels;
     const auto found = std::find_if(labels.begin(), labels.end(), [&](const DrawnLabel& label) {
         return label.inMargin && toQt(label.rect).contains(position);
     });
-    return found == labels.end() ? nullptr : &*found;
+    return found == labels.end() ? QString() : QString::fromStdString(found->of.key);
 }
 
 void TimeChart::hoverAt(std::optional<QPointF> position)
@@ -131,8 +135,8 @@ void TimeChart::mousePressEvent(QMouseEvent* event)
         hoverAt({});
         return;
     }
-    if (const DrawnLabel* label = labelAt(event->position())) {
-        emit linePicked(QString::fromStdString(label->of.key));
+    if (const QString key = lineAt(event->position()); !key.isEmpty()) {
+        emit linePicked(key);
         return;
     }
     m_picking = plot()
@@ -157,8 +161,8 @@ void TimeChart::mouseMoveEvent(QMouseEvent* event)
     if (m_picking && event->buttons().testFlag(Qt::LeftButton))
         pick(*event);
     hoverAt(event->position());
-    viewport()->setCursor(labelAt(event->position()) != nullptr ? Qt::PointingHandCursor
-                                                                : Qt::ArrowCursor);
+    viewport()->setCursor(lineAt(event->position()).isEmpty() ? Qt::ArrowCursor
+                                                              : Qt::PointingHandCursor);
 }
 
 void TimeChart::mouseReleaseEvent(QMouseEvent* event)

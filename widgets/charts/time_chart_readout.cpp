@@ -44,7 +44,7 @@ QRectF TimeChart::plot() const
 std::vector<PixelRect> TimeChart::flagsAtCursor() const
 {
     std::vector<PixelRect> rects;
-    if (!m_hover)
+    if (!m_hover && m_column.columns == 0)
         for (const ReadoutFlag& flag : readout().flags)
             rects.push_back(
                 {flag.rect.left(), flag.rect.top(), flag.rect.right(), flag.rect.bottom()});
@@ -57,8 +57,13 @@ ChartReadout TimeChart::readout() const
     const TimeWindow& view = m_figure.window;
     const bool atCursor = m_content.cursor_s && *m_content.cursor_s >= view.from_s &&
                           *m_content.cursor_s <= view.to_s;
-    if (!hasPoints(m_content) || (!m_hover && !atCursor))
+    if (!hasPoints(m_content))
         return readout;
+    if (!m_hover && !atCursor) {
+        if (m_column.columns > 0)
+            fillColumn(readout, view.to_s);
+        return readout;
+    }
     const double time_s = m_hover ? m_figure.viewToTime(m_hover->x()) : *m_content.cursor_s;
     const double at_px = m_figure.drawing.x.at(time_s);
     const QFontMetricsF metrics(m_theme.small());
@@ -68,6 +73,10 @@ ChartReadout TimeChart::readout() const
     const double timeWidth_px = metrics.horizontalAdvance(readout.time) + 10;
     readout.timeRect = QRectF(at_px - timeWidth_px / 2, m_figure.drawing.plot.bottom + 4,
                               timeWidth_px, kFlagHeight_px);
+    if (m_column.columns > 0) {
+        fillColumn(readout, time_s);
+        return readout;
+    }
 
     std::vector<std::optional<QPointF>> values;
     for (const TimeLine& line : m_content.lines)
@@ -111,13 +120,15 @@ QString TimeChart::valueText(const TimeLine& line, double value) const
 ReadoutFlag TimeChart::flagOf(std::size_t index, const QPointF& value, double middle_px) const
 {
     const TimeLine& line = m_content.lines[index];
-    ReadoutFlag flag{
-        .at = toQt(m_figure.toView(line, value)), .text = line.name, .colour = colourOf(line)};
+    ReadoutFlag flag{.at = toQt(m_figure.toView(line, value)),
+                     .text = {},
+                     .colour = colourOf(line),
+                     .name = line.name.isEmpty() ? line.label : line.name,
+                     .value = valueText(line, value.y()),
+                     .key = line.key};
     if (line.role == LineRole::Sigma)
         flag.colour = inkColour(sigmaInk(value.y(), m_content.sigmaFull_m2), m_theme);
-    if (flag.text.isEmpty())
-        flag.text = line.label;
-    flag.text += u' ' + valueText(line, value.y());
+    flag.text = flag.name + u' ' + flag.value;
     if (!line.unit.isEmpty())
         flag.text += u' ' + line.unit;
     const double width_px = QFontMetricsF(m_theme.small()).horizontalAdvance(flag.text) + 10;
@@ -142,6 +153,8 @@ void TimeChart::alignFlags(ChartReadout& readout, double at_px) const
 void TimeChart::paintReadout(QPainter& painter) const
 {
     const ChartReadout readout = this->readout();
+    if (m_column.columns > 0)
+        paintColumn(painter, readout);
     if (readout.time.isEmpty())
         return;
     const PainterState saved(painter);
@@ -161,6 +174,8 @@ void TimeChart::paintReadout(QPainter& painter) const
             rect, static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextDontClip), text);
     };
     flag(readout.timeRect, readout.time, m_theme.chartAxis);
+    if (m_column.columns > 0)
+        return;
     for (const ReadoutFlag& one : readout.flags) {
         const bool isRight = one.rect.left() > one.at.x();
         painter.setPen(QPen(one.colour, 1));

@@ -287,7 +287,8 @@ TimeFigure timeFigure(const TimeChartContent& content, const TimeFigureStyle& st
             addLine(time.figure, content.lines[i], time.drawn[i], content.sigmaFull_m2, crowded);
     const bool isEmpty = !hasPoints(content);
     if (!isEmpty) {
-        addNames(time, content);
+        if (style.hasNames)
+            addNames(time, content);
         addMarks(time, content);
     }
     time.drawing = layOutPlot(time.figure, {style.size_px.width(), style.size_px.height()},

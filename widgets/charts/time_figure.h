@@ -18,6 +18,7 @@ struct TimeFigureStyle
     QSizeF size_px;
     TimeWindow window; ///< in view; longer than 0
     bool hasTitle = true;
+    bool hasNames = true;     ///< false: of lines; something beside the chart says them
     bool hasLines = true;     ///< false: of many lines the chart shows them itself
     double leastLeft_px = 0;  ///< of the plot from the edges, so that charts one below the other
     double leastRight_px = 0; ///< have one time axis

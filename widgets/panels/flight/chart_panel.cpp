@@ -46,6 +46,7 @@ ChartPanel::ChartPanel(ChartKind kind, const Theme& theme, QWidget* parent)
     m_chart = new TimeChart(theme);
     m_chart->setObjectName(u"timeChart"_s);
     m_chart->setTitleShown(false); // the row above says it
+    m_chart->setColumnWanted(true);
     m_values = addValueAction(*m_chart);
     connect(m_values, &QAction::triggered, this, &ChartPanel::showValues);
     column->addWidget(m_chart, 1);

@@ -116,12 +116,10 @@ private slots:
         QVERIFY(chart.content().summary.contains(u"Gannet "_s));
         for (std::size_t i = 0; i < 3; ++i) {
             QCOMPARE(lines[first + i].key, u"uav-%1_"_s.arg(i + 1) + column);
-            const auto& labels = chart.drawing().labels;
-            const auto label = std::ranges::find(labels, lines[first + i].key.toStdString(),
-                                                 [](const DrawnLabel& one) { return one.of.key; });
-            QVERIFY(label != labels.end());
-            QCOMPARE(inkColour(label->of.ink, Theme::dark()),
-                     uavColour(Theme::dark(), static_cast<int>(i)));
+            const std::vector<ReadoutFlag> rows = chart.readout().flags;
+            const auto row = std::ranges::find(rows, lines[first + i].key, &ReadoutFlag::key);
+            QVERIFY(row != rows.end());
+            QCOMPARE(row->colour, uavColour(Theme::dark(), static_cast<int>(i)));
         }
         const QTemporaryDir folder;
         const QString path = folder.filePath(u"chart.csv"_s);
@@ -198,10 +196,7 @@ private slots:
         for (const TimeLine& line : lines)
             QCOMPARE(line.emphasis,
                      line.key == u"B3"_s ? LineEmphasis::Strong : LineEmphasis::Faint);
-        const std::vector<DrawnLabel>& labels = shown.chart.drawing().labels;
-        QCOMPARE(std::count_if(labels.begin(), labels.end(),
-                               [](const DrawnLabel& label) { return label.of.isStrong; }),
-                 1);
+        QCOMPARE(std::ranges::count(shown.chart.readout().flags, true, &ReadoutFlag::isStrong), 1);
         shown.panel.setHighlight("not an iceberg");
         for (const TimeLine& line : lines)
             QCOMPARE(line.emphasis, LineEmphasis::None);
@@ -216,16 +211,34 @@ private slots:
         QVERIFY(!shown.chart.drawnPoints()[2].empty());
     }
 
+    void labelPicksTheIceberg_data()
+    {
+        QTest::addColumn<int>("width");
+        QTest::newRow("label at the end of its line") << 400;
+        QTest::newRow("row of the column") << 700;
+    }
+
     void labelPicksTheIceberg()
     {
-        Shown shown(ChartKind::Sigma, {700, 400});
+        QFETCH(int, width);
+        Shown shown(ChartKind::Sigma, {width, 400});
         const QSignalSpy picked(&shown.panel, &ChartPanel::icebergPicked);
         const QSignalSpy time(&shown.panel, &ChartPanel::timePicked);
-        const DrawnLabel label = shown.chart.drawing().labels.front();
-        QTest::mouseClick(shown.chart.viewport(), Qt::LeftButton, {},
-                          toQt(label.rect).center().toPoint());
+        const std::vector<ReadoutFlag> rows = shown.chart.readout().flags;
+        QCOMPARE(rows.empty(), width == 400);
+        QRectF place;
+        std::string key;
+        if (rows.empty()) {
+            const DrawnLabel label = shown.chart.drawing().labels.front();
+            place = toQt(label.rect);
+            key = label.of.key;
+        } else {
+            place = rows.front().rect;
+            key = rows.front().key.toStdString();
+        }
+        QTest::mouseClick(shown.chart.viewport(), Qt::LeftButton, {}, place.center().toPoint());
         QCOMPARE(picked.count(), 1);
-        QCOMPARE(picked[0][0].value<std::string>(), label.of.key);
+        QCOMPARE(picked[0][0].value<std::string>(), key);
         QCOMPARE(time.count(), 0);
     }
 

@@ -1,0 +1,70 @@
+#include "tests/support/chart_panel_fixture.h"
+
+#include <QtTest>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using test::child;
+using test::Shown;
+
+/** Names and values of lines beside the plot of a chart over time. */
+class TestTimeChartColumn : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void valuesStandBesideThePlot_data()
+    {
+        QTest::addColumn<ChartKind>("kind");
+        QTest::addColumn<QSize>("size");
+        for (const QSize& size : {QSize(468, 200), QSize(490, 200), QSize(900, 260)}) {
+            QTest::addRow("zeta, %d", size.width()) << ChartKind::Zeta << size;
+            QTest::addRow("sigma, %d", size.width()) << ChartKind::Sigma << size;
+        }
+    }
+
+    /** Of every line, whether there is a pointer or not; nothing covers the curves. */
+    void valuesStandBesideThePlot()
+    {
+        QFETCH(ChartKind, kind);
+        QFETCH(QSize, size);
+        Shown shown(kind, size);
+        const std::size_t lines = shown.chart.content().lines.size();
+        const auto check = [&](const char* state) {
+            const ChartReadout readout = shown.chart.readout();
+            QVERIFY2(readout.flags.size() == lines && readout.more == 0, state);
+            for (const ReadoutFlag& row : readout.flags) {
+                QVERIFY2(row.rect.left() > shown.chart.plot().right(), state);
+                QVERIFY2(QRectF(shown.chart.rect()).contains(row.rect), state);
+                QVERIFY2(!row.value.isEmpty() && !row.name.isEmpty(), state);
+            }
+        };
+        check("newest");
+        QVERIFY(shown.chart.readout().time.isEmpty());
+        const QPointF at = shown.chart.plot().center();
+        QMouseEvent move(QEvent::MouseMove, at, shown.chart.mapToGlobal(at), Qt::NoButton, {}, {});
+        QCoreApplication::sendEvent(shown.chart.viewport(), &move);
+        check("at the pointer");
+        QCOMPARE(shown.chart.readout().time, u"08:20"_s);
+        QVERIFY(shown.chart.plot().width() > 0.4 * size.width());
+    }
+
+    /** Of more lines than there is room for, how many are left is said. */
+    void columnIsNotTooLong()
+    {
+        const FlightRecord record =
+            test::syntheticRecord({.icebergs = 60, .duration_s = 1000, .interval_s = 10}, 1000);
+        ChartPanel panel(ChartKind::Sigma, Theme::light());
+        panel.resize(480, 200);
+        panel.show();
+        panel.showRecord(record);
+        const ChartReadout readout = child<TimeChart>(panel, u"timeChart"_s).readout();
+        QVERIFY(readout.more > 0);
+        QCOMPARE(readout.flags.size() + readout.more, std::size_t{60});
+    }
+};
+
+QTEST_MAIN(TestTimeChartColumn)
+#include "tst_time_chart_column.moc"
