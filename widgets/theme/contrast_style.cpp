@@ -3,14 +3,20 @@
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/theme.h"
 
+#include <QMainWindow>
 #include <QPainter>
+#include <QStyleOptionDockWidget>
 #include <QStyleOptionSlider>
+#include <QTabBar>
+
+#include <algorithm>
 
 namespace berg {
 namespace {
 
 constexpr double kInk = 0.55; // share of the text's colour, the rest is what it stands on
 constexpr double kGroove_px = 4;
+constexpr int kTabSpace_px = 14; // beside the name of a dock on its tab
 
 QPen outlinePen(const QStyleOption& option)
 {
@@ -18,7 +24,30 @@ QPen outlinePen(const QStyleOption& option)
     return {mixed(ground, option.palette.color(QPalette::WindowText), kInk), 1};
 }
 
+/** Of docks. */
+bool isOfDocks(const QWidget* widget)
+{
+    return qobject_cast<const QTabBar*>(widget) != nullptr &&
+           qobject_cast<const QMainWindow*>(widget->parentWidget()) != nullptr;
+}
+
 } // namespace
+
+/** Tabs that have no room are scrolled. */
+void ContrastStyle::polish(QWidget* widget)
+{
+    QProxyStyle::polish(widget);
+    if (isOfDocks(widget))
+        qobject_cast<QTabBar*>(widget)->setElideMode(Qt::ElideNone);
+}
+
+int ContrastStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
+                               const QWidget* widget) const
+{
+    const int usual = QProxyStyle::pixelMetric(metric, option, widget);
+    return metric == PM_TabBarTabHSpace && isOfDocks(widget) ? std::min(usual, kTabSpace_px)
+                                                             : usual;
+}
 
 void ContrastStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
                                   QPainter* painter, const QWidget* widget) const
@@ -37,6 +66,19 @@ void ContrastStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* 
     } else {
         painter->drawRect(edge);
     }
+}
+
+/** A dock that is a window with a frame has its title there. */
+void ContrastStyle::drawControl(ControlElement element, const QStyleOption* option,
+                                QPainter* painter, const QWidget* widget) const
+{
+    const auto* title = qstyleoption_cast<const QStyleOptionDockWidget*>(option);
+    if (element != CE_DockWidgetTitle || title == nullptr || widget == nullptr ||
+        widget->windowType() != Qt::Window)
+        return QProxyStyle::drawControl(element, option, painter, widget);
+    QStyleOptionDockWidget bare(*title);
+    bare.title.clear();
+    QProxyStyle::drawControl(element, &bare, painter, widget);
 }
 
 /** The groove up to the handle in the colour of what is chosen. */

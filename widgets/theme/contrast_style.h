@@ -6,7 +6,7 @@ namespace berg {
 
 /**
  * The style of the desktop with what can be told apart at 3 : 1 (WCAG 2.1, 1.4.11): outlines of
- * boxes and circles to be ticked, and grooves of sliders.
+ * boxes and circles to be ticked, and grooves of sliders. Names on the tabs of docks are whole.
  */
 class ContrastStyle : public QProxyStyle
 {
@@ -15,8 +15,14 @@ class ContrastStyle : public QProxyStyle
 public:
     using QProxyStyle::QProxyStyle;
 
+    using QProxyStyle::polish;
+    void polish(QWidget* widget) override;
+    [[nodiscard]] int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                                  const QWidget* widget) const override;
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override;
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override;
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                             QPainter* painter, const QWidget* widget) const override;
 };

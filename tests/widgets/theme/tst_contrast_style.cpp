@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QRadioButton>
 #include <QSlider>
+#include <QStyleOptionDockWidget>
 #include <QtTest>
 
 using namespace berg;
@@ -65,6 +66,26 @@ private slots:
         const QRect round = style.subElementRect(QStyle::SE_RadioButtonIndicator, &option, &circle);
         const double ofCircle = contrastIn(circle, {round.left(), round.center().y(), 2, 1});
         QVERIFY2(ofCircle >= 2.9, QByteArray::number(ofCircle)); // antialiased
+    }
+
+    /** Of a dock that is a window of its own the frame has the title. */
+    void titleOfADockIsThereOnce()
+    {
+        ContrastStyle style(QStringLiteral("fusion"));
+        const auto painted = [&](Qt::WindowType type, const QString& title) {
+            const QWidget dock(nullptr, type);
+            QStyleOptionDockWidget option;
+            option.rect = {0, 0, 200, 20};
+            option.title = title;
+            QImage image(200, 20, QImage::Format_RGB32);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            style.drawControl(QStyle::CE_DockWidgetTitle, &option, &painter, &dock);
+            return image;
+        };
+        const QString title = QStringLiteral("Study");
+        QCOMPARE(painted(Qt::Window, title), painted(Qt::Window, {}));
+        QVERIFY(painted(Qt::Tool, title) != painted(Qt::Tool, {}));
     }
 
     void grooveIsSeen_data() { uncheckedIsSeen_data(); }
