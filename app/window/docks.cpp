@@ -114,7 +114,18 @@ QDockWidget* Docks::add(const char* name, const QString& title, QWidget* content
 void Docks::addRight()
 {
     constexpr auto kArea = Qt::RightDockWidgetArea;
-    add("tradeoffDock", tr("Trade-off"), panels().tradeoff, kArea);
+    add("tradeoffDock", tr("Trade-off"), panels().tradeoff, kArea)
+        ->toggleViewAction()
+        ->setStatusTip(tr("Trade-off τ, policy, solver and route"));
+    // Where others are below it; beside others it is as high as they are.
+    const auto limitHeight = [tradeoff = panels().tradeoff,
+                              dock = dock(Dock::Tradeoff)](Qt::DockWidgetArea area) {
+        const bool isBeside =
+            area == Qt::BottomDockWidgetArea || area == Qt::TopDockWidgetArea || dock->isFloating();
+        tradeoff->setHeightLimited(!isBeside);
+    };
+    connect(dock(Dock::Tradeoff), &QDockWidget::dockLocationChanged, this, limitHeight);
+    limitHeight(kArea);
     QDockWidget* plan = add("planDock", tr("Plan"), panels().plan, kArea);
     QDockWidget* inspector = add("inspectorDock", tr("Inspector"), panels().inspector, kArea);
     QDockWidget* pareto = add("paretoDock", tr("Trade-offs"), panels().pareto, kArea);

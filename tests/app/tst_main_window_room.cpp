@@ -6,6 +6,7 @@
 
 #include <QDockWidget>
 #include <QLabel>
+#include <QLayout>
 #include <QScreen>
 #include <QTabBar>
 #include <QTextDocument>
@@ -89,6 +90,72 @@ private slots:
         w.trigger(u"resetLayoutAction"_s);
         QVERIFY(w.window().tabifiedDockWidgets(&tradeoff).contains(plan));
         QTRY_VERIFY(!tradeoff.visibleRegion().isEmpty());
+    }
+
+    /** The plan has the rest, whatever the size; what is squeezed stays inside its dock. */
+    void tradeoffIsAsHighAsItsContent()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        auto& dock = test::child<QDockWidget>(w.window(), u"tradeoffDock"_s);
+        QWidget& tradeoff = *dock.widget();
+        const auto fits = [&] {
+            return tradeoff.height() == tradeoff.layout()->totalHeightForWidth(tradeoff.width()) &&
+                   dock.rect().contains(tradeoff.geometry());
+        };
+        QTRY_VERIFY(fits());
+        w.window().resize(1600, 1200);
+        QTRY_VERIFY(fits());
+        test::child<QToolButton>(tradeoff, u"planDetails"_s).click();
+        QTRY_VERIFY(fits());
+        test::child<QToolButton>(tradeoff, u"planDetails"_s).click();
+        QTRY_VERIFY(fits());
+        w.window().resize(1280, 800);
+        QTRY_VERIFY(fits());
+        const auto dockOf = [&](const QString& name) {
+            return &test::child<QDockWidget>(w.window(), name);
+        };
+        QDockWidget* icebergs = dockOf(u"icebergsDock"_s);
+        for (const QString& name : {u"inspectorDock"_s, u"paretoDock"_s})
+            dockOf(name)->hide();
+        w.window().addDockWidget(Qt::RightDockWidgetArea, icebergs);
+        icebergs->show();
+        w.window().splitDockWidget(icebergs, &dock, Qt::Vertical);
+        w.window().splitDockWidget(&dock, dockOf(u"planDock"_s), Qt::Vertical);
+        QTRY_VERIFY(icebergs->y() < dock.y());
+        QTRY_VERIFY(fits());
+    }
+
+    /** However many docks share a place. */
+    void namesOnTabsAreWhole_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("English") << u"en"_s;
+        QTest::newRow("French") << u"fr"_s;
+        QTest::newRow("Norwegian") << u"nb"_s;
+    }
+
+    void namesOnTabsAreWhole()
+    {
+        QFETCH(QString, language);
+        installLanguage(language);
+        const auto restore = qScopeGuard([] { installLanguage(u"en"_s); });
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        for (const QString& name : {u"historyDock"_s, u"layersDock"_s})
+            test::child<QDockWidget>(w.window(), name).show();
+        QTest::qWait(50); // laid out
+        int bars = 0;
+        for (const auto* tabs :
+             w.window().findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+            if (!tabs->isVisible())
+                continue;
+            ++bars;
+            for (int i = 0; i < tabs->count(); ++i)
+                QVERIFY2(tabs->fontMetrics().horizontalAdvance(tabs->tabText(i)) <
+                             tabs->tabRect(i).width(),
+                         qPrintable(tabs->tabText(i)));
+        }
+        QVERIFY(bars > 0);
+        QCOMPARE(w.window().size(), QSize(1280, 800));
     }
 
     void fitsTheDesignSize_data()

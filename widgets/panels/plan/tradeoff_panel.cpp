@@ -290,8 +290,21 @@ void TradeoffPanel::stepPlan(int direction)
 bool TradeoffPanel::event(QEvent* event)
 {
     if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)
-        setMinimumHeight(layout()->totalHeightForWidth(width()));
+        updateHeight();
     return QWidget::event(event);
+}
+
+void TradeoffPanel::updateHeight()
+{
+    const int height_px = layout()->totalHeightForWidth(width());
+    setMinimumHeight(height_px);
+    setMaximumHeight(m_isHeightLimited ? height_px : QWIDGETSIZE_MAX);
+}
+
+void TradeoffPanel::setHeightLimited(bool isLimited)
+{
+    m_isHeightLimited = isLimited;
+    updateHeight();
 }
 
 void TradeoffPanel::finishTau()

@@ -47,6 +47,8 @@ public:
     void showCurve(const TauCurve& curve);
     /** To the neighbouring plan: +1 towards shorter ways, -1 towards most uncertain first. */
     void stepPlan(int direction);
+    /** No higher than what is in it: what is below has use for the room. */
+    void setHeightLimited(bool isLimited);
     /** Takes what is typed as if Return had been pressed. */
     void finishTyping();
     /** As if the user had set tau to this. */
@@ -77,6 +79,7 @@ private:
     void showChoices();
     void updateEnabled();
     void updateForecast();
+    void updateHeight();
 
     NumberField* m_tau = nullptr;
     QSlider* m_slider = nullptr;
@@ -89,6 +92,7 @@ private:
     PlannerSettings m_settings; ///< shown
     PlanReadout m_readout;
     bool m_inFlight = false;
+    bool m_isHeightLimited = false;
     bool m_tauEditing = false;
     QTimer m_tauRest; ///< ends a row of keys or wheel turns, which have no end of their own
 };
