@@ -85,6 +85,8 @@ ComparedRun comparedRun(const FlightRecord& record)
 
 QString runName(const ComparedRun& run, const QLocale& locale)
 {
+    if (!run.name.isEmpty())
+        return run.name;
     const QString policy = shortPolicyText(run.planner, locale);
     const bool stopped = run.flown_s < run.scenario.duration_s - kRounding_s;
     const QString end = clockText(run.flown_s);

@@ -15,6 +15,7 @@ struct ComparedRun
     PlannerSettings planner;                ///< at the end
     bool wasChanged = false;                ///< tau or policy, in flight
     std::vector<Intervention> worldChanges; ///< in flight: wind, asset, icebergs added and removed
+    QString name;                           ///< given by the user; empty: none
     QString file;                           ///< it was opened from; empty: flown here
     Metrics metrics;                        ///< at the end
     double flown_s = 0;                     ///< up to here
@@ -29,7 +30,8 @@ struct ComparedRun
 /** Of what has been flown so far. Cost: linear in the record. */
 [[nodiscard]] ComparedRun comparedRun(const FlightRecord& record);
 
-/** "τ 1.00", "Tour", "τ 1.00, changed in flight, to 05:00": what tells runs of a scenario apart. */
+/** As the user has named it, else what tells runs of a scenario apart: "τ 1.00", "Round tour", "τ
+ * 1.00, changed in flight, to 05:00". */
 [[nodiscard]] QString runName(const ComparedRun& run, const QLocale& locale);
 
 /** Equal scenarios apart from name, notes and planner: runs of one can be set beside the other. */

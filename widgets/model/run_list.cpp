@@ -163,10 +163,24 @@ void RunList::insert(RunPointer run)
         makeRoom();
         return;
     }
+    replace(*equal, std::move(run));
+}
+
+void RunList::replace(RunPointer& known, RunPointer run)
+{
     for (RunPointer* chosen : {&m_reference, &m_other})
-        if (*chosen == *equal)
+        if (*chosen == known)
             *chosen = run;
-    *equal = std::move(run);
+    known = std::move(run);
+}
+
+void RunList::rename(std::size_t index, const QString& name)
+{
+    auto named = std::make_shared<ComparedRun>(*m_runs.at(index));
+    named->name = name.simplified();
+    replace(m_runs[index], std::move(named));
+    emit changed();
+    emit comparisonChanged();
 }
 
 void RunList::makeRoom()

@@ -55,6 +55,8 @@ public:
 
     [[nodiscard]] const std::vector<RunPointer>& runs() const { return m_runs; }
     void remove(std::size_t index);
+    /** Without a name it is called by its settings again. */
+    void rename(std::size_t index, const QString& name);
     /** Choosing the other one swaps the two. What cannot be compared with it is dropped. */
     void setReference(std::size_t index);
     /** Ignored when it cannot be compared with the reference. */
@@ -97,6 +99,7 @@ private:
     void take(const Result& result);
     void end(const std::optional<WorkFailure>& failure);
     void insert(RunPointer run);
+    void replace(RunPointer& known, RunPointer run);
     void compare(RunPointer reference, RunPointer other);
     void makeRoom();
     [[nodiscard]] RunPointer newestBeside(const RunPointer& run) const;

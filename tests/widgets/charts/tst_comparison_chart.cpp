@@ -69,9 +69,10 @@ private slots:
         Fixture f(test::comparisonOf({0, 40, 80, 100}, {0, 50, 100, 120}));
         f.chart.setFocus();
         QTest::keyClick(&f.chart, Qt::Key_End);
-        QCOMPARE(f.chart.accessibleDescription(), u"00:03, τ 1.00: 100.0 m² s, Tour: 120.0 m² s"_s);
+        QCOMPARE(f.chart.accessibleDescription(),
+                 u"00:03, τ 1.00: 100.0 m² s, Round tour: 120.0 m² s"_s);
         QTest::keyClick(&f.chart, Qt::Key_Home);
-        QCOMPARE(f.chart.accessibleDescription(), u"00:00, τ 1.00: 0 m² s, Tour: 0 m² s"_s);
+        QCOMPARE(f.chart.accessibleDescription(), u"00:00, τ 1.00: 0 m² s, Round tour: 0 m² s"_s);
         const QPoint at = f.chart.rect().center();
         QContextMenuEvent event(QContextMenuEvent::Keyboard, at, f.chart.mapToGlobal(at));
         QCoreApplication::sendEvent(&f.chart, &event);
@@ -80,10 +81,10 @@ private slots:
         QCOMPARE(values.rowCount(), static_cast<int>(f.chart.drawing().items.size()));
         QCOMPARE(values.index(0, 0).data().toString(), u"00:00"_s);
         QCOMPARE(values.index(values.rowCount() - 1, 1).data().toString(),
-                 u"τ 1.00: 100.0 m² s, Tour: 120.0 m² s"_s);
+                 u"τ 1.00: 100.0 m² s, Round tour: 120.0 m² s"_s);
         f.chart.setComparison(std::nullopt);
         QTest::keyClick(&f.chart, Qt::Key_End); // there is nothing to read any more
-        QVERIFY(!f.chart.accessibleDescription().contains(u"Tour"_s));
+        QVERIFY(!f.chart.accessibleDescription().contains(u"Round tour"_s));
     }
 
     void linesEndWithTheirNames()
@@ -93,7 +94,7 @@ private slots:
         const DrawnLabel& reference = f.chart.drawing().labels[0];
         const DrawnLabel& other = f.chart.drawing().labels[1];
         QCOMPARE(QString::fromStdString(reference.text), u"τ 1.00"_s);
-        QCOMPARE(QString::fromStdString(other.text), u"Tour"_s);
+        QCOMPARE(QString::fromStdString(other.text), u"Round tour"_s);
         QCOMPARE(reference.of.ink.of, InkOf::Accumulated);
         QCOMPARE(other.of.ink.of, InkOf::Comparison);
         QVERIFY(other.rect.top < reference.rect.top); // more is higher
@@ -132,16 +133,16 @@ private slots:
         QTest::addColumn<QList<double>>("other");
         QTest::addColumn<QString>("text");
         QTest::newRow("reference ahead") << QList<double>{0, 50, 100} << QList<double>{0, 60, 120}
-                                         << u"τ 1.00 is ahead: Tour has 20.0 % more ζ"_s;
+                                         << u"τ 1.00 is ahead: Round tour has 20.0 % more ζ"_s;
         QTest::newRow("other ahead") << QList<double>{0, 50, 100} << QList<double>{0, 60, 96}
-                                     << u"Tour is ahead: it has 4.0 % less ζ than τ 1.00"_s;
+                                     << u"Round tour is ahead: it has 4.0 % less ζ than τ 1.00"_s;
         QTest::newRow("equal") << QList<double>{0, 50, 100} << QList<double>{0, 60, 100}
-                               << u"τ 1.00 and Tour: the same ζ"_s;
+                               << u"τ 1.00 and Round tour: the same ζ"_s;
         QTest::newRow("at the common time")
             << QList<double>{0, 50, 100, 300} << QList<double>{0, 40, 80}
-            << u"Tour is ahead: it has 20.0 % less ζ than τ 1.00"_s;
+            << u"Round tour is ahead: it has 20.0 % less ζ than τ 1.00"_s;
         QTest::newRow("nothing accumulated")
-            << QList<double>{0, 0} << QList<double>{0, 0} << u"τ 1.00 and Tour: the same ζ"_s;
+            << QList<double>{0, 0} << QList<double>{0, 0} << u"τ 1.00 and Round tour: the same ζ"_s;
     }
 
     void verdict()

@@ -172,7 +172,7 @@ private slots:
         QTest::newRow("tau") << PolicyKind::Visitation << 1.0 << false << 1000.0 << u"τ 1.00"_s;
         QTest::newRow("fine") << PolicyKind::Visitation << 0.0125 << false << 1000.0
                               << u"τ 0.0125"_s;
-        QTest::newRow("tour") << PolicyKind::Tour << 1.0 << false << 1000.0 << u"Tour"_s;
+        QTest::newRow("tour") << PolicyKind::Tour << 1.0 << false << 1000.0 << u"Round tour"_s;
         QTest::newRow("changed") << PolicyKind::Visitation << 2.0 << true << 1000.0
                                  << u"τ 2.00, changed in flight"_s;
         QTest::newRow("stopped") << PolicyKind::Nearest << 2.0 << false << 300.0

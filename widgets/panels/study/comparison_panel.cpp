@@ -25,7 +25,8 @@ constexpr int kCellMargins_px = 10;
 constexpr int kBar_px = 6;
 constexpr int kLowestTable_px = 44; ///< a row and the header: a dock may come from side to foot
 constexpr int kBarSteps = 1000;
-constexpr int kLowFrom_px = 125; ///< wider than high by so much: list and tables side by side
+constexpr int kLowFrom_px = 125;    ///< wider than high by so much: list and tables side by side
+constexpr int kBesideFrom_px = 640; ///< where both have room for their columns, else tabs
 
 bool isTour(const ComparedRun& run)
 {
@@ -104,10 +105,9 @@ QWidget* ComparisonPanel::progressOfFlight()
 
 void ComparisonPanel::addActions()
 {
-    m_tour = new QPushButton;
+    m_tour = new QPushButton(tr("Compare with the round tour"));
     m_tour->setObjectName(u"compareTour"_s);
-    m_tour->setAccessibleName(tr("Compare with the shortest round tour"));
-    m_tour->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // its text fits itself in
+    m_tour->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_flight = new QStackedWidget;
     m_flight->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_flight->addWidget(m_tour);
@@ -274,30 +274,43 @@ void ComparisonPanel::updateEnabled()
     m_remove->setEnabled(m_runs->currentRow() >= 0);
 }
 
-/** Side by side in a low dock, one below the other in a narrow one. */
+/** Side by side or on tabs in a low dock, one below the other in a narrow one. */
 void ComparisonPanel::arrange()
 {
     const bool isLow = width() > height() + kLowFrom_px;
+    const bool isAlone = !m_list.reference();
+    placeRuns(isLow && !isAlone && width() < kBesideFrom_px);
     m_content->setDirection(isLow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_runs->arrange(isLow && m_list.reference() ? width() * 2 / 5 : width());
+    const bool isBeside = isLow && !isAlone && width() >= kBesideFrom_px;
+    m_runs->arrange(isBeside ? width() * 2 / 5 : width());
     arrangeActions();
 }
 
-/** On one line where the short form of the button has room there; then its long form if it has. */
+void ComparisonPanel::placeRuns(bool onTab)
+{
+    const bool isOnTab = m_tabs->indexOf(m_runs) >= 0;
+    if (onTab == isOnTab)
+        return;
+    if (onTab) {
+        m_tabs->insertTab(0, m_runs, m_runs->accessibleName());
+        m_tabs->setCurrentIndex(0);
+    } else {
+        m_tabs->removeTab(0);
+        m_content->insertWidget(0, m_runs, 2);
+        m_runs->show();
+    }
+}
+
+/** On one line where the button has room there. */
 void ComparisonPanel::arrangeActions()
 {
     if (m_list.isFlying())
         return; // some are hidden now
-    const QString whole = tr("Compare with the shortest round tour");
-    const QString brief = tr("Compare with the tour");
-    const auto need_px = [&](const QString& text) {
-        return m_tour->fontMetrics().horizontalAdvance(text) + 2 * kCellMargins_px;
-    };
-    const int room_px = width() - 2 * kMargin_px;
-    const int beside_px = room_px - kGap_px - m_actions->itemAt(1)->sizeHint().width();
-    const bool isOneLine = beside_px >= need_px(brief);
-    m_actions->setDirection(isOneLine ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_tour->setText(need_px(whole) <= (isOneLine ? beside_px : room_px) ? whole : brief);
+    const int needed_px = m_tour->fontMetrics().horizontalAdvance(m_tour->text()) + kCellMargins_px;
+    const int beside_px =
+        width() - 2 * kMargin_px - kGap_px - m_actions->itemAt(1)->sizeHint().width();
+    m_actions->setDirection(beside_px >= needed_px ? QBoxLayout::LeftToRight
+                                                   : QBoxLayout::TopToBottom);
 }
 
 void ComparisonPanel::resizeEvent(QResizeEvent* event)

@@ -56,6 +56,7 @@ private:
     void showEnd(const QString& failure);
     void updateEnabled();
     void arrange();
+    void placeRuns(bool onTab);
     void arrangeActions();
     /** Flies the reference's world, or the window's, with the changed settings. */
     void flyBeside(const std::function<void(PlannerSettings&)>& change);

@@ -3,10 +3,12 @@
 #include "widgets/panels/study/comparison_tables.h"
 #include "widgets/theme/quantity_text.h"
 
+#include <QContextMenuEvent>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QVBoxLayout>
 
@@ -118,11 +120,12 @@ void RunTable::showRun(int row)
         return cell;
     };
     QString name = runName(*run, locale());
-    if (fleetsDiffer(m_list.runs())) {
+    const bool isNamed = !run->name.isEmpty();
+    if (!isNamed && fleetsDiffer(m_list.runs())) {
         const int uavs = static_cast<int>(run->scenario.uavs.size());
         name += u", "_s + tr("%n UAVs", nullptr, uavs);
     }
-    if (scenariosDiffer(m_list.runs()))
+    if (!isNamed && scenariosDiffer(m_list.runs()))
         name += u" \u2013 "_s + QString::fromStdString(run->scenario.name);
     QString toolTip = u"%1\n%2"_s.arg(name, QString::fromStdString(run->scenario.name));
     if (!run->file.isEmpty())
@@ -182,11 +185,54 @@ void RunTable::removeCurrent()
         m_list.remove(static_cast<std::size_t>(currentRow()));
 }
 
+void RunTable::renameCurrent()
+{
+    if (currentRow() >= 0)
+        editItem(item(currentRow(), RunName));
+}
+
+void RunTable::commitData(QWidget* editor)
+{
+    const QString before = currentItem()->text();
+    QTableWidget::commitData(editor);
+    if (const QString name = currentItem()->text(); name != before)
+        m_list.rename(static_cast<std::size_t>(currentRow()), name);
+}
+
+void RunTable::contextMenuEvent(QContextMenuEvent* event)
+{
+    if (const int row = rowAt(event->pos().y());
+        row >= 0 && event->reason() == QContextMenuEvent::Mouse)
+        setCurrentCell(row, RunName);
+    const int row = currentRow();
+    if (row < 0)
+        return;
+    auto* menu = new QMenu(this);
+    menu->setObjectName(u"runMenu"_s);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const auto add = [&](RunColumn column) {
+        menu->addAction(item(row, column)->toolTip(), this,
+                        [this, row, column] { choose(row, column); })
+            ->setEnabled(item(row, column)->data(Qt::UserRole) == int(RunMark::Choice));
+    };
+    add(RunReference);
+    add(RunOther);
+    menu->addSeparator();
+    menu->addAction(tr("Rename"), this, &RunTable::renameCurrent)->setShortcut(Qt::Key_F2);
+    menu->addAction(tr("Remove"), this, &RunTable::removeCurrent)->setShortcut(Qt::Key_Delete);
+    menu->popup(event->globalPos());
+}
+
 void RunTable::keyPressEvent(QKeyEvent* event)
 {
+    if (state() == EditingState) // Return ends that
+        return QTableWidget::keyPressEvent(event);
     switch (event->key()) {
     case Qt::Key_Delete:
         removeCurrent();
+        break;
+    case Qt::Key_F2:
+        renameCurrent();
         break;
     case Qt::Key_A:
         choose(currentRow(), RunReference);

@@ -46,7 +46,7 @@ private:
 
 /**
  * The runs there are, with the circles by which A and B are chosen; keys A, B and Delete do the
- * same. Shows and steers a list that it borrows.
+ * same, F2 renames. Shows and steers a list that it borrows.
  */
 class RunTable : public QTableWidget
 {
@@ -60,9 +60,13 @@ public:
     void removeCurrent();
     /** Columns as they suit this width; zeta only where there is room for it. */
     void arrange(int width_px);
+    /** Begins to edit the name. */
+    void renameCurrent();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void commitData(QWidget* editor) override;
 
 private:
     void showRun(int row);

@@ -7,7 +7,10 @@
 #include "widgets/panels/study/comparison_tables.h"
 #include "widgets/panels/study/run_table.h"
 
+#include <QContextMenuEvent>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -269,6 +272,40 @@ private slots:
         QCOMPARE(percentText(value, 0, QLocale::c()), u"–"_s);
     }
 
+    /** What the keys do, with a pointer; a name that was given stays until it is taken away. */
+    void menuOfARun()
+    {
+        Fixture f;
+        f.add(PolicyKind::Nearest, 60);
+        f.add(PolicyKind::Uncertainty, 60);
+        f.add(PolicyKind::Path, 60);
+        const auto menuAt = [&](int row) {
+            const QPoint at = f.runs.visualItemRect(f.runs.item(row, RunName)).center();
+            QContextMenuEvent event(QContextMenuEvent::Mouse, at, f.runs.mapToGlobal(at));
+            QCoreApplication::sendEvent(f.runs.viewport(), &event);
+            return f.runs.findChild<QMenu*>(u"runMenu"_s);
+        };
+        QMenu* menu = menuAt(0);
+        QVERIFY(menu != nullptr);
+        menu->actions()[0]->trigger();
+        QVERIFY(f.list.reference() == f.list.runs()[0]);
+        menu->close();
+        QCoreApplication::sendPostedEvents(menu, QEvent::DeferredDelete);
+        QTest::keyClick(&f.runs, Qt::Key_F2);
+        auto* editor = f.runs.findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        test::enter(*editor, u" First  try "_s);
+        QTRY_COMPARE(f.list.runs()[0]->name, u"First try"_s); // queued by Qt
+        QCOMPARE(f.runs.item(0, RunName)->text(), u"First try"_s);
+        QVERIFY(f.list.reference() == f.list.runs()[0]); // still the same run
+        QCOMPARE(runName(*f.list.comparison()->reference, QLocale::c()), u"First try"_s);
+        f.list.rename(0, {});
+        QCOMPARE(f.runs.item(0, RunName)->text(), u"Nearest first, to 01:00"_s);
+        menu = menuAt(2);
+        menu->actions().last()->trigger();
+        QCOMPARE(f.runs.rowCount(), 2);
+    }
+
     void openAsksTheOwner()
     {
         Fixture f;
@@ -282,7 +319,7 @@ private slots:
         QTest::addColumn<QSize>("size");
         QTest::addColumn<bool>("besideEachOther");
         QTest::newRow("narrow") << QSize(test::kDock_px, 500) << false;
-        QTest::newRow("low") << QSize(480, 210) << true;
+        QTest::newRow("low") << QSize(480, 210) << false; // on tabs
         QTest::newRow("wide") << QSize(900, 240) << true;
     }
 
@@ -304,6 +341,12 @@ private slots:
         };
         QCOMPARE(left(f.figures) > left(f.runs) + 50, besideEachOther);
         QVERIFY(f.runs.columnWidth(RunName) >= 50);
+        QVERIFY(!f.runs.isColumnHidden(RunZeta) && !f.runs.isColumnHidden(RunDifference));
+        int columns_px = 0;
+        for (int column = 0; column < RunColumnCount; ++column)
+            columns_px += f.runs.columnWidth(column);
+        QVERIFY(columns_px <= f.runs.viewport()->width());
+        test::child<QTabWidget>(f.panel, u"comparisonTabs"_s).setCurrentWidget(&f.figures);
         QVERIFY(f.figures.columnWidth(0) >= 50);
         const int text_px = f.tour.fontMetrics().horizontalAdvance(f.tour.text());
         QVERIFY(text_px <= f.tour.width());
