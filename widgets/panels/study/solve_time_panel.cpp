@@ -274,7 +274,7 @@ void SolveTimePanel::showEnd(const QString& failure)
     if (!failure.isEmpty())
         m_state->setText(failure);
     else if (m_cancelled)
-        m_state->setText(tr("Cancelled. What had been measured is kept."));
+        m_state->setText(tr("Stopped. What was measured is kept."));
     else
         m_state->setText(tr("Measured in %1.")
                              .arg(clockText(static_cast<double>(m_sinceStart.elapsed()) / 1000)));
@@ -290,7 +290,7 @@ void SolveTimePanel::updateEnabled()
         box->setEnabled(!running);
     const bool any = std::any_of(m_solvers.begin(), m_solvers.end(),
                                  [](const auto& one) { return one.second->isChecked(); });
-    m_start->setText(running ? tr("Cancel") : tr("Start"));
+    m_start->setText(running ? tr("Stop") : tr("Start"));
     m_start->setToolTip(any ? QString() : tr("Choose a solver first."));
     m_start->setEnabled((running && !m_cancelled) || (!running && any));
     m_save->setEnabled(!running && !m_runner.rows().empty());

@@ -104,7 +104,17 @@ void StudyResults::addHeader(QBoxLayout& column)
     m_recommendation->setObjectName(u"studyRecommendation"_s);
     m_recommendation->setWordWrap(true);
     m_recommendation->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    column.addWidget(m_recommendation);
+    m_useBest = new QPushButton;
+    m_useBest->setObjectName(u"useRecommendedSetting"_s);
+    connect(m_useBest, &QPushButton::clicked, this, [this] {
+        const StudySummary& summary = m_runner.result()->summary;
+        emit settingRequested(summary.settings[summary.recommendation->setting].setting);
+    });
+    auto* recommended = new QHBoxLayout;
+    recommended->setSpacing(kGap_px);
+    recommended->addWidget(m_recommendation, 1);
+    recommended->addWidget(m_useBest);
+    column.addLayout(recommended);
 }
 
 QWidget* StudyResults::makePictures()
@@ -222,6 +232,7 @@ void StudyResults::showRecommendation()
     const bool isKnown =
         result && result->summary.recommendation && result->summary.recommendation->next;
     m_recommendation->setVisible(isKnown);
+    m_useBest->setVisible(isKnown);
     if (!isKnown)
         return;
     const StudySummary& summary = result->summary;
@@ -229,6 +240,8 @@ void StudyResults::showRecommendation()
     const auto name = [&](std::size_t s) {
         return settingText(summary.settings[s].setting, locale());
     };
+    m_useBest->setText(tr("Use %1").arg(name(best.setting)));
+    m_useBest->setToolTip(tr("Plans the scenario on the map with this setting."));
     if (summary.cases.size() == 1) {
         m_recommendation->setText(
             tr("Lowest ζ: %1. One case recommends no policy: fly more of them.")

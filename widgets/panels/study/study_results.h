@@ -82,6 +82,7 @@ private:
     std::optional<std::size_t> m_setting; ///< chosen
     QComboBox* m_reference = nullptr;
     QLabel* m_recommendation = nullptr;
+    QPushButton* m_useBest = nullptr; ///< the setting that is named there
     QToolButton* m_openStudy = nullptr;
     std::array<QToolButton*, 4> m_exports{};
     QTabWidget* m_pictures = nullptr;

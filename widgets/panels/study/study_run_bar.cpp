@@ -155,7 +155,7 @@ void StudyRunBar::showState()
         m_cancelled = false;
         m_second.stop();
     }
-    m_start->setText(running ? tr("Cancel") : tr("Start study"));
+    m_start->setText(running ? tr("Stop") : tr("Start study"));
     m_start->setToolTip(running ? tr("What has been flown is kept.") : m_fault);
     m_start->setEnabled(running ? !m_cancelled : m_fault.isEmpty());
     m_carryOn->setVisible(!running && m_runner.count() > 0 && !m_runner.isComplete());

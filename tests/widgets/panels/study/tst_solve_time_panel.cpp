@@ -116,7 +116,7 @@ private slots:
         f.startForLong();
         QVERIFY(!f.largest.isEnabled() && !f.repeat.isEnabled() && !f.budget.isEnabled());
         QVERIFY(!f.save.isEnabled());
-        QCOMPARE(f.start.text(), u"Cancel"_s);
+        QCOMPARE(f.start.text(), u"Stop"_s);
         QVERIFY(f.state.text().contains(u"left"_s));
     }
 

@@ -244,7 +244,7 @@ private slots:
         f.setNumber(u"studyCount"_s, u"20000"_s);
         f.start().click();
         QVERIFY(f.runner.isRunning());
-        QCOMPARE(f.start().text(), u"Cancel"_s);
+        QCOMPARE(f.start().text(), u"Stop"_s);
         QVERIFY(!f.get<QToolButton>(u"openStudy"_s).isEnabled());
         QVERIFY(QTest::qWaitFor([&] { return f.state().contains(u"left"_s); }, kPatience_ms));
         f.start().click();
@@ -293,6 +293,22 @@ private slots:
         QCOMPARE(wanted.count(), 1);
         const auto setting = wanted.front().front().value<berg::StudySetting>();
         QCOMPARE(use.text(), u"Use "_s + settingText(setting, QLocale::c()));
+    }
+
+    void recommendedSettingIsTakenOver()
+    {
+        Fixture f;
+        auto& use = f.get<QPushButton>(u"useRecommendedSetting"_s);
+        QVERIFY(!use.isVisible());
+        f.show(test::fourCases());
+        QVERIFY(use.isVisible());
+        QSignalSpy wanted(&f.panel, &StudyPanel::settingRequested);
+        use.click();
+        const StudySummary& summary = f.runner.result()->summary;
+        const StudySetting& best = summary.settings[summary.recommendation->setting].setting;
+        QCOMPARE(wanted.count(), 1);
+        QVERIFY(wanted.front().front().value<berg::StudySetting>() == best);
+        QCOMPARE(use.text(), u"Use "_s + settingText(best, QLocale::c()));
     }
 
     void pointLeadsToItsCases()
