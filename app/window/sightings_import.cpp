@@ -7,6 +7,7 @@
 #include "core/io/text/atomic_file.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
+#include "widgets/words/issue_text.h"
 
 #include <QDropEvent>
 #include <QFile>
@@ -14,6 +15,8 @@
 #include <QMainWindow>
 #include <QMimeData>
 #include <QTimer>
+
+#include <ranges>
 
 using namespace Qt::StringLiterals;
 
@@ -27,6 +30,19 @@ const QStringList& sightingEndings()
     static const QStringList kEndings{u"csv"_s,  u"geojson"_s, u"json"_s, u"kml"_s,      u"kmz"_s,
                                       u"czml"_s, u"gpx"_s,     u"plan"_s, u"waypoints"_s};
     return kEndings;
+}
+
+/** A line each; the start of a long list. */
+QString reasonsOf(const Rejections& rejected)
+{
+    constexpr std::size_t kMostLines = 15;
+    QStringList lines;
+    for (const RejectedRow& row : rejected.first | std::views::take(kMostLines))
+        lines << placedIssueText(
+            {Severity::Error, "line " + std::to_string(row.line), reasonOf(row)});
+    if (rejected.count > kMostLines)
+        lines << u"…"_s;
+    return lines.join(u'\n');
 }
 
 } // namespace
@@ -117,12 +133,15 @@ void SightingsImport::takeAirspace(const Airspace& airspace)
                                     [&](Scenario& scenario) { scenario = result.scenario; });
         m_start.closePage();
     }
-    showMessage(tr("Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, "
-                   "%4 left out",
-                   nullptr, static_cast<int>(result.added))
-                    .arg(name, QString::number(result.known), QString::number(result.far),
-                         QString::number(result.tooMany + result.rejected.count)),
-                kMessage_ms);
+    const QString summary =
+        tr("Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, "
+           "%4 left out",
+           nullptr, static_cast<int>(result.added))
+            .arg(name, QString::number(result.known), QString::number(result.far),
+                 QString::number(result.tooMany + result.rejected.count));
+    showMessage(summary, kMessage_ms);
+    if (result.rejected.count > 0)
+        interaction().showError(&window(), summary + u"\n\n"_s + reasonsOf(result.rejected));
 }
 
 void SightingsImport::importSightings(const QString& path)

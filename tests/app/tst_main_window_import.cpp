@@ -94,6 +94,23 @@ private slots:
         QVERIFY(w.scenario() == before);
     }
 
+    /** Why each area was left out, and where it is in the file. */
+    void airspaceThatIsLeftOutHasItsReason()
+    {
+        WindowFixture w(test::openSea());
+        const QString path = w.file(u"zones.openair"_s);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("AC D\nAN ZONE\nAL GND\nAH FL100\nDP nowhere\n");
+        file.close();
+        w.interaction.path = path;
+        w.trigger(u"airspaceAction"_s);
+        QTRY_COMPARE(w.interaction.errors.size(), 1);
+        QVERIFY(w.interaction.errors[0].contains(u"1 left out"_s));
+        QVERIFY2(w.interaction.errors[0].contains(u"line 5: airspace left out"_s),
+                 qPrintable(w.interaction.errors[0]));
+    }
+
     void isOneUndoStep()
     {
         WindowFixture w(test::openSea());

@@ -16,6 +16,7 @@ constexpr QChar kNarrowSpace{0x202f};
 constexpr double kNauticalMile_m = 1852;
 constexpr double kKilometre_m = 1000;
 constexpr double kHour_s = 3600;
+constexpr double kFoot_m = 0.3048;
 constexpr double kNoAngle_deg = 1e-9; ///< from lines that belong to neither hemisphere
 
 struct QuantityText
@@ -133,9 +134,22 @@ QString heightsText(double floor_m, const std::optional<double>& ceiling_m, cons
     const auto metres = [&](double height_m) {
         return distanceText(height_m, locale, 3, DistanceUnit::Metric);
     };
+    const auto feet = [&](double height_m) { // as charts of airspace have them
+        const double height_ft = height_m / kFoot_m;
+        const double round_ft = 100 * std::round(height_ft / 100);
+        return std::abs(height_ft - round_ft) < 1 ? fixedText(round_ft, 0, locale)
+                                                  : significantText(height_ft, 3, locale);
+    };
+    const auto both = [](const QString& inMetres, const QString& inFeet) {
+        return QuantityText::tr("%1 (%2 ft)").arg(inMetres, inFeet);
+    };
+    const auto range = [](const QString& low, const QString& high) {
+        return QuantityText::tr("%1 to %2").arg(low, high);
+    };
     if (ceiling_m)
-        return QuantityText::tr("%1 to %2").arg(metres(floor_m), metres(*ceiling_m));
-    return floor_m > 0 ? QuantityText::tr("from %1").arg(metres(floor_m))
+        return both(range(metres(floor_m), metres(*ceiling_m)),
+                    range(feet(floor_m), feet(*ceiling_m)));
+    return floor_m > 0 ? QuantityText::tr("from %1").arg(both(metres(floor_m), feet(floor_m)))
                        : QuantityText::tr("at all heights");
 }
 

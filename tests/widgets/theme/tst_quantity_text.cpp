@@ -93,6 +93,8 @@ private slots:
     {
         QCOMPARE(distanceText(500, kEnglish, 1), u"500 m"_s);
         QCOMPARE(distanceText(999.6, kEnglish), u"1.00 km"_s);
+        QCOMPARE(heightsText(0, 2895.6, kEnglish), u"0 m to 2.90 km (0 to 9\u202F500 ft)"_s);
+        QCOMPARE(heightsText(120, std::nullopt, kEnglish), u"from 120 m (394 ft)"_s);
         QCOMPARE(distanceText(14230, kNorwegian), u"14,2 km"_s);
         QCOMPARE(sigmaText(8.123, kEnglish), u"8.12 m²"_s);
         QCOMPARE(durationText(30, kEnglish), u"30 s"_s);

@@ -11,8 +11,12 @@
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
+#include <QFontMetricsF>
 #include <QPainterPath>
 #include <QPainterPathStroker>
+
+#include <algorithm>
+#include <array>
 
 namespace berg {
 namespace {
@@ -96,6 +100,62 @@ void paintPairTooClose(const MapPaint& p, const QLineF& path)
     drawAlarm(p.painter, path.center() - QPointF(0, kReach_px), p.theme);
 }
 
+/** Names of areas with their heights: they give way to icebergs and panels, and to each other. */
+class AreaNames
+{
+public:
+    explicit AreaNames(const MapPaint& p) : m_p(p), m_taken(p.layout.overlays())
+    {
+        for (const PlacedLabel& label : p.layout.labels)
+            if (!label.rect.isNull())
+                m_taken.push_back(label.rect);
+    }
+
+    /** `shown`: of the area; `shares` of its height, the best first. Nothing without a free place.
+     */
+    void paint(const QRectF& shown, const std::array<QString, 2>& lines,
+               const std::array<double, 5>& shares)
+    {
+        const QFontMetricsF metrics(m_p.painter.font());
+        const QSizeF size_px(
+            std::max(metrics.horizontalAdvance(lines[0]), metrics.horizontalAdvance(lines[1])),
+            2 * kLine_px);
+        const QRectF room = shown.adjusted(0, kEdge_px, -size_px.width(), -size_px.height());
+        for (const double down : shares)
+            for (const double across : {0.5, 0.25, 0.75, 0.05, 0.95}) {
+                const QRectF label(QPointF(room.left() + across * room.width(),
+                                           room.top() + down * std::max(0.0, room.height())),
+                                   size_px);
+                if (!isFree(label))
+                    continue;
+                for (std::size_t i = 0; i < lines.size(); ++i)
+                    drawHaloText(m_p.painter,
+                                 QRectF(label.left(),
+                                        label.top() + static_cast<double>(i) * kLine_px,
+                                        label.width(), kLine_px),
+                                 Qt::AlignCenter, lines[i], m_p.theme.text, m_p.theme.sea);
+                m_taken.push_back(label);
+                return;
+            }
+    }
+
+private:
+    static constexpr double kLine_px = 17;
+    static constexpr double kEdge_px = 4;
+
+    [[nodiscard]] bool isFree(const QRectF& label) const
+    {
+        return std::ranges::none_of(m_taken,
+                                    [&](const QRectF& one) { return one.intersects(label); }) &&
+               std::ranges::none_of(m_p.layout.icebergs, [&](const LabelDisk& iceberg) {
+                   return overlaps(label, iceberg);
+               });
+    }
+
+    const MapPaint& m_p;
+    std::vector<QRectF> m_taken;
+};
+
 } // namespace
 
 void paintArea(const MapPaint& p)
@@ -117,6 +177,7 @@ void paintArea(const MapPaint& p)
 void paintClosedAreas(const MapPaint& p)
 {
     p.painter.setFont(labelFont(p.theme));
+    AreaNames names(p);
     for (const MapClosedArea& area : p.picture.closed) {
         QPolygonF outline;
         for (const Point& corner_m : area.corners_m)
@@ -127,12 +188,8 @@ void paintClosedAreas(const MapPaint& p)
         drawClosed(p.painter, outline, p.layout.rect, p.theme);
         if (area.isRing)
             continue; // the asset has its name
-        const QPointF at = shown.center();
-        drawHaloText(p.painter, QRectF(at.x() - 100, at.y() - 18, 200, 18), Qt::AlignCenter,
-                     area.name, p.theme.text, p.theme.sea);
-        drawHaloText(p.painter, QRectF(at.x() - 100, at.y(), 200, 18), Qt::AlignCenter,
-                     heightsText(area.floor_m, area.ceiling_m, p.style.locale), p.theme.text,
-                     p.theme.sea);
+        names.paint(shown, {area.name, heightsText(area.floor_m, area.ceiling_m, p.style.locale)},
+                    {0.5, 0.3, 0.7, 0.1, 0.9});
     }
 }
 
@@ -166,6 +223,7 @@ void paintPermit(const MapPaint& p)
     };
     p.painter.setBrush(Qt::NoBrush);
     p.painter.setFont(labelFont(p.theme));
+    AreaNames names(p);
     for (const MapAirspace& area : p.picture.airspace) {
         const QPolygonF outline = outlineOf(area.corners_m);
         const QRectF shown = outline.boundingRect() & p.layout.rect;
@@ -173,11 +231,8 @@ void paintPermit(const MapPaint& p)
             continue;
         p.painter.setPen(airspacePen(p.theme));
         p.painter.drawPolygon(outline);
-        const QRectF label(shown.center().x() - 110, shown.top() + 4, 220, 18);
-        drawHaloText(p.painter, label, Qt::AlignCenter, area.title, p.theme.text, p.theme.sea);
-        drawHaloText(p.painter, label.translated(0, 17), Qt::AlignCenter,
-                     heightsText(area.floor_m, area.ceiling_m, p.style.locale), p.theme.text,
-                     p.theme.sea);
+        names.paint(shown, {area.title, heightsText(area.floor_m, area.ceiling_m, p.style.locale)},
+                    {0, 1, 0.25, 0.5, 0.75});
     }
     for (std::size_t part = 0; p.picture.operation && part < kVolumeParts; ++part) {
         p.painter.setPen(volumePen(static_cast<VolumePart>(part), p.theme));

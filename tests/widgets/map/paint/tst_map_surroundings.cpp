@@ -71,6 +71,32 @@ class TestMapWorld : public QObject
     Q_OBJECT
 
 private slots:
+    /** Where a name would be by itself, an iceberg is. */
+    void namesOfAreasGiveWayToIcebergs()
+    {
+        MapPicture picture = missionPicture(recordOfStart(fourIcebergs()), kLocale);
+        const MapLayout layout = arrangeMap(picture, {.theme = Theme::light(), .locale = kLocale},
+                                            QRectF(QPointF(0, 0), QSizeF(kSize_px)));
+        const QPointF berg_px = layout.icebergs[0].centre_px;
+        const auto places_m = [&](double left, double top, double right, double bottom) {
+            std::vector<Point> corners_m;
+            for (const QPointF& corner : {QPointF(left, top), QPointF(right, top),
+                                          QPointF(right, bottom), QPointF(left, bottom)})
+                corners_m.push_back(layout.view.toWorld(berg_px + corner));
+            return corners_m;
+        };
+        picture.airspace = {{.title = {}, .corners_m = places_m(-200, -20, 200, 200)}};
+        picture.closed = {{.name = {}, .corners_m = places_m(-160, -120, 160, 120)}};
+        const QImage without = painted(picture, layout, Theme::light());
+        picture.airspace[0].title = u"TRA Barents West"_s;
+        picture.closed[0].name = u"Closed area"_s;
+        const QImage with = painted(picture, layout, Theme::light());
+        QVERIFY(with != without);
+        QCOMPARE(differenceNear(with, without, berg_px,
+                                static_cast<int>(layout.icebergs[0].radius_px * 0.7)),
+                 0);
+    }
+
     void ofTheExactObserverNothingIsAdded()
     {
         const MapPicture picture = missionPicture(recordOfStart(fourIcebergs()), kLocale);
