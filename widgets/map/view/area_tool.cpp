@@ -266,7 +266,9 @@ void AreaTool::paint(QPainter& painter) const
         return;
     }
     paintDrawing(painter);
-    if (m_isHovering && !closesAt(m_now.at_px))
+    const QPointF last = scene.view().toPixel(m_corners_m.back());
+    const bool hasEdge = QLineF(last, m_now.at_px).length() >= kSameCorner_px;
+    if (m_isHovering && (hasEdge || m_fault != Fault::None) && !closesAt(m_now.at_px))
         paintBubble(painter, m_now.at_px,
                     m_fault == Fault::None
                         ? pathText(m_now.at_m - m_corners_m.back(), scene.locale())

@@ -97,6 +97,27 @@ private slots:
         QVERIFY(map.selection.isEmpty());
     }
 
+    /** A length of nothing is not told. */
+    void edgeIsMeasuredWhenThereIsOne()
+    {
+        AreaFixture map(MapToolKind::NoFly);
+        const QPoint corner = map.pixelOf(kSquare_m[0]);
+        map.click(corner);
+        QTest::mouseMove(&map.view, corner + QPoint(1, 0));
+        const QImage onCorner = map.view.grab().toImage();
+        QTest::mouseMove(&map.view, corner + QPoint(40, 0));
+        const QImage away = map.view.grab().toImage();
+        const auto hasBubble = [&](const QImage& image, const QPoint& pointer) {
+            for (int x = pointer.x() + 20; x < pointer.x() + 50; ++x)
+                for (int y = pointer.y() + 16; y < pointer.y() + 28; ++y)
+                    if (image.pixelColor(x, y) != Theme::light().sea)
+                        return true;
+            return false;
+        };
+        QVERIFY(!hasBubble(onCorner, corner));
+        QVERIFY(hasBubble(away, corner + QPoint(40, 0)));
+    }
+
     void anotherAreaTakesItsPlace()
     {
         AreaFixture map;
