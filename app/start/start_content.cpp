@@ -5,6 +5,7 @@
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/model/work_failure.h"
+#include "widgets/theme/palette.h"
 
 #include <QDir>
 #include <QFile>
@@ -18,8 +19,29 @@ namespace {
 /** Device-independent pixels for each unit of the layout: the small picture of a larger map. */
 constexpr double kReduction = 0.5;
 
+/** Where symbols would cover each other. */
+void paintDots(QPainter& painter, const MapFrame& frame)
+{
+    constexpr double kRadius_px = 5;
+    constexpr double kSmallRadius_px = 3.5; // of many
+    constexpr std::size_t kMany = 20;
+    const MapPicture& picture = frame.picture;
+    const Theme& theme = frame.style.theme;
+    const double radius_px = picture.icebergs.size() > kMany ? kSmallRadius_px : kRadius_px;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(theme.sea, 1));
+    const auto dot = [&](const Point& at_m, const QColor& colour) {
+        painter.setBrush(colour);
+        painter.drawEllipse(frame.layout.view.toPixel(at_m), radius_px, radius_px);
+    };
+    for (const MapIceberg& iceberg : picture.icebergs)
+        dot(iceberg.position_m, theme.sigma.colour(iceberg.sigma_m2, picture.sigmaFull_m2));
+    for (const MapUav& uav : picture.uavs)
+        dot(uav.position_m, uavColour(theme, uav.place));
+}
+
 QImage painted(const MapPicture& picture, const Theme& theme, const QSize& size_px,
-               double pixelRatio)
+               double pixelRatio, bool asDots = false)
 {
     const MapStyle style{.theme = theme, .locale = QLocale()};
     const QRectF rect(QPointF(0, 0), QSizeF(size_px) / kReduction);
@@ -33,7 +55,10 @@ QImage painted(const MapPicture& picture, const Theme& theme, const QSize& size_
     QPainter painter(&image);
     painter.scale(kReduction, kReduction);
     paintMapGround(painter, frame);
-    paintMapContent(painter, frame);
+    if (asDots)
+        paintDots(painter, frame);
+    else
+        paintMapContent(painter, frame);
     return image;
 }
 
@@ -60,7 +85,7 @@ RecentFile readRecentFile(const QString& path, const Theme& theme, double pixelR
                 loadScenario(QFile::encodeName(path).toStdString(), ScenarioUse::Editing);
             recent.icebergs = static_cast<int>(scenario.icebergs.size());
             recent.picture =
-                painted(withScenario({}, scenario), theme, kRecentPicture_px, pixelRatio);
+                painted(withScenario({}, scenario), theme, kRecentPicture_px, pixelRatio, true);
         }));
     }
     return recent;

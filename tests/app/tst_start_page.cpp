@@ -236,6 +236,26 @@ private slots:
         QCOMPARE(painted.load(), 0); // stopped: a picture without its plan is not shown
     }
 
+    /** Small as they are, of 40 icebergs each can be told from the next. */
+    void recentPicturesAreOfDots()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"many.berg"_s);
+        saveScenario(randomScenario(5, {.icebergs = 40}), path.toStdString());
+        StartContent content;
+        QList<RecentFile> recent;
+        connect(&content, &StartContent::recentRead, this,
+                [&](const QList<RecentFile>& files) { recent = files; });
+        content.readRecent({path}, Theme::dark(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(recent.size(), 1, 60000);
+        const QImage& picture = recent.front().picture;
+        int sea = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                sea += picture.pixelColor(x, y) == Theme::dark().sea ? 1 : 0;
+        QVERIFY2(sea > 0.65 * picture.width() * picture.height(), qPrintable(QString::number(sea)));
+    }
+
     void opensAndBegins()
     {
         StartWindow w;
