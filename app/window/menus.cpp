@@ -365,7 +365,7 @@ void Menus::buildHelpMenu()
     QMenu& menu = addMenu(tr("&Help"));
     add(menu, {"manualAction", tr("&Manual"), QKeySequence::HelpContents, std::nullopt},
         [this] { m_targets.manual.open(); });
-    add(menu, {"shortcutsAction", tr("&Shortcuts"), Qt::Key_Question, std::nullopt},
+    add(menu, {"shortcutsAction", tr("Keyboard &shortcuts"), Qt::Key_Question, std::nullopt},
         [this] { showShortcuts(); });
     add(menu, {"tourAction", tr("&Tour"), {}, std::nullopt},
         [this] { m_targets.start.startTour(); });

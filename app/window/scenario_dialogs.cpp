@@ -134,7 +134,7 @@ std::vector<FindItem> ScenarioDialogs::commands() const
         items.push_back({.kind = FindKind::Command,
                          .key = action->objectName(),
                          .text = text,
-                         .other = {},
+                         .other = action->statusTip(),
                          .hint = keys.isEmpty() ? path : path + u", "_s + keys,
                          .at = {}});
     }

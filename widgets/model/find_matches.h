@@ -25,7 +25,7 @@ struct FindItem
     FindKind kind = FindKind::Place;
     QString key{}; ///< id, English name of a place or object name of an action; empty: a coordinate
     QString text{};  ///< in the language of now
-    QString other{}; ///< found by that as well: id, English name
+    QString other{}; ///< found by that as well: id, English name, what a command is for
     QString hint{};  ///< shown beside it, e.g. the shortcut of a command
     LatLon at{};     ///< of a place
     bool isFavourite = false;

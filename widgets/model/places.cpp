@@ -94,6 +94,12 @@ QString searchText(const QString& text)
             plain += u'o';
         else if (c == u'æ')
             plain += u"ae"_s;
+        else if (c == u'τ') // as it is typed
+            plain += u"tau"_s;
+        else if (c == u'ζ')
+            plain += u"zeta"_s;
+        else if (c == u'σ')
+            plain += u"sigma"_s;
         else if (c.isLetterOrNumber())
             plain += c;
         else if (!c.isMark() && c != u'.' && c != u'\'' && c != u'’')

@@ -26,6 +26,18 @@ std::vector<FindItem> everything()
                      .other = {},
                      .hint = {},
                      .at = {}});
+    items.push_back({.kind = FindKind::Command,
+                     .key = u"studyAction"_s,
+                     .text = u"Study of τ and policies"_s,
+                     .other = {},
+                     .hint = {},
+                     .at = {}});
+    items.push_back({.kind = FindKind::Command,
+                     .key = u"tradeoffDockAction"_s,
+                     .text = u"Trade-off"_s,
+                     .other = u"Trade-off τ, policy, solver and route"_s,
+                     .hint = {},
+                     .at = {}});
     return items;
 }
 
@@ -56,6 +68,8 @@ private slots:
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("best");
+        QTest::newRow("Greek letter") << u"tau"_s << u"Study of τ and policies"_s;
+        QTest::newRow("what a command is for") << u"policy"_s << u"Trade-off"_s;
         QTest::newRow("id of an iceberg") << u"berg-4"_s << u"berg-4"_s;
         QTest::newRow("with a space") << u"berg 4"_s << u"berg-4"_s;
         QTest::newRow("name") << u"bertha"_s << u"Big Bertha"_s;

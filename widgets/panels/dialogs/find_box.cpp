@@ -39,7 +39,8 @@ QString kindText(FindKind kind)
 QString rowText(const FindItem& item)
 {
     QString text = item.isFavourite ? u"★ "_s + item.text : item.text;
-    if (item.other != item.text && !item.other.isEmpty() && item.kind != FindKind::Place)
+    const bool isObject = item.kind == FindKind::Iceberg || item.kind == FindKind::Uav;
+    if (isObject && item.other != item.text && !item.other.isEmpty())
         text += u" (%1)"_s.arg(item.other);
     text += u"   –   "_s + kindText(item.kind);
     return item.hint.isEmpty() ? text : text + u", "_s + item.hint;
