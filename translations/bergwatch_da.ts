@@ -6657,10 +6657,6 @@ Tilstødende område %4</translation>
         <translation>Korteste vej</translation>
     </message>
     <message>
-        <source>Tour</source>
-        <translation>Rundtur</translation>
-    </message>
-    <message>
         <source>Nearest first</source>
         <translation>Nærmeste først</translation>
     </message>
@@ -6737,6 +6733,10 @@ Tilstødende område %4</translation>
     <message>
         <source>Weighted visiting order (published method)</source>
         <translation>Vægtet besøgsrækkefølge (offentliggjort metode)</translation>
+    </message>
+    <message>
+        <source>Round tour</source>
+        <translation>Rundtur</translation>
     </message>
 </context>
 <context>
@@ -6832,6 +6832,10 @@ Tilstødende område %4</translation>
     <message>
         <source>at all heights</source>
         <translation>i alle højder</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ft)</source>
+        <translation>%1 (%2 fod)</translation>
     </message>
 </context>
 <context>
@@ -7720,10 +7724,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Længste tid, hvert isbjerg var ude af syne.</translation>
     </message>
     <message>
-        <source>Compare with the shortest round tour</source>
-        <translation>Sammenlign med den korteste rundtur</translation>
-    </message>
-    <message>
         <source>Progress of the flight in the background</source>
         <translation>Fremskridt for flyvningen i baggrunden</translation>
     </message>
@@ -7780,7 +7780,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Flyver samme scenarie ad den korteste lukkede rundtur gennem alle isbjerge, som i figur 5 i artiklen, i baggrunden.</translation>
     </message>
     <message>
-        <source>Compare with the tour</source>
+        <source>Compare with the round tour</source>
         <translation>Sammenlign med rundturen</translation>
     </message>
 </context>
@@ -8001,6 +8001,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Messages</source>
         <translation>Meddelelser</translation>
+    </message>
+    <message>
+        <source>Trade-off τ, policy, solver and route</source>
+        <translation>Afvejning τ, strategi, løser og rute</translation>
     </message>
 </context>
 <context>
@@ -9402,10 +9406,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>&amp;Hjælp</translation>
     </message>
     <message>
-        <source>&amp;Shortcuts</source>
-        <translation>&amp;Genvejstaster</translation>
-    </message>
-    <message>
         <source>&amp;Tour</source>
         <translation>&amp;Rundvisning</translation>
     </message>
@@ -9592,6 +9592,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Values of a chart as a table</source>
         <translation>Et diagrams værdier som tabel</translation>
+    </message>
+    <message>
+        <source>Keyboard &amp;shortcuts</source>
+        <translation>Tastatur&amp;genveje</translation>
     </message>
 </context>
 <context>
@@ -10422,6 +10426,14 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
             <numerusform>%n droner</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Rename</source>
+        <translation>Omdøb</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
 </context>
 <context>
     <name>berg::RunTimeLine</name>
@@ -10667,16 +10679,8 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <translation>Start måler denne maskine ved siden af artiklens, med artiklens problemer.</translation>
     </message>
     <message>
-        <source>Cancelled. What had been measured is kept.</source>
-        <translation>Annulleret. Det, der var målt, er bevaret.</translation>
-    </message>
-    <message>
         <source>Measured in %1.</source>
         <translation>Målt på %1.</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annullér</translation>
     </message>
     <message>
         <source>Start</source>
@@ -10685,6 +10689,14 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
     <message>
         <source>Choose a solver first.</source>
         <translation>Vælg en løser først.</translation>
+    </message>
+    <message>
+        <source>Stopped. What was measured is kept.</source>
+        <translation>Stoppet. Det målte er beholdt.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
     </message>
 </context>
 <context>
@@ -11204,16 +11216,16 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <translation>Omtrent %1 tilbage.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annullér</translation>
-    </message>
-    <message>
         <source>What has been flown is kept.</source>
         <translation>Det, der er fløjet, bevares.</translation>
     </message>
     <message>
         <source>Start study</source>
         <translation>Start studie</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
     </message>
 </context>
 <context>

@@ -6657,10 +6657,6 @@ Zone adjacente %4</translation>
         <translation>Plus court chemin</translation>
     </message>
     <message>
-        <source>Tour</source>
-        <translation>Circuit</translation>
-    </message>
-    <message>
         <source>Nearest first</source>
         <translation>Plus proche d&apos;abord</translation>
     </message>
@@ -6737,6 +6733,10 @@ Zone adjacente %4</translation>
     <message>
         <source>Weighted visiting order (published method)</source>
         <translation>Ordre de visite pondéré (méthode publiée)</translation>
+    </message>
+    <message>
+        <source>Round tour</source>
+        <translation>Tournée</translation>
     </message>
 </context>
 <context>
@@ -6832,6 +6832,10 @@ Zone adjacente %4</translation>
     <message>
         <source>at all heights</source>
         <translation>à toutes les hauteurs</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ft)</source>
+        <translation>%1 (%2 pi)</translation>
     </message>
 </context>
 <context>
@@ -7720,10 +7724,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Plus longue durée pendant laquelle chaque iceberg était hors de vue.</translation>
     </message>
     <message>
-        <source>Compare with the shortest round tour</source>
-        <translation>Comparer avec le plus court circuit</translation>
-    </message>
-    <message>
         <source>Progress of the flight in the background</source>
         <translation>Progression du vol en arrière-plan</translation>
     </message>
@@ -7780,8 +7780,8 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Joue le même scénario le long du plus court circuit fermé passant par tous les icebergs, comme à la figure 5 de l&apos;article, en arrière-plan.</translation>
     </message>
     <message>
-        <source>Compare with the tour</source>
-        <translation>Comparer avec le circuit</translation>
+        <source>Compare with the round tour</source>
+        <translation>Comparer avec la tournée</translation>
     </message>
 </context>
 <context>
@@ -8001,6 +8001,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Messages</source>
         <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Trade-off τ, policy, solver and route</source>
+        <translation>Compromis τ, stratégie, solveur et itinéraire</translation>
     </message>
 </context>
 <context>
@@ -9402,10 +9406,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>A&amp;ide</translation>
     </message>
     <message>
-        <source>&amp;Shortcuts</source>
-        <translation>&amp;Raccourcis</translation>
-    </message>
-    <message>
         <source>&amp;Tour</source>
         <translation>&amp;Visite guidée</translation>
     </message>
@@ -9592,6 +9592,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Values of a chart as a table</source>
         <translation>Valeurs d&apos;un graphique en tableau</translation>
+    </message>
+    <message>
+        <source>Keyboard &amp;shortcuts</source>
+        <translation>Raccourcis &amp;clavier</translation>
     </message>
 </context>
 <context>
@@ -10422,6 +10426,14 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
             <numerusform>%n drones</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
 </context>
 <context>
     <name>berg::RunTimeLine</name>
@@ -10667,16 +10679,8 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <translation>« Démarrer » mesure cette machine à côté de celle de l&apos;article, avec les problèmes de l&apos;article.</translation>
     </message>
     <message>
-        <source>Cancelled. What had been measured is kept.</source>
-        <translation>Annulé. Ce qui avait été mesuré est conservé.</translation>
-    </message>
-    <message>
         <source>Measured in %1.</source>
         <translation>Mesuré en %1.</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
     </message>
     <message>
         <source>Start</source>
@@ -10685,6 +10689,14 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
     <message>
         <source>Choose a solver first.</source>
         <translation>Choisissez d&apos;abord un solveur.</translation>
+    </message>
+    <message>
+        <source>Stopped. What was measured is kept.</source>
+        <translation>Arrêté. Les mesures faites sont gardées.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
     </message>
 </context>
 <context>
@@ -11204,16 +11216,16 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <translation>Environ %1 restant.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>What has been flown is kept.</source>
         <translation>Ce qui a été joué est conservé.</translation>
     </message>
     <message>
         <source>Start study</source>
         <translation>Démarrer l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
     </message>
 </context>
 <context>

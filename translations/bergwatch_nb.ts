@@ -6657,10 +6657,6 @@ Tilstøtende område %4</translation>
         <translation>Korteste vei</translation>
     </message>
     <message>
-        <source>Tour</source>
-        <translation>Rundtur</translation>
-    </message>
-    <message>
         <source>Nearest first</source>
         <translation>Nærmeste først</translation>
     </message>
@@ -6737,6 +6733,10 @@ Tilstøtende område %4</translation>
     <message>
         <source>Weighted visiting order (published method)</source>
         <translation>Vektet besøksrekkefølge (publisert metode)</translation>
+    </message>
+    <message>
+        <source>Round tour</source>
+        <translation>Rundtur</translation>
     </message>
 </context>
 <context>
@@ -6832,6 +6832,10 @@ Tilstøtende område %4</translation>
     <message>
         <source>at all heights</source>
         <translation>i alle høyder</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ft)</source>
+        <translation>%1 (%2 fot)</translation>
     </message>
 </context>
 <context>
@@ -7720,10 +7724,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Lengste tid hvert isfjell var ute av syne.</translation>
     </message>
     <message>
-        <source>Compare with the shortest round tour</source>
-        <translation>Sammenlign med korteste rundtur</translation>
-    </message>
-    <message>
         <source>Progress of the flight in the background</source>
         <translation>Framdrift for flygingen i bakgrunnen</translation>
     </message>
@@ -7780,7 +7780,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Flyr samme scenario langs den korteste rundturen gjennom alle isfjell, som i artikkelens figur 5, i bakgrunnen.</translation>
     </message>
     <message>
-        <source>Compare with the tour</source>
+        <source>Compare with the round tour</source>
         <translation>Sammenlign med rundturen</translation>
     </message>
 </context>
@@ -8001,6 +8001,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Messages</source>
         <translation>Meldinger</translation>
+    </message>
+    <message>
+        <source>Trade-off τ, policy, solver and route</source>
+        <translation>Avveining τ, strategi, løser og rute</translation>
     </message>
 </context>
 <context>
@@ -9402,10 +9406,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Hjelp</translation>
     </message>
     <message>
-        <source>&amp;Shortcuts</source>
-        <translation>&amp;Hurtigtaster</translation>
-    </message>
-    <message>
         <source>&amp;Tour</source>
         <translation>Om&amp;visning</translation>
     </message>
@@ -9592,6 +9592,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Values of a chart as a table</source>
         <translation>Verdiene i et diagram som tabell</translation>
+    </message>
+    <message>
+        <source>Keyboard &amp;shortcuts</source>
+        <translation>Tastatur&amp;snarveier</translation>
     </message>
 </context>
 <context>
@@ -10422,6 +10426,14 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
             <numerusform>%n UAV-er</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Rename</source>
+        <translation>Gi nytt navn</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
 </context>
 <context>
     <name>berg::RunTimeLine</name>
@@ -10667,16 +10679,8 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <translation>Start måler denne maskinen ved siden av artikkelens, med artikkelens problemer.</translation>
     </message>
     <message>
-        <source>Cancelled. What had been measured is kept.</source>
-        <translation>Avbrutt. Det som var målt, er beholdt.</translation>
-    </message>
-    <message>
         <source>Measured in %1.</source>
         <translation>Målt på %1.</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Avbryt</translation>
     </message>
     <message>
         <source>Start</source>
@@ -10685,6 +10689,14 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>Choose a solver first.</source>
         <translation>Velg en løser først.</translation>
+    </message>
+    <message>
+        <source>Stopped. What was measured is kept.</source>
+        <translation>Stoppet. Det som er målt, er beholdt.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
     </message>
 </context>
 <context>
@@ -11204,16 +11216,16 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <translation>Omtrent %1 igjen.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Avbryt</translation>
-    </message>
-    <message>
         <source>What has been flown is kept.</source>
         <translation>Det som er fløyet, beholdes.</translation>
     </message>
     <message>
         <source>Start study</source>
         <translation>Start studien</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
     </message>
 </context>
 <context>
