@@ -172,14 +172,6 @@ QString plainText(const QString& inlineText)
     return text.replace(linkPattern(), u"\\1"_s).remove(marks).replace(italic, u"\\1"_s);
 }
 
-QStringList linksOf(const QString& inlineText)
-{
-    QStringList links;
-    for (auto it = linkPattern().globalMatch(inlineText); it.hasNext();)
-        links << it.next().captured(2);
-    return links;
-}
-
 QString markdownHtml(const std::vector<MarkdownBlock>& blocks, bool anchors)
 {
     QString html;

@@ -35,9 +35,6 @@ struct MarkdownBlock
 /** Without marks of bold, code and links, and without `<sub>` and `<sup>`. */
 [[nodiscard]] QString plainText(const QString& inlineText);
 
-/** What links in the text lead to: "planning.md#tau". */
-[[nodiscard]] QStringList linksOf(const QString& inlineText);
-
 /**
  * HTML that both browsers and QTextDocument read. Links to chapters (.md) become links to pages
  * (.html). Before block k is an anchor "block-k", for search, where `anchors` asks for it.

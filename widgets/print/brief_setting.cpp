@@ -78,4 +78,57 @@ QStringList wrapped(const QString& text, const BriefType& type, double width_px,
     return lines;
 }
 
+PageSetting::PageSetting(const QSizeF& page)
+    : free(QRectF(QPointF(0, 0), page)
+               .adjusted(kBriefMargin_px, kBriefMargin_px, -kBriefMargin_px, -kBriefMargin_px))
+{
+    layout.page = page;
+}
+
+QRectF PageSetting::taken(double height_px)
+{
+    const QRectF strip(free.left(), free.top(), free.width(), height_px);
+    free.setTop(strip.bottom());
+    return strip;
+}
+
+void PageSetting::line(const QString& text, const BriefType& type)
+{
+    setText(layout, taken(linePitch_px(type.size_px)), text, type);
+}
+
+void PageSetting::rule(bool isStrong)
+{
+    const double y = taken(4).bottom();
+    layout.rules.push_back({QLineF(free.left(), y, free.right(), y), isStrong});
+    taken(4);
+}
+
+void PageSetting::setFacts(const std::vector<BriefFact>& facts, int columns)
+{
+    constexpr double kGap_px = 12;
+    constexpr BriefType kCaption{.size_px = 10, .isMuted = true};
+    constexpr BriefType kFact{.size_px = 12, .isBold = true};
+    const double column_px = free.width() / columns;
+    const double caption_px = linePitch_px(kCaption.size_px);
+    const double height_px = caption_px + linePitch_px(kFact.size_px);
+    int at = columns;
+    QRectF row;
+    for (const BriefFact& fact : facts) {
+        const double wide_px =
+            std::max(widthOf_px(fact.caption, kCaption), widthOf_px(fact.value, kFact)) + kGap_px;
+        const int span = std::clamp(static_cast<int>(std::ceil(wide_px / column_px)), 1, columns);
+        if (at + span > columns) {
+            row = taken(height_px + 3);
+            at = 0;
+        }
+        const QRectF box(row.left() + at * column_px, row.top(), span * column_px - kGap_px,
+                         caption_px);
+        setText(layout, box, fact.caption, kCaption);
+        setText(layout, QRectF(box.left(), box.bottom(), box.width(), height_px - caption_px),
+                fact.value, kFact);
+        at += span;
+    }
+}
+
 } // namespace berg

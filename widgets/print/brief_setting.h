@@ -20,4 +20,21 @@ void setText(BriefLayout& layout, const QRectF& rect, const QString& text, const
 [[nodiscard]] QStringList wrapped(const QString& text, const BriefType& type, double width_px,
                                   int mostLines);
 
+/** A page that is set from the top: one block after the other into what is still free of it. */
+struct PageSetting
+{
+    BriefLayout layout;
+    QRectF free;
+
+    explicit PageSetting(const QSizeF& page);
+
+    /** A strip of this height from the top of what is free. */
+    QRectF taken(double height_px);
+    void line(const QString& text, const BriefType& type);
+    /** With some room above and below. */
+    void rule(bool isStrong);
+    /** In columns, each fact as many of them wide as it needs. */
+    void setFacts(const std::vector<BriefFact>& facts, int columns);
+};
+
 } // namespace berg

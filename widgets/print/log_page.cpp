@@ -37,7 +37,6 @@ struct LogText
 constexpr BriefType kTitle{.size_px = 20, .isBold = true};
 constexpr BriefType kHead{.size_px = 12};
 constexpr BriefType kCaption{.size_px = 10, .isMuted = true};
-constexpr BriefType kFact{.size_px = 12, .isBold = true};
 constexpr BriefType kHeading{.size_px = 12, .isBold = true};
 constexpr BriefType kWords{.size_px = 10};
 
@@ -135,100 +134,58 @@ struct LogSheets
 class LogLayout
 {
 public:
-    explicit LogLayout(const QSizeF& page) : m_page(page) { turn(); }
+    explicit LogLayout(const QSizeF& page) : m_set(page) {}
 
     LogSheets laidOut(const ExportContent& content, const FlightLog& log, const QLocale& locale)
     {
-        line(LogText::tr("Flight log: %1").arg(pageTitle(content)), kTitle);
-        line(pathsText(content), kHead);
-        rule(true);
-        setFacts(factsOf(content, log, locale));
-        rule(false);
-        m_free.setTop(setUavTable(layout(), uavRows(content, log, locale), m_free));
-        space(kGap_px);
-        m_sheets.chart =
-            QRectF(m_free.left(), m_free.bottom() - kChart_px, m_free.width(), kChart_px);
-        m_sheets.map = m_free.adjusted(0, 0, 0, -kChart_px - kGap_px);
+        m_set.line(LogText::tr("Flight log: %1").arg(pageTitle(content)), kTitle);
+        m_set.line(pathsText(content), kHead);
+        m_set.rule(true);
+        m_set.setFacts(factsOf(content, log, locale), 3);
+        m_set.rule(false);
+        m_set.free.setTop(setUavTable(m_set.layout, uavRows(content, log, locale), m_set.free));
+        m_set.taken(kGap_px);
+        const QRectF& free = m_set.free;
+        m_sheets.chart = QRectF(free.left(), free.bottom() - kChart_px, free.width(), kChart_px);
+        m_sheets.map = free.adjusted(0, 0, 0, -kChart_px - kGap_px);
         turn();
         setTable(LogText::tr("Sightings"), sightingRows(content, log, locale));
         setLines(LogText::tr("Deviations"), deviationLines(content, log, locale));
         setHashes(content, log);
+        m_sheets.pages.push_back(std::move(m_set.layout));
         return std::move(m_sheets);
     }
 
 private:
-    [[nodiscard]] BriefLayout& layout() { return m_sheets.pages.back(); }
-
     void turn()
     {
-        m_sheets.pages.push_back({});
-        layout().page = m_page;
-        m_free =
-            QRectF(QPointF(0, 0), m_page)
-                .adjusted(kBriefMargin_px, kBriefMargin_px, -kBriefMargin_px, -kBriefMargin_px);
+        const QSizeF page = m_set.layout.page;
+        m_sheets.pages.push_back(std::move(m_set.layout));
+        m_set = PageSetting(page);
     }
 
-    QRectF taken(double height_px)
-    {
-        const QRectF strip(m_free.left(), m_free.top(), m_free.width(), height_px);
-        m_free.setTop(strip.bottom());
-        return strip;
-    }
-
-    void space(double height_px) { (void)taken(height_px); }
-
-    void line(const QString& text, const BriefType& type)
-    {
-        setText(layout(), taken(linePitch_px(type.size_px)), text, type);
-    }
-
-    void rule(bool isStrong)
-    {
-        const double y = taken(4).bottom();
-        layout().rules.push_back({QLineF(m_free.left(), y, m_free.right(), y), isStrong});
-        space(4);
-    }
-
-    /** Three in a row. */
-    void setFacts(const std::vector<BriefFact>& facts)
-    {
-        constexpr std::size_t kColumns = 3;
-        const double caption_px = linePitch_px(kCaption.size_px);
-        const double value_px = linePitch_px(kFact.size_px);
-        QRectF row;
-        for (std::size_t i = 0; i < facts.size(); ++i) {
-            if (i % kColumns == 0)
-                row = taken(caption_px + value_px + 3);
-            const double width_px = row.width() / kColumns;
-            const QRectF box(row.left() + width_px * static_cast<double>(i % kColumns), row.top(),
-                             width_px - kGap_px, caption_px);
-            setText(layout(), box, facts[i].caption, kCaption);
-            setText(layout(), QRectF(box.left(), box.bottom(), box.width(), value_px),
-                    facts[i].value, kFact);
-        }
-    }
+    [[nodiscard]] bool isLastPage() const { return m_sheets.pages.size() + 1 == kMostPages; }
 
     /** Lines that still fit on this page and those that may follow, the first pages full. */
     [[nodiscard]] qsizetype room(double line_px, double keep_px) const
     {
         return static_cast<qsizetype>(
-            std::floor(std::max(0.0, m_free.height() - keep_px) / line_px));
+            std::floor(std::max(0.0, m_set.free.height() - keep_px) / line_px));
     }
 
     /** A row a line, the first column wide; what does not fit goes onto the next page. */
     void setTable(const QString& heading, const std::vector<QStringList>& rows)
     {
-        line(heading, kHeading);
+        m_set.line(heading, kHeading);
         const double line_px = linePitch_px(kWords.size_px);
         setRow(rows.front(), kCaption);
         const double keep_px = 14 * line_px; // for what follows
         for (std::size_t i = 1; i < rows.size(); ++i) {
-            const bool isLastPage = m_sheets.pages.size() == kMostPages;
-            if (room(line_px, isLastPage ? keep_px : 0) < 2) {
-                if (isLastPage) {
-                    line(LogText::tr("and %1 more; all of them: export log-html")
-                             .arg(rows.size() - i),
-                         kWords);
+            if (room(line_px, isLastPage() ? keep_px : 0) < 2) {
+                if (isLastPage()) {
+                    m_set.line(LogText::tr("and %1 more; all of them: export log-html")
+                                   .arg(rows.size() - i),
+                               kWords);
                     break;
                 }
                 turn();
@@ -236,20 +193,20 @@ private:
             }
             setRow(rows[i], kWords);
         }
-        space(kGap_px);
+        m_set.taken(kGap_px);
     }
 
     void setRow(const QStringList& cells, const BriefType& type)
     {
         constexpr double kFirst = 0.28; // of the width
-        const QRectF strip = taken(linePitch_px(type.size_px));
+        const QRectF strip = m_set.taken(linePitch_px(type.size_px));
         const double first_px = kFirst * strip.width();
         const double other_px = (strip.width() - first_px) /
                                 static_cast<double>(std::max<qsizetype>(1, cells.size() - 1));
         BriefType right = type;
         right.isRight = true;
         for (qsizetype i = 0; i < cells.size(); ++i)
-            setText(layout(),
+            setText(m_set.layout,
                     i == 0 ? QRectF(strip.left(), strip.top(), first_px, strip.height())
                            : QRectF(strip.left() + first_px + static_cast<double>(i - 1) * other_px,
                                     strip.top(), other_px, strip.height()),
@@ -260,46 +217,46 @@ private:
     {
         const double line_px = linePitch_px(kWords.size_px);
         const double hashes_px = 8 * line_px;
-        if (room(line_px, hashes_px) < 4 && m_sheets.pages.size() < kMostPages)
+        if (room(line_px, hashes_px) < 4 && !isLastPage())
             turn();
-        line(heading, kHeading);
+        m_set.line(heading, kHeading);
         for (qsizetype i = 0; i < lines.size(); ++i) {
             if (room(line_px, hashes_px) < 2) {
-                if (m_sheets.pages.size() == kMostPages) {
-                    line(LogText::tr("and %1 more; all of them: export log-html")
-                             .arg(lines.size() - i),
-                         kWords);
+                if (isLastPage()) {
+                    m_set.line(LogText::tr("and %1 more; all of them: export log-html")
+                                   .arg(lines.size() - i),
+                               kWords);
                     break;
                 }
                 turn();
             }
-            line(lines[i], kWords);
+            m_set.line(lines[i], kWords);
         }
-        space(kGap_px);
+        m_set.taken(kGap_px);
     }
 
     /** Of as many UAVs as there is room for. */
     void setHashes(const ExportContent& content, const FlightLog& log)
     {
-        line(LogText::tr("SHA-256 of the first plan as a file of the format wpl"), kCaption);
+        m_set.line(LogText::tr("SHA-256 of the first plan as a file of the format wpl"), kCaption);
         const double line_px = linePitch_px(kWords.size_px);
         for (std::size_t i = 0; i < log.uavs.size(); ++i) {
             if (i + 1 < log.uavs.size() && room(line_px, 0) < 2) {
-                line(LogText::tr("and %1 more; all of them: export log-html")
-                         .arg(log.uavs.size() - i),
-                     kWords);
+                m_set.line(LogText::tr("and %1 more; all of them: export log-html")
+                               .arg(log.uavs.size() - i),
+                           kWords);
                 break;
             }
             const LogUav& uav = log.uavs[i];
-            line(u"%1  %2"_s.arg(QString::fromStdString(uav.planHash),
-                                 printable(titleOf(content.mission->scenario().uavs[uav.row]))),
-                 kWords);
+            m_set.line(
+                u"%1  %2"_s.arg(QString::fromStdString(uav.planHash),
+                                printable(titleOf(content.mission->scenario().uavs[uav.row]))),
+                kWords);
         }
     }
 
-    QSizeF m_page;
+    PageSetting m_set; ///< the page that is being set
     LogSheets m_sheets;
-    QRectF m_free;
 };
 
 /** All that the pages are painted from. */

@@ -23,7 +23,6 @@ struct OperationPage
 constexpr BriefType kTitle{.size_px = 20, .isBold = true};
 constexpr BriefType kHead{.size_px = 12};
 constexpr BriefType kCaption{.size_px = 10, .isMuted = true};
-constexpr BriefType kFact{.size_px = 12, .isBold = true};
 constexpr BriefType kHeading{.size_px = 11, .isBold = true};
 constexpr BriefType kWords{.size_px = 11};
 constexpr BriefType kFoot{.size_px = 9, .isMuted = true};
@@ -110,137 +109,95 @@ std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& lo
 class OperationLayout
 {
 public:
-    explicit OperationLayout(const QSizeF& page)
+    explicit OperationLayout(const QSizeF& page) : m_set(page)
     {
-        m_layout.page = page;
-        m_free =
-            QRectF(QPointF(0, 0), page)
-                .adjusted(kBriefMargin_px, kBriefMargin_px, -kBriefMargin_px, -kBriefMargin_px);
-        m_free.setBottom(m_free.bottom() - linePitch_px(kFoot.size_px) - kGap_px);
+        m_set.free.setBottom(m_set.free.bottom() - linePitch_px(kFoot.size_px) - kGap_px);
     }
 
     BriefLayout laidOut(const OperationContent& content)
     {
+        QRectF& free = m_set.free;
         const double foot_px = linePitch_px(kFoot.size_px);
-        setText(m_layout, QRectF(m_free.left(), m_free.bottom() + kGap_px, m_free.width(), foot_px),
+        setText(m_set.layout, QRectF(free.left(), free.bottom() + kGap_px, free.width(), foot_px),
                 OperationPage::tr("Made by Bergwatch from the scenario. It says nothing about "
                                   "whether the operation may be flown."),
                 kFoot);
-        for (const QString& text : wrapped(content.title, kTitle, m_free.width(), kMostLines))
-            line(text, kTitle);
-        line(content.about, kHead);
-        rule(true);
-        setFacts(content.volume);
+        for (const QString& text : wrapped(content.title, kTitle, free.width(), kMostLines))
+            m_set.line(text, kTitle);
+        m_set.line(content.about, kHead);
+        m_set.rule(true);
+        m_set.setFacts(content.volume, 3);
+        m_set.taken(kGap_px);
         for (const QString& formula : content.formulas)
-            line(formula, kWords);
-        taken(kGap_px);
-        rule(false);
-        m_free.setTop(setUavTable(m_layout, content.uavs, m_free));
-        taken(kGap_px);
-        rule(false);
+            m_set.line(formula, kWords);
+        m_set.taken(kGap_px);
+        m_set.rule(false);
+        free.setTop(setUavTable(m_set.layout, content.uavs, free));
+        m_set.taken(kGap_px);
+        m_set.rule(false);
         for (const BriefFact& paper : content.papers)
             setPaper(paper);
         setChecklist(content.checklist);
-        return std::move(m_layout);
+        return std::move(m_set.layout);
     }
 
 private:
-    QRectF taken(double height_px)
-    {
-        const QRectF strip(m_free.left(), m_free.top(), m_free.width(), height_px);
-        m_free.setTop(strip.bottom());
-        return strip;
-    }
-
-    void line(const QString& text, const BriefType& type)
-    {
-        setText(m_layout, taken(linePitch_px(type.size_px)), text, type);
-    }
-
-    void rule(bool isStrong)
-    {
-        const double y = taken(4).bottom();
-        m_layout.rules.push_back({QLineF(m_free.left(), y, m_free.right(), y), isStrong});
-        taken(4);
-    }
-
-    /** Three in a row. */
-    void setFacts(const std::vector<BriefFact>& facts)
-    {
-        constexpr std::size_t kColumns = 3;
-        const double caption_px = linePitch_px(kCaption.size_px);
-        const double value_px = linePitch_px(kFact.size_px);
-        QRectF row;
-        for (std::size_t i = 0; i < facts.size(); ++i) {
-            if (i % kColumns == 0)
-                row = taken(caption_px + value_px + 4);
-            const double width_px = row.width() / kColumns;
-            const QRectF box(row.left() + width_px * static_cast<double>(i % kColumns), row.top(),
-                             width_px - kGap_px, caption_px);
-            setText(m_layout, box, facts[i].caption, kCaption);
-            setText(m_layout, QRectF(box.left(), box.bottom(), box.width(), value_px),
-                    facts[i].value, kFact);
-        }
-        taken(kGap_px);
-    }
-
     void blankLine(double left_px)
     {
-        const double y = taken(kBlankLine_px).bottom();
-        m_layout.rules.push_back({QLineF(left_px, y, m_free.right(), y), false});
+        const double y = m_set.taken(kBlankLine_px).bottom();
+        m_set.layout.rules.push_back({QLineF(left_px, y, m_set.free.right(), y), false});
     }
 
     void setPaper(const BriefFact& paper)
     {
-        line(paper.caption, kCaption);
-        const QStringList words = wrapped(paper.value, kWords, m_free.width(), kMostLines);
+        m_set.line(paper.caption, kCaption);
+        const QStringList words = wrapped(paper.value, kWords, m_set.free.width(), kMostLines);
         if (paper.value.isEmpty())
             for (int i = 0; i < kBlankLines; ++i)
-                blankLine(m_free.left());
+                blankLine(m_set.free.left());
         else
             for (const QString& text : words)
-                line(text, kWords);
-        taken(kGap_px);
+                m_set.line(text, kWords);
+        m_set.taken(kGap_px);
     }
 
     /** A box before each item; at the end lines for what is not foreseen. */
     void setChecklist(const QStringList& items)
     {
-        line(OperationPage::tr("Checklist"), kHeading);
+        m_set.line(OperationPage::tr("Checklist"), kHeading);
         qsizetype shown = 0;
-        while (shown < items.size() && m_free.height() > 2 * kBlankLine_px)
+        while (shown < items.size() && m_set.free.height() > 2 * kBlankLine_px)
             setItem(items[shown++]);
         if (shown < items.size()) {
-            line(OperationPage::tr("and %1 more").arg(items.size() - shown), kWords);
+            m_set.line(OperationPage::tr("and %1 more").arg(items.size() - shown), kWords);
             return;
         }
         constexpr qsizetype kMostBlank = 6;
-        for (qsizetype i = 0; items.isEmpty() && i < kMostBlank && m_free.height() > kBlankLine_px;
-             ++i)
+        for (qsizetype i = 0;
+             items.isEmpty() && i < kMostBlank && m_set.free.height() > kBlankLine_px; ++i)
             setItem({});
     }
 
     void setItem(const QString& item)
     {
-        const QRectF strip = taken(kBlankLine_px);
+        const QRectF strip = m_set.taken(kBlankLine_px);
         const QRectF box(strip.left(), strip.bottom() - kBox_px - 2, kBox_px, kBox_px);
         for (const QLineF& side :
              {QLineF(box.topLeft(), box.topRight()), QLineF(box.topRight(), box.bottomRight()),
               QLineF(box.bottomRight(), box.bottomLeft()), QLineF(box.bottomLeft(), box.topLeft())})
-            m_layout.rules.push_back({side, true});
+            m_set.layout.rules.push_back({side, true});
         const double left_px = box.right() + kGap_px;
         if (item.isEmpty())
-            m_layout.rules.push_back(
+            m_set.layout.rules.push_back(
                 {QLineF(left_px, box.bottom(), strip.right(), box.bottom()), false});
         const double height_px = linePitch_px(kWords.size_px);
         setText(
-            m_layout,
+            m_set.layout,
             QRectF(left_px, box.center().y() - height_px / 2, strip.right() - left_px, height_px),
             item, kWords);
     }
 
-    BriefLayout m_layout;
-    QRectF m_free;
+    PageSetting m_set;
 };
 
 } // namespace

@@ -145,8 +145,12 @@ bool isFar(const std::vector<Point>& ring_m, const Point& place_m)
     return std::ranges::all_of(ring_m, isBeyond) && !insidePolygon(ring_m, place_m);
 }
 
-} // namespace
-
+/**
+ * Polygons of a GeoJSON text, by whatever of these properties there are: `name`; `class`, `type`,
+ * `kind`; `floor_m`, `ceiling_m`, or `floor`, `ceiling`, `lower`, `upper`, `lowerLimit`,
+ * `upperLimit` with a height as in OpenAir or `{value, unit}` (0 m, 1 ft, 6 FL); `from_utc`,
+ * `until_utc`. Of an export of our own those of airspace.
+ */
 AirspaceTable readAirspaceGeoJson(std::string_view text, ReadBudget& budget)
 {
     ParsedJson file = parseJson(text, budget);
@@ -168,6 +172,8 @@ AirspaceTable readAirspaceGeoJson(std::string_view text, ReadBudget& budget)
     }
     return table;
 }
+
+} // namespace
 
 AirspaceResult importAirspace(const Scenario& base, std::string_view bytes,
                               const std::string& subject, const std::stop_token& stop)

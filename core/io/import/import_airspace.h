@@ -44,14 +44,6 @@ struct AirspaceTable
  */
 [[nodiscard]] AirspaceTable readOpenAir(std::string_view text, ReadBudget& budget);
 
-/**
- * Polygons of a GeoJSON text, by whatever of these properties there are: `name`; `class`, `type`,
- * `kind`; `floor_m`, `ceiling_m`, or `floor`, `ceiling`, `lower`, `upper`, `lowerLimit`,
- * `upperLimit` with a height as in OpenAir or `{value, unit}` (0 m, 1 ft, 6 FL); `from_utc`,
- * `until_utc`. Of an export of our own those of airspace.
- */
-[[nodiscard]] AirspaceTable readAirspaceGeoJson(std::string_view text, ReadBudget& budget);
-
 /** Metres above the sea of "FL 65", "1500 ft AMSL", "500M AGL", "GND"; HUGE_VAL of "UNL"; none of
  * what is no height. */
 [[nodiscard]] std::optional<double> airspaceHeight_m(std::string_view given);

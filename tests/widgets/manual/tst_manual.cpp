@@ -24,6 +24,16 @@ namespace {
 
 const QStringList kLanguages{u"en"_s, u"nb"_s};
 
+/** What links in the text lead to: "planning.md#tau". */
+QStringList linksOf(const QString& inlineText)
+{
+    static const QRegularExpression link(u"\\[[^\\]]+\\]\\(([^)]+)\\)"_s);
+    QStringList links;
+    for (auto it = link.globalMatch(inlineText); it.hasNext();)
+        links << it.next().captured(1);
+    return links;
+}
+
 /** What all languages have alike: kinds, ids, codes, pictures, sizes of tables and the links. */
 QStringList frameOf(const ManualChapter& chapter)
 {

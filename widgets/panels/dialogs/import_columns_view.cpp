@@ -67,10 +67,10 @@ ImportColumnsView::ImportColumnsView(QWidget* parent) : QWidget(parent)
     side->addWidget(m_words);
     side->addWidget(scroll, 1);
     row->addLayout(side);
-    QTableView* table = newCellTable(m_rows, u"importHead"_s, tr("First rows of the file"));
-    table->setSortingEnabled(false);
-    table->horizontalHeader()->setMaximumSectionSize(kMostColumn_px);
-    row->addWidget(table, 1);
+    m_table = newCellTable(m_rows, u"importHead"_s, tr("First rows of the file"));
+    m_table->setSortingEnabled(false);
+    m_table->horizontalHeader()->setMaximumSectionSize(kMostColumn_px);
+    row->addWidget(m_table, 1);
     m_words->setVisible(false);
     clear();
 }
@@ -105,7 +105,7 @@ void ImportColumnsView::showPreview(const PreviewPointer& preview)
     m_fields->setVisible(mayMap);
     m_words->setVisible(!mayMap);
     m_rows.setSheet(headSheet(preview));
-    findChild<QTableView*>(u"importHead"_s)->resizeColumnsToContents();
+    m_table->resizeColumnsToContents();
 }
 
 ColumnMapping ImportColumnsView::mapping() const

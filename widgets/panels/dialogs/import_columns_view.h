@@ -9,6 +9,7 @@
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QTableView;
 
 namespace berg {
 
@@ -39,6 +40,7 @@ private:
     QWidget* m_fields = nullptr;
     std::vector<QComboBox*> m_combos; ///< by field
     CellModel m_rows;
+    QTableView* m_table = nullptr;
 };
 
 } // namespace berg

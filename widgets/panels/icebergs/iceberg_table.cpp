@@ -368,7 +368,7 @@ void IcebergTable::setHovered(const std::string& id)
 
 void IcebergTable::finishTyping()
 {
-    if (auto* editor = m_table->findChild<QWidget*>(u"icebergCell"_s))
+    if (auto* editor = m_table->indexWidget(m_table->currentIndex()))
         emit m_delegate->commitData(editor);
 }
 

@@ -91,7 +91,8 @@ SolveTimePanel::SolveTimePanel(BenchmarkRunner& runner, QWidget* parent)
     showRows();
 }
 
-NumberField* SolveTimePanel::addNumber(const QString& name, const QString& label, double value)
+NumberField* SolveTimePanel::addNumber(QBoxLayout& row, const QString& name, const QString& label,
+                                       double value)
 {
     auto* field = new NumberField;
     field->setObjectName(name);
@@ -104,20 +105,18 @@ NumberField* SolveTimePanel::addNumber(const QString& name, const QString& label
     pair->setSpacing(1);
     pair->addWidget(caption);
     pair->addWidget(field);
-    auto* row = findChild<QHBoxLayout*>(u"settings"_s);
-    row->addLayout(pair);
+    row.addLayout(pair);
     return field;
 }
 
 void SolveTimePanel::addSettings()
 {
     auto* row = new QHBoxLayout;
-    row->setObjectName(u"settings"_s);
     row->setSpacing(kGap_px);
     qobject_cast<QVBoxLayout*>(layout())->addLayout(row);
-    const auto number = [this](const QString& name, const QString& label, double low, double high,
-                               double value, const QString& unit) {
-        NumberField* field = addNumber(name, label, value);
+    const auto number = [this, row](const QString& name, const QString& label, double low,
+                                    double high, double value, const QString& unit) {
+        NumberField* field = addNumber(*row, name, label, value);
         field->setRange(low, high);
         field->setNumberFormat({}, unit);
         field->showValue(value);

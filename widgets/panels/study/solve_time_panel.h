@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 
+class QBoxLayout;
 class QCheckBox;
 class QLabel;
 class QProgressBar;
@@ -46,7 +47,8 @@ signals:
 private:
     void addSettings();
     void addRun();
-    NumberField* addNumber(const QString& name, const QString& label, double value);
+    NumberField* addNumber(QBoxLayout& row, const QString& name, const QString& label,
+                           double value);
     void startOrCancel();
     void showProgress(qulonglong done, qulonglong count);
     void showTimeLeft();

@@ -95,18 +95,17 @@ void StudyPanel::addFigures(QBoxLayout& column)
         add(u"figure3"_s, tr("Figure 3"),
             tr("Solution times by number of icebergs: opens the solve time study with the sizes "
                "of the paper."));
-    const QPushButton* fourth =
-        add(u"figure4"_s, tr("Figure 4"),
-            tr("ζ of this scenario for τ = 0, 0.1 … 4, and of the shortest path."));
-    const QPushButton* fifth =
+    m_figure4 = add(u"figure4"_s, tr("Figure 4"),
+                    tr("ζ of this scenario for τ = 0, 0.1 … 4, and of the shortest path."));
+    m_figure5 =
         add(u"figure5"_s, tr("Figure 5"),
             tr("Two flights of this scenario over the map: with the τ of lowest ζ, and along the "
                "shortest path."));
     column.addLayout(row);
     connect(third, &QPushButton::clicked, this, &StudyPanel::solveTimesRequested);
-    connect(fourth, &QPushButton::clicked, this,
+    connect(m_figure4, &QPushButton::clicked, this,
             [this] { emit startRequested(figure4(m_setup->scenario()), false); });
-    connect(fifth, &QPushButton::clicked, this, &StudyPanel::startFigure5);
+    connect(m_figure5, &QPushButton::clicked, this, &StudyPanel::startFigure5);
 }
 
 QSize StudyPanel::sizeHint() const
@@ -125,8 +124,8 @@ void StudyPanel::setTheme(const Theme& theme)
 void StudyPanel::setScenario(const Scenario& scenario)
 {
     m_setup->setScenario(scenario);
-    for (const QString& name : {u"figure4"_s, u"figure5"_s})
-        findChild<QPushButton*>(name)->setEnabled(!scenario.icebergs.empty());
+    for (QPushButton* figure : {m_figure4, m_figure5})
+        figure->setEnabled(!scenario.icebergs.empty());
 }
 
 void StudyPanel::showNote(const QString& text)

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 class QBoxLayout;
+class QPushButton;
 
 namespace berg {
 
@@ -65,6 +66,8 @@ private:
     void compareIfWanted(const QString& failure);
 
     StudyRunner& m_runner;
+    QPushButton* m_figure4 = nullptr;
+    QPushButton* m_figure5 = nullptr;
     StudySetup* m_setup = nullptr;
     StudyRunBar* m_run = nullptr;
     StudyResults* m_results = nullptr;
