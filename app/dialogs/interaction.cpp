@@ -39,10 +39,21 @@ QString consequence(Interaction::FlightEnd why)
                            "flight stays in the list of runs.");
     case Interaction::FlightEnd::Other:
         return Dialogs::tr("As far as it went, it stays in the list of runs.");
-    case Interaction::FlightEnd::Closing:
-        return Dialogs::tr("It is lost with the window. Save run keeps it in a file.");
     }
     return {};
+}
+
+Interaction::Unsaved unsavedAnswer(QMessageBox& box)
+{
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+    case QMessageBox::Save:
+        return Interaction::Unsaved::Save;
+    case QMessageBox::Discard:
+        return Interaction::Unsaved::Discard;
+    default:
+        return Interaction::Unsaved::Cancel;
+    }
 }
 
 } // namespace
@@ -56,15 +67,19 @@ Interaction::Unsaved DialogInteraction::askUnsaved(QWidget* parent, const Unsave
                                ? Dialogs::tr("They are lost if you do not save them. The flight "
                                              "under way ends unless you cancel.")
                                : Dialogs::tr("They are lost if you do not save them."));
-    box.setDefaultButton(QMessageBox::Save);
-    switch (box.exec()) {
-    case QMessageBox::Save:
-        return Unsaved::Save;
-    case QMessageBox::Discard:
-        return Unsaved::Discard;
-    default:
-        return Unsaved::Cancel;
-    }
+    return unsavedAnswer(box);
+}
+
+Interaction::Unsaved DialogInteraction::askUnsavedRun(QWidget* parent, bool isUnderWay)
+{
+    QMessageBox box(QMessageBox::Question,
+                    isUnderWay ? Dialogs::tr("Flight under way") : Dialogs::tr("Unsaved run"),
+                    isUnderWay ? Dialogs::tr("A flight is under way. End it?")
+                               : Dialogs::tr("Save the run?"),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
+    box.setInformativeText(Dialogs::tr("What was flown is lost if you do not save it."));
+    box.button(QMessageBox::Save)->setText(Dialogs::tr("Save run..."));
+    return unsavedAnswer(box);
 }
 
 bool DialogInteraction::askEndFlight(QWidget* parent, FlightEnd why)

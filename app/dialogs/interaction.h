@@ -107,8 +107,7 @@ public:
     enum class FlightEnd
     {
         Answer, ///< it has begun while another question was open, whose answer would end it
-        Other,  ///< another scenario or flight takes its place
-        Closing ///< the window is closed
+        Other   ///< another scenario or flight takes its place
     };
 
     Interaction() = default;
@@ -117,6 +116,8 @@ public:
     virtual ~Interaction() = default;
 
     [[nodiscard]] virtual Unsaved askUnsaved(QWidget* parent, const UnsavedWork& work) = 0;
+    /** The window is closed over a run that is in no file. */
+    [[nodiscard]] virtual Unsaved askUnsavedRun(QWidget* parent, bool isUnderWay) = 0;
     [[nodiscard]] virtual bool askEndFlight(QWidget* parent, FlightEnd why) = 0;
     /** Empty: cancelled. `filter` as in `QFileDialog`. */
     [[nodiscard]] virtual QString openPath(QWidget* parent, const QString& filter) = 0;
@@ -159,6 +160,7 @@ public:
     explicit DialogInteraction(QSettings* settings = nullptr) : m_settings(settings) {}
 
     [[nodiscard]] Unsaved askUnsaved(QWidget* parent, const UnsavedWork& work) override;
+    [[nodiscard]] Unsaved askUnsavedRun(QWidget* parent, bool isUnderWay) override;
     [[nodiscard]] bool askEndFlight(QWidget* parent, FlightEnd why) override;
     [[nodiscard]] QString openPath(QWidget* parent, const QString& filter) override;
     [[nodiscard]] QString savePath(QWidget* parent, const QString& suggested,

@@ -44,23 +44,41 @@ ResultFiles::ResultFiles(WindowContext& context) : WindowPart(context)
         connect(chart, &ChartPanel::exportRequested, this, [this, chart] { exportChart(*chart); });
 }
 
-void ResultFiles::saveRun()
+/** Where the user wants it; empty: nowhere. */
+QString ResultFiles::runPath()
 {
     const QString chosen = interaction().savePath(&window(), u"flight.bergrun"_s,
                                                   tr("Runs (*.bergrun);;All files (*)"));
-    if (chosen.isEmpty())
-        return;
-    workspace().runner().requestRun(withExtension(chosen, u"bergrun"_s));
+    return chosen.isEmpty() ? chosen : withExtension(chosen, u"bergrun"_s);
 }
 
-void ResultFiles::writeRun(const QString& path, const RunFile& run)
+void ResultFiles::saveRun()
+{
+    if (const QString path = runPath(); !path.isEmpty())
+        workspace().runner().requestRun(path);
+}
+
+bool ResultFiles::saveRunNow()
+{
+    workspace().pause();
+    const QString path = runPath();
+    if (path.isEmpty())
+        return false;
+    const std::shared_ptr<const RunFile> run = workspace().runner().runNow();
+    return run != nullptr && writeRun(path, *run);
+}
+
+bool ResultFiles::writeRun(const QString& path, const RunFile& run)
 {
     try {
         berg::saveRun(run, QFile::encodeName(path).toStdString());
-        showMessage(tr("Saved %1").arg(path), kMessage_ms);
     } catch (const Error& error) {
         interaction().showError(&window(), errorReport(error));
+        return false;
     }
+    workspace().noteSaved(run);
+    showMessage(tr("Saved %1").arg(path), kMessage_ms);
+    return true;
 }
 
 void ResultFiles::exportPlan()

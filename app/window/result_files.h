@@ -21,6 +21,8 @@ public:
     /** As last chosen in another window. */
     void takeOver(const ResultFiles& other) { m_exportOptions = other.m_exportOptions; }
     void saveRun();
+    /** The same before the window goes: pauses the flight; false when it is in no file then. */
+    [[nodiscard]] bool saveRunNow();
     void exportPlan();
     /** The page to fly by, likewise. */
     void exportBrief();
@@ -33,7 +35,8 @@ private:
     void chooseExport(const std::string& formatId);
     [[nodiscard]] bool isStillOf(std::uint64_t generation);
     void writeExport(const std::vector<ExportFile>& files);
-    void writeRun(const QString& path, const RunFile& run);
+    [[nodiscard]] QString runPath();
+    bool writeRun(const QString& path, const RunFile& run);
     void exportChart(const ChartPanel& chart);
 
     ExportOptions m_exportOptions; ///< last chosen

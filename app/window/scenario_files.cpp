@@ -51,29 +51,38 @@ bool ScenarioFiles::isStudyFile(const QString& path)
     return QFileInfo(path).suffix().toLower() == u"bergstudy"_s;
 }
 
-bool ScenarioFiles::mayLeaveScene(Interaction::FlightEnd why)
+bool ScenarioFiles::mayLeaveScene()
+{
+    panels().finishTyping();
+    if (workspace().document().isClean())
+        return mayEndFlight();
+    const bool wasInFlight = workspace().inFlight();
+    return maySettleChanges(workspace().isMidFlight()) && mayAnswer(wasInFlight);
+}
+
+bool ScenarioFiles::maySettleChanges(bool endsFlight)
 {
     panels().finishTyping();
     const ScenarioDocument& document = workspace().document();
     if (document.isClean())
-        return mayEndFlight(why);
-    const bool wasInFlight = workspace().inFlight();
+        return true;
     const QString name = QString::fromStdString(document.scenario().name);
-    switch (interaction().askUnsaved(&window(), {.name = name.isEmpty() ? tr("Untitled") : name,
-                                                 .endsFlight = workspace().isMidFlight()})) {
+    switch (interaction().askUnsaved(
+        &window(), {.name = name.isEmpty() ? tr("Untitled") : name, .endsFlight = endsFlight})) {
     case Interaction::Unsaved::Save:
-        return saveScenario() && mayAnswer(wasInFlight);
+        return saveScenario();
     case Interaction::Unsaved::Discard:
-        return mayAnswer(wasInFlight);
+        return true;
     case Interaction::Unsaved::Cancel:
         return false;
     }
     return false;
 }
 
-bool ScenarioFiles::mayEndFlight(Interaction::FlightEnd why)
+bool ScenarioFiles::mayEndFlight()
 {
-    return !workspace().isMidFlight() || interaction().askEndFlight(&window(), why);
+    return !workspace().isMidFlight() ||
+           interaction().askEndFlight(&window(), Interaction::FlightEnd::Other);
 }
 
 bool ScenarioFiles::mayAnswer(bool wasInFlight)
@@ -88,7 +97,7 @@ bool ScenarioFiles::mayAnswer(bool wasInFlight)
 
 bool ScenarioFiles::newScenario()
 {
-    if (!mayLeaveScene(Interaction::FlightEnd::Other))
+    if (!mayLeaveScene())
         return false;
     Scenario scenario = randomScenario(1, {.icebergs = 0});
     scenario.name = tr("New scenario").toStdString();
@@ -135,7 +144,7 @@ bool ScenarioFiles::openFile(const QString& path)
         workspace().studyFiles().open(path);
         return true;
     }
-    if (!mayLeaveScene(Interaction::FlightEnd::Other))
+    if (!mayLeaveScene())
         return false;
     try {
         if (!openUnlessInUse(path))
@@ -150,7 +159,7 @@ bool ScenarioFiles::openFile(const QString& path)
 
 void ScenarioFiles::openExample(const QString& path)
 {
-    if (!mayLeaveScene(Interaction::FlightEnd::Other))
+    if (!mayLeaveScene())
         return;
     try {
         workspace().document().reset(loadExample(path));

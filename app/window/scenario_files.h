@@ -24,9 +24,11 @@ public:
      * The gate for all that makes the present scene go away: one question about the changes that
      * are in no file and the flight under way.
      */
-    [[nodiscard]] bool mayLeaveScene(Interaction::FlightEnd why);
+    [[nodiscard]] bool mayLeaveScene();
+    /** The part of it about changes; `endsFlight`: they are told that a flight ends as well. */
+    [[nodiscard]] bool maySettleChanges(bool endsFlight = false);
     /** A flight that has come to its end is in the list of runs, and nothing is lost. */
-    [[nodiscard]] bool mayEndFlight(Interaction::FlightEnd why);
+    [[nodiscard]] bool mayEndFlight();
     /** False: a flight has begun since the question was asked, and is to go on. */
     [[nodiscard]] bool mayAnswer(bool wasInFlight);
 

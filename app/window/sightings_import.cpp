@@ -163,7 +163,7 @@ void SightingsImport::importSightings(const QString& path)
 void SightingsImport::acceptImport(const ImportChoice& choice, const QString& fileName)
 {
     if (choice.intoNew) {
-        if (!m_files.mayLeaveScene(Interaction::FlightEnd::Other))
+        if (!m_files.mayLeaveScene())
             return;
         workspace().document().restore(choice.scenario, {}); // it is in no file yet
     } else {

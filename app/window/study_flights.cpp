@@ -51,9 +51,7 @@ StudyFlights::StudyFlights(WindowContext& context, ScenarioFiles& files, const D
 bool StudyFlights::flyOnMap(const Scenario& scenario, const QString& text)
 {
     panels().finishTyping();
-    constexpr auto kWhy = Interaction::FlightEnd::Other;
-    if (!(workspace().isVariant(scenario) ? m_files.mayEndFlight(kWhy)
-                                          : m_files.mayLeaveScene(kWhy)))
+    if (!(workspace().isVariant(scenario) ? m_files.mayEndFlight() : m_files.mayLeaveScene()))
         return false;
     workspace().flyScenario(scenario, text);
     if (auto* dock = m_docks.dock(Dock::Study); dock->isFloating())

@@ -2,6 +2,7 @@
 
 #include "app/dialogs/interaction.h"
 #include "app/window/panels.h"
+#include "app/window/result_files.h"
 #include "app/window/scenario_files.h"
 #include "app/window/solve_time_desk.h"
 #include "app/window/status_line.h"
@@ -90,11 +91,28 @@ bool WorkSafety::mayClose()
         return true;
     // The study first: it may take a while to be saved, and then all this is asked again.
     if (!m_gates.study.maySettleStudy([](StudyDesk& desk) { desk.closeWindow(); }) ||
-        !m_gates.solveTimes.maySettle() ||
-        !m_gates.files.mayLeaveScene(Interaction::FlightEnd::Closing))
+        !m_gates.solveTimes.maySettle() || !mayLeaveScene())
         return false;
     workspace().autosaver().discard();
     return true;
+}
+
+/** For good: what was flown is lost as well, for the list of runs goes with the window. */
+bool WorkSafety::mayLeaveScene()
+{
+    if (!m_gates.files.maySettleChanges())
+        return false;
+    if (!workspace().hasUnsavedRun())
+        return true;
+    switch (interaction().askUnsavedRun(&window(), workspace().isMidFlight())) {
+    case Interaction::Unsaved::Save:
+        return m_gates.results.saveRunNow();
+    case Interaction::Unsaved::Discard:
+        return true;
+    case Interaction::Unsaved::Cancel:
+        return false;
+    }
+    return false;
 }
 
 bool WorkSafety::mayEndSession(bool mayAsk)
@@ -110,8 +128,7 @@ bool WorkSafety::mayEndSession(bool mayAsk)
     // There is no time later on: the program may be killed as soon as this returns.
     m_endAgreed = study != Interaction::Unsaved::Cancel &&
                   (study != Interaction::Unsaved::Save || m_gates.study.saveStudyNow()) &&
-                  m_gates.solveTimes.maySettle() &&
-                  m_gates.files.mayLeaveScene(Interaction::FlightEnd::Closing);
+                  m_gates.solveTimes.maySettle() && mayLeaveScene();
     if (m_endAgreed) {
         workspace().autosaver().discard();
         workspace().studyKeeper().discard();
@@ -147,7 +164,7 @@ bool WorkSafety::offerRecoveries()
             break;
         const auto chosen = left.begin() + static_cast<std::ptrdiff_t>(answer.offer);
         if (answer.action == RecoveryAnswer::Action::Restore) {
-            if (m_gates.files.mayLeaveScene(Interaction::FlightEnd::Other))
+            if (m_gates.files.mayLeaveScene())
                 restore(std::move(*chosen));
             break; // the others can be had from the menu, or at the next start
         }

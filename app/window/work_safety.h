@@ -7,6 +7,7 @@
 
 namespace berg {
 
+class ResultFiles;
 class ScenarioFiles;
 class SolveTimeDesk;
 class StatusLine;
@@ -22,6 +23,7 @@ public:
     struct Gates
     {
         ScenarioFiles& files;
+        ResultFiles& results;
         StudyDesk& study;
         SolveTimeDesk& solveTimes;
     };
@@ -39,6 +41,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    [[nodiscard]] bool mayLeaveScene();
     void connectAutosaver();
     void followEnd(const QEvent& event);
     void restore(FoundRecovery found);

@@ -310,6 +310,8 @@ private slots:
         QTest::addColumn<WayOut>("path");
         QTest::addColumn<bool>("changed");
         for (const auto& [path, name] : kWaysOut) {
+            if (path == WayOut::Close || path == WayOut::Quit)
+                continue;
             QTest::addRow("%s", name) << path << false;
             QTest::addRow("%s, changed", name) << path << true;
         }
@@ -339,13 +341,11 @@ private slots:
         w.interaction.endsFlight = true;
         leave(w, path, other);
         QCOMPARE(w.interaction.unsavedNames.size() + w.interaction.endFlightQuestions, 2);
-        const bool closes = path == WayOut::Close || path == WayOut::Quit;
-        QCOMPARE(w.window().isVisible(), !closes);
-        QCOMPARE(w.workspace.inFlight(), closes);
-        QCOMPARE(w.scenario() == flown, closes);
+        QVERIFY(w.window().isVisible() && !w.workspace.inFlight());
+        QVERIFY(!(w.scenario() == flown));
         if (!changed)
-            QVERIFY(w.interaction.flightEnd ==
-                    (closes ? Interaction::FlightEnd::Closing : Interaction::FlightEnd::Other));
+            QVERIFY(w.interaction.flightEnd == Interaction::FlightEnd::Other);
+        QVERIFY(w.interaction.runQuestions.empty());
     }
 
     /** It is in the list of runs. */

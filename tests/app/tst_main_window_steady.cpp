@@ -15,6 +15,7 @@
 using namespace berg;
 using namespace Qt::StringLiterals;
 using test::WindowFixture;
+using Unsaved = Interaction::Unsaved;
 
 namespace {
 
@@ -93,14 +94,94 @@ private slots:
     void loggingOutAsksAboutTheFlight()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
-        QVERIFY(flyTo(w, 20));
+        QVERIFY(flyTo(w, 80));
         QVERIFY(!w.window().mayEndSession(true));
-        QCOMPARE(w.interaction.endFlightQuestions, 1);
-        QVERIFY(w.interaction.flightEnd == Interaction::FlightEnd::Closing);
+        QCOMPARE(w.interaction.runQuestions, std::vector<bool>{true});
         QVERIFY(w.workspace.isMidFlight());
-        w.interaction.endsFlight = true;
+        w.interaction.unsavedRun = Unsaved::Save;
+        w.interaction.path = w.file(u"kept.bergrun"_s);
         QVERIFY(w.window().mayEndSession(true));
-        QCOMPARE(w.interaction.endFlightQuestions, 2);
+        QVERIFY(QFile::exists(w.interaction.path)); // there may be no time later on
+    }
+
+    void closingAsksAboutTheRun_data()
+    {
+        QTest::addColumn<bool>("finished");
+        QTest::addColumn<bool>("changed");
+        QTest::newRow("in flight") << false << false;
+        QTest::newRow("in flight, changed") << false << true;
+        QTest::newRow("after it") << true << false;
+        QTest::newRow("after it, changed") << true << true;
+    }
+
+    /** It goes with the window, in the list of runs or not. */
+    void closingAsksAboutTheRun()
+    {
+        QFETCH(bool, finished);
+        QFETCH(bool, changed);
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        if (changed)
+            w.document().edit(u"Name"_s, [](Scenario& s) { s.name = "mine"; });
+        QVERIFY(w.untilReady());
+        w.interaction.unsaved = Unsaved::Discard;
+        QVERIFY(flyTo(w, 80));
+        w.workspace.fly(finished ? 0 : 1);
+        QVERIFY(w.until(finished ? RunPhase::Finished : RunPhase::Flying));
+        QVERIFY(!w.window().close());
+        QCOMPARE(w.interaction.runQuestions, std::vector<bool>{!finished});
+        QCOMPARE(w.interaction.unsavedNames.size(), changed ? 1 : 0);
+        QVERIFY(!w.interaction.toldOfFlight);
+
+        w.interaction.unsavedRun = Unsaved::Save; // but in no file, after all
+        QVERIFY(!w.window().close());
+
+        w.interaction.path = w.file(u"kept"_s);
+        QVERIFY(w.window().close());
+        QCOMPARE(w.interaction.runQuestions.size(), 3U);
+        QVERIFY(loadRun(w.file(u"kept.bergrun"_s).toStdString()) == *test::flownRun(w));
+    }
+
+    void onlyARunThatIsLostIsAskedAbout_data()
+    {
+        QTest::addColumn<double>("flown_s");
+        QTest::addColumn<QString>("then");
+        QTest::addColumn<int>("questions");
+        QTest::newRow("of a moment") << 5. << QString() << 0;
+        QTest::newRow("of a moment, changed") << 5. << u"changed"_s << 1;
+        QTest::newRow("longer") << 80. << QString() << 1;
+        QTest::newRow("saved") << 80. << u"saved"_s << 0;
+        QTest::newRow("saved, flown on") << 80. << u"saved, flown on"_s << 1;
+        QTest::newRow("opened") << 80. << u"saved, opened"_s << 0;
+        QTest::newRow("opened, flown on") << 80. << u"saved, opened, flown on"_s << 1;
+    }
+
+    void onlyARunThatIsLostIsAskedAbout()
+    {
+        QFETCH(double, flown_s);
+        QFETCH(QString, then);
+        QFETCH(int, questions);
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QVERIFY(flyTo(w, flown_s));
+        if (then == u"changed"_s) {
+            w.workspace.setWind({3, -1});
+            QVERIFY(flyTo(w, flown_s + 1));
+        }
+        w.interaction.path = w.file(u"some.bergrun"_s);
+        if (then.startsWith(u"saved"_s)) {
+            w.trigger(u"saveRunAction"_s);
+            QVERIFY(w.until([&] { return QFile::exists(w.interaction.path); }));
+        }
+        if (then.contains(u"opened"_s)) {
+            w.document().reset(randomScenario(77, {.icebergs = 3}));
+            QVERIFY(w.untilReady());
+            w.trigger(u"openAction"_s);
+            QVERIFY(w.until(RunPhase::Paused));
+        }
+        if (then.endsWith(u"flown on"_s))
+            QVERIFY(flyTo(w, flown_s + 1));
+        w.interaction.unsavedRun = Unsaved::Discard;
+        QVERIFY(w.window().close());
+        QCOMPARE(w.interaction.runQuestions.size(), static_cast<std::size_t>(questions));
     }
 
     void answerAfterTakeOff_data()
@@ -123,7 +204,7 @@ private slots:
         const QString other = w.file(u"other.berg"_s);
         saveScenario(randomScenario(7), other.toStdString());
         w.interaction.path = other;
-        w.interaction.unsaved = Interaction::Unsaved::Discard;
+        w.interaction.unsaved = Unsaved::Discard;
         w.interaction.wind_mps = Point(3, 0);
         w.interaction.originChoice = OriginChoice{.origin = {60, -50}};
         w.interaction.importAnswer = [](ImportRunner&, const ImportOffer&) {

@@ -46,6 +46,7 @@ public:
     {
         return Overwrite::Cancel;
     }
+    Unsaved askUnsavedRun(QWidget*, bool) override { return Unsaved::Discard; }
     bool askEndFlight(QWidget*, FlightEnd) override { return true; }
     bool askReload(QWidget*, const QString&) override { return false; }
     RecoveryAnswer askRecovery(QWidget*, const std::vector<RecoveryOffer>&) override { return {}; }

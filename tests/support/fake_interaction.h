@@ -14,7 +14,8 @@ class FakeInteraction final : public Interaction
 public:
     Unsaved unsaved = Unsaved::Cancel;
     std::vector<Unsaved> unsavedAnswers; ///< one after the other, then `unsaved`
-    QString path;                        ///< of the next file; empty: cancelled
+    Unsaved unsavedRun = Unsaved::Cancel;
+    QString path; ///< of the next file; empty: cancelled
     InUse inUse = InUse::Cancel;
     Overwrite overwrite = Overwrite::Cancel;
     bool reload = false;
@@ -28,8 +29,9 @@ public:
     /** Answers a question about an import; null: cancelled. */
     std::function<std::optional<ImportChoice>(ImportRunner&, const ImportOffer&)> importAnswer;
 
-    QStringList unsavedNames; ///< each question about unsaved changes
-    QStringList suggested;    ///< each question where to save
+    QStringList unsavedNames;       ///< each question about unsaved changes
+    QStringList suggested;          ///< each question where to save
+    std::vector<bool> runQuestions; ///< each about an unsaved run: whether it is under way
     int openQuestions = 0;
     bool toldOfFlight = false; ///< in the last of them
     int endFlightQuestions = 0;
@@ -52,6 +54,11 @@ public:
         passTime();
         const auto asked = static_cast<std::size_t>(unsavedNames.size());
         return asked <= unsavedAnswers.size() ? unsavedAnswers[asked - 1] : unsaved;
+    }
+    [[nodiscard]] Unsaved askUnsavedRun(QWidget*, bool isUnderWay) override
+    {
+        runQuestions.push_back(isUnderWay);
+        return unsavedRun;
     }
     [[nodiscard]] bool askEndFlight(QWidget*, FlightEnd why) override
     {

@@ -19,6 +19,7 @@ namespace {
 constexpr int kTauPause_ms = 100;
 constexpr int kFrame_ms = 16;
 constexpr int kNotePause_ms = 3000;
+constexpr double kWorthKeeping_s = 60;
 
 } // namespace
 
@@ -62,6 +63,21 @@ const PlannerSettings& Workspace::planner() const
 bool Workspace::isMidFlight() const
 {
     return inFlight() && m_record.now.time_s > 0 && m_record.now.phase != RunPhase::Finished;
+}
+
+bool Workspace::hasUnsavedRun() const
+{
+    const MissionSnapshot& now = m_record.now;
+    const bool isWorthIt = now.time_s >= kWorthKeeping_s ||
+                           std::ranges::count(m_record.history.events, EventKind::Intervention,
+                                              &MissionEvent::kind) > 0;
+    return inFlight() && now.time_s > 0 && isWorthIt &&
+           m_savedRun != SavedRun{m_record.scenario, now.time_s, now.metrics};
+}
+
+void Workspace::noteSaved(const RunFile& run)
+{
+    m_savedRun = SavedRun{run.scenario, run.flownUntil_s, run.metrics};
 }
 
 Point Workspace::wind_mps() const
@@ -308,10 +324,13 @@ void Workspace::setRoute(Route route)
 
 void Workspace::openFile(const QString& path)
 {
-    if (QFileInfo(path).suffix() == u"bergrun"_s)
-        openRun(std::make_shared<const RunFile>(loadRun(QFile::encodeName(path).toStdString())));
-    else
+    if (QFileInfo(path).suffix() != u"bergrun"_s) {
         m_document.open(path);
+        return;
+    }
+    auto run = std::make_shared<const RunFile>(loadRun(QFile::encodeName(path).toStdString()));
+    noteSaved(*run);
+    openRun(std::move(run));
 }
 
 void Workspace::openRun(std::shared_ptr<const RunFile> run)

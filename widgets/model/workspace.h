@@ -57,6 +57,13 @@ public:
     [[nodiscard]] bool inFlight() const { return m_record.inFlight(); }
     /** Something has been flown, and has not come to its end. */
     [[nodiscard]] bool isMidFlight() const;
+    /**
+     * What is flown, or was flown to its end, is in no run file and worth keeping: a minute long or
+     * changed in flight. That of a moment is soon flown again, the same.
+     */
+    [[nodiscard]] bool hasUnsavedRun() const;
+    /** The run is in a file now. */
+    void noteSaved(const RunFile& run);
     /** In force: the document's, or in flight those of the mission at the instant shown. */
     [[nodiscard]] const PlannerSettings& planner() const;
     /** In force, likewise. */
@@ -149,6 +156,14 @@ private:
         Scenario scenario;
         double flown_s = 0;
     };
+    /** What tells the run of a file from others. */
+    struct SavedRun
+    {
+        Scenario scenario;
+        double flown_s = 0;
+        Metrics metrics;
+        bool operator==(const SavedRun&) const = default;
+    };
     [[nodiscard]] std::optional<GivenUpFlight> presentFlight() const;
     void setGivenUp(std::optional<GivenUpFlight> flight);
     void planAgain();
@@ -176,6 +191,7 @@ private:
     QTimer m_playBack;                  ///< runs while what was flown is played
     QElapsedTimer m_playClock;
     double m_rate = 1;
+    std::optional<SavedRun> m_savedRun;     ///< the last one that was saved or opened
     std::optional<GivenUpFlight> m_givenUp; ///< the mission thread has it
     bool m_isTakeOffAsked = false;          ///< and the answer of the mission has not come
     /** In flight, the plan the curve is of: rewrites of the history, number of the plan. */
