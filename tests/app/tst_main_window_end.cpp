@@ -1,5 +1,6 @@
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
+#include "widgets/panels/flight/flight_card.h"
 #include "widgets/theme/language.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -92,6 +93,36 @@ private slots:
         QCOMPARE(text(w, u"flightCardVisits"_s), QString::number(metrics.visits));
         QVERIFY(text(w, u"flightCardPredicted"_s).contains(u"%"_s));
         QVERIFY(text(w, u"flightCardUnseen"_s).contains(u"berg-"_s));
+        const PolicyForecast& forecast =
+            w.workspace.forecasts().forecasts().at(w.scenario().planner.policy);
+        QVERIFY(forecast.isFlown());
+        const ZetaRange range = forecast.range().value();
+        QVERIFY(text(w, u"flightCardRange"_s)
+                    .endsWith(u" %1 to %2"_s.arg(significantText(range.least_m2s, 4, QLocale()),
+                                                 significantText(range.most_m2s, 4, QLocale()))));
+    }
+
+    void cardTellsWhereInThePredictionTheRunIs_data()
+    {
+        QTest::addColumn<double>("zeta_m2s");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("below") << 90. << u"below 100.0 to 200.0"_s;
+        QTest::newRow("inside") << 150. << u"inside 100.0 to 200.0"_s;
+        QTest::newRow("above") << 201. << u"above 100.0 to 200.0"_s;
+    }
+
+    void cardTellsWhereInThePredictionTheRunIs()
+    {
+        QFETCH(double, zeta_m2s);
+        QFETCH(QString, told);
+        QWidget map;
+        FlightCard card(&map);
+        card.showSummary({.zeta_m2s = zeta_m2s});
+        const auto& range = test::child<QLabel>(card, u"flightCardRange"_s);
+        QCOMPARE(range.text(), u"–"_s);
+        card.showSummary(
+            {.zeta_m2s = zeta_m2s, .range = ZetaRange{.least_m2s = 100, .most_m2s = 200}});
+        QCOMPARE(range.text(), told);
     }
 
     void cardGoesWhenItIsClosedOrAnotherRunBegins()

@@ -2,6 +2,7 @@
 
 #include "core/scenario/validate.h"
 #include "core/sim/policy_forecast.h"
+#include "core/study/statistics.h"
 #include "widgets/model/compared_run.h"
 
 #include <algorithm>
@@ -85,6 +86,16 @@ bool awaitsDrawn(const PolicyForecast& forecast)
 }
 
 } // namespace
+
+std::optional<ZetaRange> PolicyForecast::range() const
+{
+    if (!isFlown())
+        return std::nullopt;
+    std::vector<double> sorted_m2s = drawn_m2s;
+    std::ranges::sort(sorted_m2s);
+    return ZetaRange{.least_m2s = quantile(sorted_m2s, 0.05),
+                     .most_m2s = quantile(sorted_m2s, 0.95)};
+}
 
 PolicyForecasts::PolicyForecasts(QObject* parent, int limit_ms, int drawnFlights)
     : QObject(parent)

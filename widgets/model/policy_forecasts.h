@@ -21,6 +21,13 @@ enum class ForecastState
     Impossible ///< the scenario cannot be flown with the policy: `whyNot`
 };
 
+/** Where zeta of nine flights in ten lies. */
+struct ZetaRange
+{
+    double least_m2s = 0;
+    double most_m2s = 0;
+};
+
 /** What is known of a flight with one policy before it is flown (`forecastOf`). */
 struct PolicyForecast
 {
@@ -33,6 +40,8 @@ struct PolicyForecast
 
     /** In all drawn worlds. */
     [[nodiscard]] bool isFlown() const { return drawn_m2s.size() == kDrawnFlights; }
+    /** Of zeta in these, 5 and 95 %; none before. */
+    [[nodiscard]] std::optional<ZetaRange> range() const;
     bool operator==(const PolicyForecast&) const = default;
 };
 

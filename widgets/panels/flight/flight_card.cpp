@@ -25,15 +25,14 @@ constexpr int kAboveScale_px = 74; ///< scale bar and margins below it
 constexpr int kPadding_px = 12;
 constexpr double kRadius_px = 7;
 
-/** Of the flight as it was chosen at take-off; in flight nothing was changed. */
-std::optional<double> predictionOf(const ComparedRun& run, const PolicyForecastList& forecasts)
+/** Of the flight as it was chosen at take-off; null: none, or something was changed in flight. */
+const PolicyForecast* forecastOf(const ComparedRun& run, const PolicyForecastList& forecasts)
 {
     const auto found = forecasts.find(run.planner.policy);
     if (run.wasChanged || !run.worldChanges.empty() || found == forecasts.end() ||
         found->second.state != ForecastState::Known)
-        return std::nullopt;
-    return found->second.isFlown() ? summarise(found->second.drawn_m2s).mean
-                                   : found->second.metrics.zeta_m2s;
+        return nullptr;
+    return &found->second;
 }
 
 } // namespace
@@ -42,9 +41,12 @@ FlightSummary flightSummary(const FlightRecord& record, const PolicyForecastList
 {
     const ComparedRun run = comparedRun(record);
     const RunFigures figures = figuresAt(run, run.flown_s);
-    FlightSummary summary{.zeta_m2s = run.metrics.zeta_m2s,
-                          .predicted_m2s = predictionOf(run, forecasts),
-                          .visits = run.metrics.visits};
+    FlightSummary summary{.zeta_m2s = run.metrics.zeta_m2s, .visits = run.metrics.visits};
+    if (const PolicyForecast* forecast = forecastOf(run, forecasts)) {
+        summary.predicted_m2s =
+            forecast->isFlown() ? summarise(forecast->drawn_m2s).mean : forecast->metrics.zeta_m2s;
+        summary.range = forecast->range();
+    }
     if (const KnownBound bound = record.boundOfFlight(); bound.zeta_m2s > 0) {
         summary.bound_m2s = bound.zeta_m2s;
         summary.boundShare = bound.whole ? 1 : bound.share;
@@ -83,6 +85,8 @@ FlightCard::FlightCard(QWidget* map)
     column->addWidget(m_zeta, 1, 0, 1, 2);
     m_predicted = addRow(*column, u"flightCardPredicted"_s, tr("Against prediction"),
                          tr("ζ against what was predicted before take-off for the policy."));
+    m_range = addRow(*column, u"flightCardRange"_s, tr("Predicted range"),
+                     tr("ζ of nine flights in ten was predicted to lie in this range."));
     m_bound = addRow(*column, u"flightCardBound"_s, tr("Lower bound"),
                      tr("No flight can have a lower ζ in this world, whatever the policy."));
     m_visits = addRow(*column, u"flightCardVisits"_s, tr("Visits"), tr("Targets reached."));
@@ -137,7 +141,7 @@ void FlightCard::setTheme(const Theme& theme)
     setCaptionTheme(*this, theme);
     m_title->setFont(theme.strong());
     m_zeta->setFont(theme.figure());
-    for (QLabel* label : {m_predicted, m_bound, m_visits, m_unseen})
+    for (QLabel* label : {m_predicted, m_range, m_bound, m_visits, m_unseen})
         label->setFont(theme.body());
     update();
 }
@@ -154,6 +158,7 @@ void FlightCard::showSummary(const FlightSummary& summary)
             ? u"%1 (%2)"_s.arg(changeText(summary.zeta_m2s / *summary.predicted_m2s - 1, locale()),
                                zeta(*summary.predicted_m2s))
             : noFigure());
+    showValue(*m_range, rangeText(summary));
     const QString bound = summary.bound_m2s ? zeta(*summary.bound_m2s) : noFigure();
     showValue(
         *m_bound,
@@ -168,6 +173,19 @@ void FlightCard::showSummary(const FlightSummary& summary)
     place();
     show();
     raise();
+}
+
+/** Where ζ is in what was predicted. */
+QString FlightCard::rangeText(const FlightSummary& summary) const
+{
+    if (!summary.range)
+        return noFigure();
+    const auto [least_m2s, most_m2s] = *summary.range;
+    const QString text = summary.zeta_m2s < least_m2s  ? tr("below %1 to %2")
+                         : summary.zeta_m2s > most_m2s ? tr("above %1 to %2")
+                                                       : tr("inside %1 to %2");
+    return text.arg(significantText(least_m2s, 4, locale()),
+                    significantText(most_m2s, 4, locale()));
 }
 
 /** In its corner, or where the user has put it, on the map. */

@@ -19,6 +19,7 @@ struct FlightSummary
 {
     double zeta_m2s = 0;
     std::optional<double> predicted_m2s; ///< before take-off; none: not known, or of another flight
+    std::optional<ZetaRange> range;      ///< of it, where it is known
     std::optional<double> bound_m2s;     ///< zeta of no flight is below
     double boundShare = 1;               ///< of the work for it that is done; then it may rise
     int visits = 0;
@@ -60,6 +61,7 @@ protected:
 private:
     QLabel* addRow(QGridLayout& rows, const QString& name, const QString& caption,
                    const QString& toolTip);
+    [[nodiscard]] QString rangeText(const FlightSummary& summary) const;
     void place();
 
     Theme m_theme = Theme::light();
@@ -67,6 +69,7 @@ private:
     QToolButton* m_close;
     FigureLabel* m_zeta;
     QLabel* m_predicted;
+    QLabel* m_range;
     QLabel* m_bound;
     QLabel* m_visits;
     QLabel* m_unseen;

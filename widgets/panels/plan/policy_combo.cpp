@@ -214,11 +214,10 @@ QString PolicyCombo::spreadOf(PolicyKind policy) const
 {
     if (!hasMean(policy))
         return {};
-    std::vector<double> zetas_m2s = forecastOf(policy)->drawn_m2s;
-    std::ranges::sort(zetas_m2s);
+    const ZetaRange range = forecastOf(policy)->range().value();
     return tr("%1 to %2")
-        .arg(significantText(quantile(zetas_m2s, 0.05), 4, locale()),
-             significantText(quantile(zetas_m2s, 0.95), 4, locale()));
+        .arg(significantText(range.least_m2s, 4, locale()),
+             significantText(range.most_m2s, 4, locale()));
 }
 
 /** Of those that are known; none while some are still to come or cannot be set beside the others.
