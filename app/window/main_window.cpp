@@ -166,6 +166,7 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     setObjectName(u"mainWindow"_s);
     setAttribute(Qt::WA_DeleteOnClose, false);
     setCentralWidget(m_panels.makeCentre());
+    m_panels.map->setFocus(); // else the window gives it to an alarm, which takes the space key
     m_parts = std::make_unique<Parts>(m_context);
     connect(&m_parts->appearance, &AppearanceChoice::themeChanged, this, &MainWindow::showTheme);
     connect(&m_parts->preferences, &PreferenceMenus::languageChosen, this,

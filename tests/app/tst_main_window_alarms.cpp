@@ -1,6 +1,7 @@
 #include "tests/support/scenario_builder.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/theme/unit_settings.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -104,6 +105,25 @@ private slots:
         QCOMPARE(messages(), 1);
         w.trigger(u"units/speed-mps"_s);
         QTRY_COMPARE(messages(), 1);
+    }
+
+    /** Made anew for other units or another language it has no focus of its own. */
+    void spaceFliesInAWindowMadeAnew()
+    {
+        WindowFixture w(threatened());
+        QVERIFY(flyTo(w, 5));
+        QTRY_VERIFY(line(w, 1).isVisible());
+        const MainWindow* before = &w.window();
+        w.trigger(u"units/speed-knots"_s);
+        QTRY_VERIFY(&w.window() != before);
+        w.window().activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&w.window()));
+        QVERIFY(line(w, 1).isVisible());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QVERIFY(w.until(RunPhase::Flying));
+        QVERIFY(!w.workspace.selection().contains("berg-1"));
+        w.trigger(u"units/speed-mps"_s);
+        QTRY_COMPARE(shownUnits(), Units());
     }
 
     void clickBringsItOntoTheMap()
