@@ -43,6 +43,7 @@
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QSettings>
 
 using namespace Qt::StringLiterals;
@@ -63,6 +64,11 @@ bool opensMenu(const QKeyEvent& key)
  */
 bool goesToWindow(const QKeyEvent& key, QObject& watched)
 {
+    const bool isRedo = key.matches(QKeySequence::Redo);
+    const bool isHistory = isRedo || key.matches(QKeySequence::Undo);
+    if (const auto* page = qobject_cast<QPlainTextEdit*>(&watched))
+        return isHistory && !page->document()->isUndoAvailable() &&
+               !(isRedo && page->document()->isRedoAvailable());
     const auto* box = qobject_cast<QAbstractSpinBox*>(&watched);
     const auto* field =
         box != nullptr ? box->findChild<QLineEdit*>() : qobject_cast<QLineEdit*>(&watched);
@@ -70,9 +76,8 @@ bool goesToWindow(const QKeyEvent& key, QObject& watched)
         return false;
     if (key.modifiers() == Qt::ControlModifier && key.key() == Qt::Key_E)
         return true;
-    const bool isHistory = key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
     return (box != nullptr && key.key() == Qt::Key_Space && key.modifiers() == Qt::NoModifier) ||
-           (isHistory && !field->isModified());
+           (isHistory && !field->isModified() && !(isRedo && field->isRedoAvailable()));
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QTableView>
+#include <QUndoStack>
 
 #include <map>
 #include <set>
@@ -108,6 +109,38 @@ private slots:
         QTest::keyClick(&tau, Qt::Key_Space);
         QVERIFY(w.until([&] { return w.workspace.isPlaying(); }));
         QVERIFY(!tau.text().isEmpty());
+    }
+
+    void undoInAFieldIsOfItsTypingOrOfTheScenario_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("line") << u"scenarioName"_s;
+        QTest::newRow("page") << u"scenarioNotes"_s;
+    }
+
+    void undoInAFieldIsOfItsTypingOrOfTheScenario()
+    {
+        QFETCH(QString, name);
+        WindowFixture w(randomScenario(1, {.icebergs = 4}));
+        const Scenario before = w.scenario();
+        const QUndoStack& history = *w.document().undoStack();
+        raise(w, u"inspectorDock"_s);
+        auto& field = test::child<QWidget>(w.window(), name);
+        field.setFocus();
+        QTest::keyClicks(&field, u"ab"_s);
+        w.map().setFocus();
+        QCOMPARE(history.index(), 1);
+        field.setFocus();
+        QTest::keyClick(&field, Qt::Key_Z, Qt::ControlModifier); // it was taken
+        QCOMPARE(history.index(), 0);
+        QVERIFY(w.scenario() == before);
+
+        QTest::keyClicks(&field, u"w"_s);
+        QCOMPARE(history.index(), 1);
+        QTest::keyClick(&field, Qt::Key_Z, Qt::ControlModifier);
+        QTest::keyClick(&field, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(w.scenario() == before);
+        QCOMPARE(history.count(), 0); // "w" never was
     }
 
     void afterATimeTheKeysAreThoseOfTheFlight()

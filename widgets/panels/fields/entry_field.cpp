@@ -8,6 +8,15 @@ using namespace Qt::StringLiterals;
 
 namespace berg {
 
+void settleTyping(QLineEdit& line)
+{
+    if (!line.isModified())
+        return;
+    const int cursor = line.cursorPosition();
+    line.setText(line.text()); // which forgets what was before
+    line.setCursorPosition(cursor);
+}
+
 EntryField::EntryField(const EntryWords& words, Says says,
                        std::function<QString(const QString&)> whyNot, QWidget* parent)
     : QWidget(parent)
@@ -56,6 +65,7 @@ void EntryField::setLocked(bool locked)
 
 void EntryField::finishTyping()
 {
+    settleTyping(*m_line);
     const QString text = m_line->text();
     if (text == m_shown)
         return;

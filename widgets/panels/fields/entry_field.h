@@ -10,6 +10,9 @@ class QLineEdit;
 
 namespace berg {
 
+/** What was typed is taken: undoing is no longer up to the line, which keeps text and cursor. */
+void settleTyping(QLineEdit& line);
+
 /** Of a line: name of its input, that of the fault is this and "Fault"; name and tool tip for the
  * user. */
 struct EntryWords

@@ -1,5 +1,6 @@
 #include "widgets/panels/fields/number_field.h"
 
+#include "widgets/panels/fields/entry_field.h"
 #include "widgets/panels/fields/wheel_guard.h"
 
 #include <QLineEdit>
@@ -110,6 +111,7 @@ void NumberField::finish()
 {
     if (m_typed)
         commit(*m_typed);
+    settleTyping(*lineEdit());
     if (!std::exchange(m_editing, false))
         return;
     emit editFinished();

@@ -196,8 +196,9 @@ void InspectorForm::addLine(const TextRow& row)
             row.write(scenario, id, text.toStdString());
         });
     });
-    connect(line, &QLineEdit::editingFinished, this, [this] {
+    connect(line, &QLineEdit::editingFinished, this, [this, line] {
         m_document.endGesture();
+        settleTyping(*line);
         showAll(); // in place of what could not be taken
     });
     m_inputs.push_back({.show =
@@ -219,7 +220,7 @@ void InspectorForm::addLine(const TextRow& row)
 
 void InspectorForm::addPage(const TextRow& row)
 {
-    auto* page = new NotesEdit([this] { m_document.endGesture(); }, this);
+    auto* page = new NotesEdit([this] { finishTyping(); }, this);
     addInput(row.words, page);
     connect(page, &QPlainTextEdit::textChanged, this, [this, row, page] {
         const std::string text = page->toPlainText().toStdString();
@@ -452,6 +453,10 @@ void InspectorForm::finishTyping()
     for (EntryField* field : findChildren<EntryField*>())
         if (field->isVisible())
             field->finishTyping();
+    for (QLineEdit* line : findChildren<QLineEdit*>())
+        settleTyping(*line);
+    for (const QPlainTextEdit* page : findChildren<QPlainTextEdit*>())
+        page->document()->clearUndoRedoStacks();
     m_document.endGesture();
 }
 
