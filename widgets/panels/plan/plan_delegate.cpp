@@ -61,8 +61,8 @@ void PlanDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
         return;
     }
     QStyledItemDelegate::paint(painter, option, index);
-    if (index.column() == PlanModel::Sigma)
-        paintSwatch(*painter, option, index.data(PlanModel::SigmaRole).toDouble());
+    if (const QVariant sigma_m2 = index.data(PlanModel::SigmaRole); sigma_m2.isValid())
+        paintSwatch(*painter, option, sigma_m2.toDouble());
 }
 
 void PlanDelegate::paintGround(QPainter& painter, const QStyleOptionViewItem& option,

@@ -281,7 +281,10 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const
         return QVariant::fromValue((column == Name ? Qt::AlignLeft : Qt::AlignRight) |
                                    Qt::AlignVCenter);
     case SigmaRole:
-        return line.row.sigma_m2;
+        if (column == Sigma)
+            return line.row.sigma_m2;
+        return column == ArrivalSigma && line.row.isSeen ? QVariant(line.row.arrivalSigma_m2)
+                                                         : QVariant();
     case HighlightRole:
         return line.row.id == m_highlight;
     case UavRole:
@@ -318,10 +321,9 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
     case Arrival:
         return isText ? tr("Arrival") : tr("Time from now until the UAV is there");
     case Sigma:
-        return isText ? u"σ, m²"_s : tr("Uncertainty of the position now");
+        return isText ? tr("σ now") : tr("Uncertainty of the position now");
     case ArrivalSigma:
-        return isText ? tr("σ at arrival")
-                      : tr("Uncertainty of the position when the UAV is there, m²");
+        return isText ? u"σ, m²"_s : tr("Uncertainty of the position when the UAV is there");
     case Chance:
         return isText ? tr("In view")
                       : tr("Chance that the iceberg is in view when the UAV is over its estimate");

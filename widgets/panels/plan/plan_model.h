@@ -44,7 +44,7 @@ public:
     };
     enum Role
     {
-        SigmaRole = Qt::UserRole, ///< sigma, m^2
+        SigmaRole = Qt::UserRole, ///< double, m^2, in the columns of sigma where it is known
         HighlightRole,            ///< bool
         UavRole,                  ///< int, `PlanLine::uav`
         NumberRole,               ///< int, `PlanLine::number`

@@ -162,15 +162,15 @@ void PlanPanel::setColumnWidths()
     setWidth(PlanModel::Leg, distanceText(8880, locale()), 0);
     setWidth(PlanModel::Arrival, PlanModel::arrivalText(m_hasHours ? 9 * kHour_s : kHour_s - 1), 0);
     const QString sigma = widestSigmaText(m_sigmaFull_m2, locale());
-    setWidth(PlanModel::Sigma, sigma, PlanDelegate::swatchWidth());
-    setWidth(PlanModel::ArrivalSigma, sigma, 0);
+    for (const PlanModel::Column column : {PlanModel::Sigma, PlanModel::ArrivalSigma})
+        setWidth(column, sigma, PlanDelegate::swatchWidth());
     setWidth(PlanModel::Chance, u"100 %"_s, 0);
     chooseColumns();
 }
 
-/** Sigma at arrival is there when the names have room beside it; the chance of being in view, when
- * an iceberg may be missed, in the place of sigma now where there is no other. Their values are in
- * tool tips too. */
+/** Sigma now is there when the names have room beside it; the chance of being in view, when an
+ * iceberg may be missed, in the place of sigma at arrival where there is no other. Their values are
+ * in tool tips too. */
 void PlanPanel::chooseColumns()
 {
     const auto room_px = [this] {
@@ -184,8 +184,8 @@ void PlanPanel::chooseColumns()
     for (const PlanModel::Column column : {PlanModel::Sigma, PlanModel::ArrivalSigma})
         m_table->setColumnHidden(column, false);
     m_table->setColumnHidden(PlanModel::Chance, !mayMiss);
-    m_table->setColumnHidden(PlanModel::ArrivalSigma, room_px() < kNameRoom_px);
-    m_table->setColumnHidden(PlanModel::Sigma, mayMiss && room_px() < kNameRoom_px);
+    m_table->setColumnHidden(PlanModel::Sigma, room_px() < kNameRoom_px);
+    m_table->setColumnHidden(PlanModel::ArrivalSigma, mayMiss && room_px() < kNameRoom_px);
 }
 
 void PlanPanel::updateSummary()

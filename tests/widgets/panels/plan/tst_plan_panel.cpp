@@ -96,7 +96,14 @@ private slots:
         QCOMPARE(f.cell(0, PlanModel::Leg), u"1.85 km"_s);
         QCOMPARE(f.cell(0, PlanModel::Arrival), u"in 01:26"_s);
         QCOMPARE(f.cell(0, PlanModel::Sigma), u"8.10"_s);
-        QVERIFY(f.model.headerData(PlanModel::Sigma, Qt::Horizontal).toString().contains(u"m²"_s));
+        QCOMPARE(
+            f.model.headerData(PlanModel::ArrivalSigma, Qt::Horizontal, Qt::DisplayRole).toString(),
+            u"σ, m²"_s);
+        QVERIFY(f.model.headerData(PlanModel::ArrivalSigma, Qt::Horizontal, Qt::ToolTipRole)
+                    .toString()
+                    .contains(u"when the UAV is there"_s));
+        QCOMPARE(f.model.index(0, PlanModel::ArrivalSigma).data(PlanModel::SigmaRole).toDouble(),
+                 10.25);
         const QString toolTip = f.model.index(0, PlanModel::Sigma).data(Qt::ToolTipRole).toString();
         QVERIFY2(toolTip.contains(u"2.85 m"_s), qPrintable(toolTip)); // root of 8.1
         QVERIFY2(toolTip.contains(u"10.3 m²"_s), qPrintable(toolTip));
@@ -227,12 +234,13 @@ private slots:
         Fixture f;
         f.panel.showPlan(visiting({"a"}));
         f.panel.resize(500, 240);
-        QVERIFY(!f.table.isColumnHidden(PlanModel::ArrivalSigma));
-        QVERIFY(f.table.columnWidth(PlanModel::ArrivalSigma) > 0);
+        QVERIFY(!f.table.isColumnHidden(PlanModel::Sigma));
+        QVERIFY(f.table.columnWidth(PlanModel::Sigma) > 0);
         f.panel.resize(240, 240);
-        QVERIFY(f.table.isColumnHidden(PlanModel::ArrivalSigma));
-        f.panel.resize(500, 240);
         QVERIFY(!f.table.isColumnHidden(PlanModel::ArrivalSigma));
+        QVERIFY(f.table.isColumnHidden(PlanModel::Sigma));
+        f.panel.resize(500, 240);
+        QVERIFY(!f.table.isColumnHidden(PlanModel::Sigma));
     }
 
     /** The chance of being in view is there when an iceberg may be missed. */
@@ -251,12 +259,12 @@ private slots:
         QCOMPARE(f.cell(1, PlanModel::Chance), noFigure()); // it depends on the aim
         f.panel.resize(test::kDock_px, 240);                // names stay readable
         QVERIFY(!f.table.isColumnHidden(PlanModel::Chance));
-        QVERIFY(f.table.isColumnHidden(PlanModel::Sigma));
+        QVERIFY(f.table.isColumnHidden(PlanModel::ArrivalSigma));
         QVERIFY(f.table.columnWidth(PlanModel::Name) >= 60);
         rows[0].chance = 1;
         f.panel.showPlan(planOf(rows));
         QVERIFY(f.table.isColumnHidden(PlanModel::Chance));
-        QVERIFY(!f.table.isColumnHidden(PlanModel::Sigma));
+        QVERIFY(!f.table.isColumnHidden(PlanModel::ArrivalSigma));
     }
 
     /** A standard deviation to each side on either axis. */
