@@ -47,13 +47,14 @@ std::optional<MapReadout> enduranceReadout(const FlightRecord& record,
                       .unit = uavs[*least].label};
 }
 
-/** Of the UAV that has the least; none: unlimited, or on the ground. */
+/** Of the UAV that has the least; none: unlimited, if ordered home as well, or on the ground. */
 std::optional<MapReadout> homeMarginReadout(const FlightRecord& record)
 {
     std::optional<double> least_s;
-    for (const std::optional<double>& margin_s : record.shown().homeMargins_s)
-        if (margin_s)
-            least_s = std::min(least_s.value_or(*margin_s), *margin_s);
+    const std::vector<std::optional<double>>& margins_s = record.shown().homeMargins_s;
+    for (std::size_t uav = 0; uav < margins_s.size(); ++uav)
+        if (margins_s[uav] && record.scenario.uavs[uav].spec.endurance_s > 0)
+            least_s = std::min(least_s.value_or(*margins_s[uav]), *margins_s[uav]);
     if (!least_s)
         return std::nullopt;
     return MapReadout{

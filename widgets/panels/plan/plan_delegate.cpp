@@ -106,6 +106,19 @@ void PlanDelegate::paintMark(QPainter& painter, const QStyleOptionViewItem& opti
         paintChip(painter, option.rect, index.data(PlanModel::UavRole).toInt());
 }
 
+QString PlanDelegate::uavFigures(const QModelIndex& index, int room_px) const
+{
+    QStringList parts;
+    for (const PlanModel::Column column : {PlanModel::Sigma, PlanModel::Leg, PlanModel::Arrival})
+        if (const QString text = index.siblingAtColumn(column).data().toString();
+            text != noFigure())
+            parts << text;
+    const QFontMetrics metrics(m_theme.small());
+    while (parts.size() > 1 && metrics.horizontalAdvance(parts.join(u", "_s)) > room_px)
+        parts.removeAt(1);
+    return parts.join(u", "_s);
+}
+
 /** Its name and, where the columns of the icebergs are, what it is to fly; in one cell. */
 void PlanDelegate::paintUav(QPainter& painter, const QStyleOptionViewItem& option,
                             const QModelIndex& index) const
@@ -113,32 +126,23 @@ void PlanDelegate::paintUav(QPainter& painter, const QStyleOptionViewItem& optio
     constexpr int kMargin_px = 4;
     constexpr int kGap_px = 8;
     paintEmpty(painter, option, index);
-    QStringList parts;
-    for (const PlanModel::Column column : {PlanModel::Sigma, PlanModel::Leg, PlanModel::Arrival})
-        if (const QString text = index.siblingAtColumn(column).data().toString();
-            text != noFigure())
-            parts << text;
     const QRect cell = option.rect.adjusted(kMargin_px, 0, -kMargin_px, 0);
     QFont bold = option.font;
     bold.setBold(true);
+    const QFontMetrics nameMetrics(bold);
     const QString name = index.data().toString();
-    const auto roomFor = [&](const QString& figures) {
-        return cell.width() - QFontMetrics(option.font).horizontalAdvance(figures) - kGap_px;
-    };
-    // The name comes first, then how many visits and when the last one is.
-    while (parts.size() > 1 &&
-           QFontMetrics(bold).horizontalAdvance(name) > roomFor(parts.join(u", "_s)))
-        parts.removeAt(1);
-    const QString figures = parts.join(u", "_s);
+    const QString figures =
+        uavFigures(index, cell.width() - nameMetrics.horizontalAdvance(name) - kGap_px);
+    const int figures_px = QFontMetrics(m_theme.small()).horizontalAdvance(figures);
     const bool isChosen = option.state.testFlag(QStyle::State_Selected);
     painter.save();
     painter.setPen(isChosen ? m_theme.planText : m_theme.text);
-    painter.setFont(option.font);
+    painter.setFont(m_theme.small());
     painter.drawText(cell, Qt::AlignRight | Qt::AlignVCenter, figures);
     painter.setFont(bold);
-    painter.drawText(
-        cell, Qt::AlignLeft | Qt::AlignVCenter,
-        QFontMetrics(bold).elidedText(name, Qt::ElideRight, std::max(0, roomFor(figures))));
+    painter.drawText(cell, Qt::AlignLeft | Qt::AlignVCenter,
+                     nameMetrics.elidedText(name, Qt::ElideRight,
+                                            std::max(0, cell.width() - figures_px - kGap_px)));
     painter.restore();
 }
 

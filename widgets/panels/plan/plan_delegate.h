@@ -25,6 +25,9 @@ public:
 
     /** Room that the colour takes left of the text of sigma. */
     [[nodiscard]] static int swatchWidth();
+    /** Of the UAV: visits, length and last arrival, in the small font; the length needs the room.
+     */
+    [[nodiscard]] QString uavFigures(const QModelIndex& index, int room_px) const;
 
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;

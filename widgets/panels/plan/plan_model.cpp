@@ -34,6 +34,7 @@ std::vector<PlanLine> linesOf(const std::vector<PlanSection>& sections)
                              .uav = uav,
                              .visits = static_cast<int>(std::ranges::count_if(
                                  section.rows, [](const PlanRow& row) { return row.number >= 0; })),
+                             .mode = section.isPlanned ? FlightMode::Idle : section.mode,
                              .isIdle = section.rows.empty()});
         for (std::size_t k = 0; k < section.rows.size(); ++k)
             lines.push_back({.row = section.rows[k],
@@ -206,10 +207,10 @@ QString PlanModel::uavText(const PlanLine& line, Column column) const
         return !line.isIdle ? distanceText(line.row.leg_m, m_locale) : noFigure();
     case Arrival:
         if (!line.row.isSeen)
-            return tr("later");
+            return modeText(line.mode);
         return !line.isIdle ? arrivalText(line.row.arrival_s) : noFigure();
     case Sigma:
-        return tr("%n visits", nullptr, line.visits);
+        return line.row.isSeen ? tr("%n visits", nullptr, line.visits) : noFigure();
     case Number:
     case ArrivalSigma:
     case Chance:
@@ -217,6 +218,25 @@ QString PlanModel::uavText(const PlanLine& line, Column column) const
         break;
     }
     return {};
+}
+
+QString PlanModel::modeText(FlightMode mode)
+{
+    switch (mode) {
+    case FlightMode::Home:
+        return tr("Returning home");
+    case FlightMode::Ground:
+        return tr("On the ground");
+    case FlightMode::Hold:
+        return tr("Holding");
+    case FlightMode::Idle:
+    case FlightMode::Leg:
+    case FlightMode::RunOut:
+    case FlightMode::Circle:
+    case FlightMode::Search:
+        break;
+    }
+    return noFigure();
 }
 
 QString PlanModel::uavToolTip(const PlanLine& line) const

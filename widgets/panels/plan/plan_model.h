@@ -12,11 +12,12 @@ namespace berg {
 /** One line of the table: an iceberg, or the UAV that the icebergs below it are visited by. */
 struct PlanLine
 {
-    PlanRow row;        ///< of a UAV: its id and name, the whole way and the last arrival
-    int uav = -1;       ///< place of the UAV in the scenario; -1: there is but one, it has no line
-    int number = 0;     ///< place in the order of the UAV, from 1; 0: it is the UAV; -1: none
-    int visits = 0;     ///< of a UAV
-    bool isIdle = true; ///< of a UAV: it neither visits nor searches
+    PlanRow row;    ///< of a UAV: its id and name, the whole way and the last arrival
+    int uav = -1;   ///< place of the UAV in the scenario; -1: there is but one, it has no line
+    int number = 0; ///< place in the order of the UAV, from 1; 0: it is the UAV; -1: none
+    int visits = 0; ///< of a UAV
+    FlightMode mode = FlightMode::Idle; ///< of a UAV that is not planned
+    bool isIdle = true;                 ///< of a UAV: it neither visits nor searches
     bool operator==(const PlanLine&) const = default;
 
     [[nodiscard]] bool isUav() const { return number == 0; }
@@ -103,6 +104,8 @@ private:
     [[nodiscard]] QString uavText(const PlanLine& line, Column column) const;
     [[nodiscard]] QString toolTip(int row, Column column) const;
     [[nodiscard]] QString searchesText(const std::vector<PlannedSearch>& searches) const;
+    /** Why the UAV is not planned. */
+    [[nodiscard]] static QString modeText(FlightMode mode);
     [[nodiscard]] QString uavToolTip(const PlanLine& line) const;
     [[nodiscard]] const PlanLine& uavOf(int row) const;
 

@@ -239,6 +239,7 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
         section.place = place;
         section.isOver = now.time_s > scenario.duration_s - scenario.dt_s / 2;
         section.isPlanned = now.world.uavs[u].isPlanned();
+        section.mode = now.world.uavs[u].mode;
         const PlanEvent* plan = planOf(now, place);
         if (plan == nullptr || section.isOver || !section.isPlanned || u >= forecast.uavs.size())
             continue;

@@ -36,11 +36,12 @@ struct ReturnLeg
 /** What one UAV is to visit. */
 struct PlanSection
 {
-    std::string uav;       ///< id
-    QString name;          ///< empty: it is the only one
-    int place = 0;         ///< in the scenario: it gives the colour
-    bool isOver = false;   ///< the run has ended: nothing is left to fly
-    bool isPlanned = true; ///< not on its way home, on the ground or holding
+    std::string uav;                    ///< id
+    QString name;                       ///< empty: it is the only one
+    int place = 0;                      ///< in the scenario: it gives the colour
+    bool isOver = false;                ///< the run has ended: nothing is left to fly
+    bool isPlanned = true;              ///< not on its way home, on the ground or holding
+    FlightMode mode = FlightMode::Idle; ///< then which of them
     std::vector<PlanRow> rows;
     std::optional<ReturnLeg> returns; ///< after the rows that are seen
 

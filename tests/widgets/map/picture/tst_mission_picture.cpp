@@ -167,7 +167,7 @@ private slots:
         QCOMPARE(left.caption, u"Endurance left"_s);
         QCOMPARE(left.value, u"05:00"_s); // 20 % of the 2250 s are the reserve
         QCOMPARE(left.unit, u"two"_s);
-        record.now.homeMargins_s = {std::nullopt, 95, 200};
+        record.now.homeMargins_s = {std::nullopt, 95, 0}; // ordered home, it has no limit either
         const MapReadout margin = missionPicture(record, kLocale).readouts.back();
         QCOMPARE(margin.caption, u"Home margin"_s);
         QCOMPARE(margin.value, u"01:35"_s);

@@ -1,5 +1,7 @@
 #include "tests/support/approx.h"
 #include "tests/support/plan_panel_fixture.h"
+#include "widgets/panels/plan/plan_delegate.h"
+#include "widgets/theme/language.h"
 
 #include <QAbstractItemModelTester>
 #include <QDropEvent>
@@ -74,16 +76,56 @@ private slots:
         QCOMPARE(f.cell(0, PlanModel::Name), u"a"_s);
     }
 
-    void homewardUavSaysSo()
+    void unplannedUavSaysWhy_data()
     {
+        QTest::addColumn<FlightMode>("mode");
+        QTest::addColumn<QString>("why");
+        QTest::newRow("home") << FlightMode::Home << u"Returning home"_s;
+        QTest::newRow("ground") << FlightMode::Ground << u"On the ground"_s;
+        QTest::newRow("hold") << FlightMode::Hold << u"Holding"_s;
+    }
+
+    void unplannedUavSaysWhy()
+    {
+        QFETCH(FlightMode, mode);
+        QFETCH(QString, why);
         Fixture f;
         std::vector<PlanSection> sections = twoUavSections();
         sections[0].rows.clear();
         sections[0].isPlanned = false;
+        sections[0].mode = mode;
         f.panel.showPlan(sections);
-        QCOMPARE(f.cell(0, PlanModel::Arrival), u"later"_s);
+        QCOMPARE(PlanDelegate().uavFigures(f.model.index(0, PlanModel::Name), 600), why);
         const QString toolTip = f.model.index(0, PlanModel::Name).data(Qt::ToolTipRole).toString();
         QVERIFY2(toolTip.contains(u"on its way home"_s), qPrintable(toolTip));
+    }
+
+    void figuresOfAUavHaveRoomBesideItsName_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("figures");
+        QTest::newRow("English") << u"en"_s << u"16 visits, 24.3 km, in 18:24"_s;
+        QTest::newRow("Norwegian") << u"nb"_s << u"16 besøk, 24,3 km, om 18:24"_s;
+    }
+
+    void figuresOfAUavHaveRoomBesideItsName()
+    {
+        QFETCH(QString, language);
+        QFETCH(QString, figures);
+        installLanguage(language);
+        const auto back = qScopeGuard([] { installLanguage(u"en"_s); });
+        std::vector<PlanSection> sections = twoUavSections();
+        sections[1].rows.assign(16, {.id = "c", .leg_m = 24320. / 16, .arrival_s = 1104});
+        PlanModel model{QLocale(language)};
+        model.setPlan(sections);
+        const QModelIndex uav = model.index(3, PlanModel::Name);
+        QFont bold = Theme::light().body();
+        bold.setBold(true);
+        constexpr int kBeside_px = 60; // the number before it and the scroll bar
+        const int room_px =
+            test::kDock_px - kBeside_px - QFontMetrics(bold).horizontalAdvance(u"Kittiwake"_s);
+        QCOMPARE(PlanDelegate().uavFigures(uav, room_px), figures);
+        QVERIFY(!PlanDelegate().uavFigures(uav, room_px / 2).contains(u"km"_s));
     }
 
     void keptIcebergsHaveAPin()
