@@ -244,12 +244,14 @@ void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme,
         MapLegend::tr("Flown, older parts fainter"), MapLegend::tr("Flown"),
         [&theme, colours](QPainter& p, const QRectF& r) { drawTrackSwatch(p, r, colours, theme); });
     const QFontMetricsF small(theme.small());
-    rows.add(std::any_of(picture.comparisonTracks.begin(), picture.comparisonTracks.end(),
-                         [](const std::vector<MapTrackPoint>& track) { return track.size() > 1; }),
-             small.elidedText(MapLegend::tr("Compared: %1").arg(picture.comparisonName),
-                              Qt::ElideRight, kLegendBar_px + kLegendUnits_px),
-             small.elidedText(picture.comparisonName, Qt::ElideRight, kLegendBar_px / 2),
-             [&](QPainter& p, const QRectF& r) { drawComparisonSwatch(p, r, theme); });
+    rows.add(
+        layers.shows(MapLayer::Compared) &&
+            std::any_of(picture.comparisonTracks.begin(), picture.comparisonTracks.end(),
+                        [](const std::vector<MapTrackPoint>& track) { return track.size() > 1; }),
+        small.elidedText(MapLegend::tr("Compared: %1").arg(picture.comparisonName), Qt::ElideRight,
+                         kLegendBar_px + kLegendUnits_px),
+        small.elidedText(picture.comparisonName, Qt::ElideRight, kLegendBar_px / 2),
+        [&](QPainter& p, const QRectF& r) { drawComparisonSwatch(p, r, theme); });
     rows.add(!picture.uavs.empty(), MapLegend::tr("Field of view"), MapLegend::tr("Field of view"),
              [colours](QPainter& p, const QRectF& r) { drawFieldSwatch(p, r, colours.uav); });
     rows.add(layers.shows(MapLayer::Swept) && picture.showsSwept(), MapLegend::tr("Seen so far"),

@@ -327,7 +327,7 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     withOpacity(p, layers.opacity(MapLayer::Permit), [&] { paintPermit(p); });
     paintClosedAreas(p);
     withOpacity(p, layers.opacity(MapLayer::Swept), [&] { paintSwept(p); });
-    paintComparison(p);
+    withOpacity(p, layers.opacity(MapLayer::Compared), [&] { paintComparison(p); });
     paintTracks(p);
     paintFieldsOfView(p);
     paintDots(p); // below the plans

@@ -28,32 +28,39 @@ constexpr std::array<double, 8> kHorizons_s{600, 1800, 3600, 10800, 21600, 43200
 
 LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
 {
-    const std::array<std::pair<const char*, QString>, kMapLayers> names{
-        {{"labels", tr("Names")},
-         {"drift", tr("Drift arrows")},
-         {"rings", tr("Rings of uncertainty")},
-         {"graticule", tr("Graticule")},
-         {"formerPlan", tr("Former plan")},
-         {"swept", tr("Swept area")},
-         {"permit", tr("Airspace and operation volume")},
-         {"backdrop", tr("Background")}}};
+    struct Row
+    {
+        MapLayer layer;
+        const char* key;
+        QString name;
+    };
+    const std::array<Row, kMapLayers> rows{
+        {{MapLayer::Labels, "labels", tr("Names")},
+         {MapLayer::Drift, "drift", tr("Drift arrows")},
+         {MapLayer::Rings, "rings", tr("Rings of uncertainty")},
+         {MapLayer::Graticule, "graticule", tr("Graticule")},
+         {MapLayer::FormerPlan, "formerPlan", tr("Former plan")},
+         {MapLayer::Compared, "compared", tr("Compared run")},
+         {MapLayer::Swept, "swept", tr("Swept area")},
+         {MapLayer::Permit, "permit", tr("Airspace and operation volume")},
+         {MapLayer::Backdrop, "backdrop", tr("Background")}}};
     auto* form = new QFormLayout(this);
     form->setContentsMargins(kMargin_px, kMargin_px, kMargin_px, kMargin_px);
-    for (std::size_t i = 0; i < kMapLayers; ++i) {
+    for (const auto& [layer, key, name] : rows) {
         auto* slider = new QSlider(Qt::Horizontal);
-        slider->setObjectName(QLatin1String(names[i].first) + u"Layer"_s);
-        slider->setAccessibleName(tr("%1: opacity in per cent").arg(names[i].second));
+        slider->setObjectName(QLatin1String(key) + u"Layer"_s);
+        slider->setAccessibleName(tr("%1: opacity in per cent").arg(name));
         slider->setToolTip(tr("Opacity; at the left end it is hidden"));
         slider->setRange(0, kFull);
         slider->setSingleStep(kStep);
         slider->setPageStep(kStep);
         slider->setValue(kFull);
         guardWheel(*slider);
-        m_opacities[i] = slider;
-        form->addRow(names[i].second, slider);
-        connect(slider, &QSlider::valueChanged, this, [this, i](int value) {
+        m_opacities[static_cast<std::size_t>(layer)] = slider;
+        form->addRow(name, slider);
+        connect(slider, &QSlider::valueChanged, this, [this, edited = layer](int value) {
             MapLayers layers = m_layers;
-            layers.set(static_cast<MapLayer>(i), static_cast<double>(value) / kFull);
+            layers.set(edited, static_cast<double>(value) / kFull);
             edit(layers);
         });
     }

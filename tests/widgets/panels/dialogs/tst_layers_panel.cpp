@@ -30,6 +30,7 @@ MapPicture picture()
     shown.routes.front().formerPlan = {5, 4, 3, 2, 1, 0};
     shown.routes.front().swept = std::make_shared<const std::vector<MapPose>>(std::vector<MapPose>{
         {.position_m = {1000, 1000}}, {.position_m = {3000, 1000}, .time_s = 100}});
+    shown.comparisonTracks = {{{.position_m = {500, 2500}}, {.position_m = {4500, 2800}}}};
     shown.airspace = {{.corners_m = {{500, 500}, {4500, 500}, {2500, 3500}}}};
     return shown;
 }
@@ -52,8 +53,9 @@ private slots:
     void eachLayerIsMadeFaintAndHidden_data()
     {
         QTest::addColumn<int>("layer");
-        const std::array<const char*, kMapLayers> names{
-            "labels", "drift", "rings", "graticule", "formerPlan", "swept", "permit", "backdrop"};
+        const std::array<const char*, kMapLayers> names{"labels",    "drift",      "rings",
+                                                        "graticule", "formerPlan", "swept",
+                                                        "permit",    "backdrop",   "compared"};
         for (std::size_t i = 0; i < kMapLayers; ++i)
             QTest::newRow(names[i]) << static_cast<int>(i);
     }
