@@ -39,18 +39,20 @@ QMenu* ContextMenus::makeMenu(const QString& name) const
 }
 
 void ContextMenus::showOnMap(const QPoint& globalPos, const Point& position_m,
-                             const std::string& id)
+                             const std::vector<std::string>& ids)
 {
     QMenu* menu = makeMenu(u"mapMenu"_s);
     const std::optional<MapPanel> panel = panels().map->panelAt(globalPos);
-    if (panel && id.empty())
+    if (panel && ids.empty())
         addPanelActions(*menu, *panel);
-    else if (id.empty())
+    else if (ids.empty())
         addWaterActions(*menu, position_m);
     else
-        addObjectActions(*menu, id);
+        addObjectActions(*menu, ids.front());
     menu->addSeparator();
-    if (!panel || !id.empty())
+    if (ids.size() > 1)
+        addOthers(*menu, std::span(ids).subspan(1));
+    if (!panel || !ids.empty())
         addPlaceActions(*menu, position_m);
     menu->addAction(m_actions.selectAll);
     menu->addAction(m_actions.fit);
@@ -116,6 +118,42 @@ void ContextMenus::addObjectActions(QMenu& menu, const std::string& id)
                        });
                    })
         ->setEnabled(!locked);
+}
+
+QString ContextMenus::nameOf(const std::string& id) const
+{
+    const Scenario& scenario = workspace().document().scenario();
+    if (const Uav* uav = findUav(scenario, id))
+        return shownName(*uav);
+    const std::vector<Iceberg>& icebergs =
+        workspace().inFlight() ? workspace().record().now.icebergs : scenario.icebergs;
+    const auto iceberg = std::ranges::find(icebergs, id, &Iceberg::id);
+    return iceberg != icebergs.end() ? shownName(*iceberg)
+           : id == kAssetKey         ? tr("Asset")
+           : id == kAreaKey          ? tr("Area")
+                                     : tr("No-fly area");
+}
+
+/** What lies below: a menu each, whose object is the selected one while it is open. */
+void ContextMenus::addOthers(QMenu& menu, std::span<const std::string> ids)
+{
+    constexpr std::size_t kMost = 8;
+    for (const std::string& id : ids.first(std::min(kMost, ids.size()))) {
+        QMenu* other = menu.addMenu(nameOf(id).replace(u'&', u"&&"_s));
+        addObjectActions(*other, id);
+        connect(other, &QMenu::aboutToShow, this,
+                [this, id] { workspace().selection().set({id}); });
+        const auto goBack = [this, &menu, above = workspace().selection().ids()] {
+            const QAction* active = menu.activeAction();
+            const bool isInOther =
+                active != nullptr && active->menu() != nullptr && active->menu()->isVisible();
+            if (menu.isVisible() && !isInOther)
+                workspace().selection().set(above);
+        };
+        // Not when an entry was chosen: then all of them are hidden, and it is carried out next.
+        connect(other, &QMenu::aboutToHide, &menu, goBack, Qt::QueuedConnection);
+    }
+    menu.addSeparator();
 }
 
 /** Of the place itself, in flight as well. */

@@ -4,7 +4,9 @@
 #include "core/base/geometry.h"
 #include "widgets/map/paint/map_overlays.h"
 
+#include <span>
 #include <string>
+#include <vector>
 
 class QMenu;
 
@@ -23,10 +25,13 @@ public:
 
 private:
     [[nodiscard]] QMenu* makeMenu(const QString& name) const;
-    void showOnMap(const QPoint& globalPos, const Point& position_m, const std::string& id);
+    void showOnMap(const QPoint& globalPos, const Point& position_m,
+                   const std::vector<std::string>& ids);
     void showOnPlan(const QPoint& globalPos, const std::string& id);
     void addHandOverActions(QMenu& menu, const std::string& id);
     void addObjectActions(QMenu& menu, const std::string& id);
+    [[nodiscard]] QString nameOf(const std::string& id) const;
+    void addOthers(QMenu& menu, std::span<const std::string> ids);
     void addPlaceActions(QMenu& menu, const Point& position_m);
     void placeAsset(const Point& position_m);
     void addPanelActions(QMenu& menu, MapPanel panel);

@@ -109,6 +109,42 @@ private slots:
         QVERIFY(texts.contains(u"Fit everything"_s));
     }
 
+    /** A UAV over an iceberg: both can be reached. */
+    void whatLiesBelowHasAMenuOfItsOwn()
+    {
+        Scenario scenario = test::MapFixture::fourIcebergs();
+        scenario.icebergs[0].position_m = scenario.uavs[0].position_m + Point(3 * kPixel_m, 0);
+        const std::string uav = scenario.uavs[0].id;
+        WindowFixture w(scenario);
+        w.workspace.stepTicks(1);
+        QVERIFY(w.until(RunPhase::Paused));
+        QMenu& menu = menuAt(w, w.record().estimate_m(0));
+        QCOMPARE(w.workspace.selection().ids(), (Ids{"berg-1"}));
+        QVERIFY(textsOf(menu).contains(QString::fromStdString(uav)));
+        const auto open = [&] {
+            for (QAction* action : menu.actions())
+                if (action->menu() != nullptr)
+                    menu.setActiveAction(action);
+            return menu.activeAction()->menu();
+        };
+        QMenu& below = *open();
+        QTRY_VERIFY(below.isVisible());
+        QCOMPARE(w.workspace.selection().ids(), (Ids{uav}));
+        menu.setActiveAction(menu.actions().front());
+        QTRY_VERIFY(!below.isVisible());
+        QTRY_COMPARE(w.workspace.selection().ids(), (Ids{"berg-1"}));
+
+        open();
+        QTRY_VERIFY(below.isVisible());
+        below.setActiveAction(&w.action(u"returnAction"_s));
+        QTest::keyClick(&below, Qt::Key_Return);
+        QVERIFY(w.until([&] {
+            const auto& events = w.record().history.events;
+            return std::ranges::count(events, EventKind::Intervention, &MissionEvent::kind) == 1;
+        }));
+        QCOMPARE(w.workspace.selection().ids(), (Ids{uav}));
+    }
+
     void waterTakesIcebergs()
     {
         WindowFixture w(withEverything());

@@ -159,16 +159,18 @@ void MapScene::settle()
 
 std::string MapScene::objectAt(const QPointF& at)
 {
+    const std::vector<std::string> objects = objectsAt(at);
+    return objects.empty() ? std::string() : objects.front();
+}
+
+std::vector<std::string> MapScene::objectsAt(const QPointF& at)
+{
     const MapLayout& map = layout();
     if (panelPartAt(at) || map.inset.contains(at))
         return {};
-    std::string nearest;
-    double nearest_px = std::numeric_limits<double>::infinity();
+    std::vector<std::pair<double, std::string>> found;
     const auto offer = [&](const std::string& key, double distance_px) {
-        if (distance_px >= nearest_px)
-            return;
-        nearest_px = distance_px;
-        nearest = key;
+        found.emplace_back(distance_px, key);
     };
     for (std::size_t i = 0; i < m_picture.uavs.size(); ++i) {
         const MapUav& uav = m_picture.uavs[i];
@@ -191,10 +193,16 @@ std::string MapScene::objectAt(const QPointF& at)
         const double reach_px = std::max(disk.radius_px + kReachMargin_px, kSmallestReach_px);
         if (path.length() <= reach_px)
             offer(keyOf(m_picture.icebergs[i]), path.length());
-        else if (nearest.empty() && map.labels[i].rect.contains(at))
+        else if (found.empty() && map.labels[i].rect.contains(at))
             offer(keyOf(m_picture.icebergs[i]), kUnderName_px);
     }
-    return nearest.empty() ? outlineAt(at) : nearest;
+    std::ranges::stable_sort(found, {}, &std::pair<double, std::string>::first);
+    std::vector<std::string> keys;
+    for (auto& [distance_px, key] : found)
+        keys.push_back(std::move(key));
+    if (std::string outline = outlineAt(at); !outline.empty())
+        keys.push_back(std::move(outline));
+    return keys;
 }
 
 QPolygonF MapScene::outlineOf(const std::string& key) const

@@ -66,6 +66,8 @@ public:
      * What lies below an overlay counts as well. Empty: nothing.
      */
     [[nodiscard]] std::string objectAt(const QPointF& at);
+    /** All of them, that one first. */
+    [[nodiscard]] std::vector<std::string> objectsAt(const QPointF& at);
     /** Keys of what has its centre in the rectangle: icebergs by index, UAV, asset. */
     [[nodiscard]] std::vector<std::string> objectsIn(const QRectF& rect);
     /** Symbol of an object; none when it is not in the picture, or the area. */

@@ -137,9 +137,9 @@ signals:
     /** In flight: of icebergs among them. */
     void removalRequested(const std::vector<std::string>& ids);
 
-    /** At an object, which is selected then, or on water: empty. */
+    /** At objects, the first of which is selected then, or on water: none. */
     void contextMenuRequested(const QPoint& globalPos, const berg::Point& position_m,
-                              const std::string& id);
+                              const std::vector<std::string>& ids);
 
 protected:
     bool event(QEvent* event) override;

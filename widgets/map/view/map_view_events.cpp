@@ -192,17 +192,23 @@ void MapView::contextMenuEvent(QContextMenuEvent* event)
         return; // the press of the button has asked already
     QPointF at = m_scene.rect().center();
     const std::string id = m_selection.isEmpty() ? std::string() : m_selection.ids().front();
-    if (const std::optional<LabelDisk> symbol = m_scene.symbolOf(id))
+    std::vector<std::string> ids;
+    if (const std::optional<LabelDisk> symbol = m_scene.symbolOf(id)) {
         at = symbol->centre_px;
-    emit contextMenuRequested(mapToGlobal(at.toPoint()), toWorld(at), id);
+        ids = m_scene.objectsAt(at);
+        std::erase(ids, id);
+    }
+    if (!id.empty())
+        ids.insert(ids.begin(), id);
+    emit contextMenuRequested(mapToGlobal(at.toPoint()), toWorld(at), ids);
 }
 
 void MapView::requestContextMenu(const QPoint& globalPos, const QPointF& at)
 {
-    const std::string id = m_scene.objectAt(at);
-    if (!id.empty() && !m_selection.contains(id))
-        m_selection.set({id});
-    emit contextMenuRequested(globalPos, toWorld(at), id);
+    const std::vector<std::string> ids = m_scene.objectsAt(at);
+    if (!ids.empty() && !m_selection.contains(ids.front()))
+        m_selection.set({ids.front()});
+    emit contextMenuRequested(globalPos, toWorld(at), ids);
 }
 
 void MapView::wheelEvent(QWheelEvent* event)
