@@ -68,10 +68,11 @@ bool Workspace::isMidFlight() const
 bool Workspace::hasUnsavedRun() const
 {
     const MissionSnapshot& now = m_record.now;
-    const bool isWorthIt = now.time_s >= kWorthKeeping_s ||
-                           std::ranges::count(m_record.history.events, EventKind::Intervention,
+    const bool isChanged = std::ranges::count(m_record.history.events, EventKind::Intervention,
                                               &MissionEvent::kind) > 0;
-    return inFlight() && now.time_s > 0 && isWorthIt &&
+    const bool isWorthIt =
+        isChanged || (now.time_s >= kWorthKeeping_s && m_runner.generation() != m_studyGeneration);
+    return inFlight() && isWorthIt &&
            m_savedRun != SavedRun{m_record.scenario, now.time_s, now.metrics};
 }
 
@@ -367,6 +368,7 @@ void Workspace::flyScenario(const Scenario& scenario, const QString& text)
     else
         m_document.reset(scenario);
     fly(0);
+    m_studyGeneration = m_runner.generation();
 }
 
 void Workspace::fly(double rate)

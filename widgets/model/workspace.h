@@ -58,8 +58,9 @@ public:
     /** Something has been flown, and has not come to its end. */
     [[nodiscard]] bool isMidFlight() const;
     /**
-     * What is flown, or was flown to its end, is in no run file and worth keeping: a minute long or
-     * changed in flight. That of a moment is soon flown again, the same.
+     * What is flown, or was flown to its end, is in no run file and worth keeping: changed in
+     * flight, or a minute long. That of a moment is soon flown again, the same, and so is that of
+     * a study.
      */
     [[nodiscard]] bool hasUnsavedRun() const;
     /** The run is in a file now. */
@@ -192,6 +193,7 @@ private:
     QElapsedTimer m_playClock;
     double m_rate = 1;
     std::optional<SavedRun> m_savedRun;     ///< the last one that was saved or opened
+    std::uint64_t m_studyGeneration = 0;    ///< of the last flight that a study has as well
     std::optional<GivenUpFlight> m_givenUp; ///< the mission thread has it
     bool m_isTakeOffAsked = false;          ///< and the answer of the mission has not come
     /** In flight, the plan the curve is of: rewrites of the history, number of the plan. */
