@@ -738,16 +738,28 @@
         <translation>Så langt den nåede, bliver den stående på listen over flyvninger.</translation>
     </message>
     <message>
-        <source>It is lost with the window. Save run keeps it in a file.</source>
-        <translation>Den går tabt sammen med vinduet. Gem flyvning bevarer den i en fil.</translation>
-    </message>
-    <message>
         <source>End the flight</source>
         <translation>Afslut flyvningen</translation>
     </message>
     <message>
         <source>Continue flight</source>
         <translation>Fortsæt flyvningen</translation>
+    </message>
+    <message>
+        <source>Unsaved run</source>
+        <translation>Flyvning ikke gemt</translation>
+    </message>
+    <message>
+        <source>Save the run?</source>
+        <translation>Gem flyvningen?</translation>
+    </message>
+    <message>
+        <source>What was flown is lost if you do not save it.</source>
+        <translation>Det fløjne går tabt, hvis du ikke gemmer det.</translation>
+    </message>
+    <message>
+        <source>Save run...</source>
+        <translation>Gem flyvning...</translation>
     </message>
 </context>
 <context>
@@ -7892,6 +7904,18 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Asset here</source>
         <translation>Objekt her</translation>
     </message>
+    <message>
+        <source>Asset</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Område</translation>
+    </message>
+    <message>
+        <source>No-fly area</source>
+        <translation>Flyveforbudsområde</translation>
+    </message>
 </context>
 <context>
     <name>berg::DifferenceChart</name>
@@ -8371,6 +8395,26 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>%1, %2 % computed</source>
         <translation>%1, %2 % beregnet</translation>
+    </message>
+    <message>
+        <source>Predicted range</source>
+        <translation>Forudsagt interval</translation>
+    </message>
+    <message>
+        <source>ζ of nine flights in ten was predicted to lie in this range.</source>
+        <translation>ζ for ni ud af ti flyvninger blev forudsagt at ligge i dette interval.</translation>
+    </message>
+    <message>
+        <source>below %1 to %2</source>
+        <translation>under %1 til %2</translation>
+    </message>
+    <message>
+        <source>above %1 to %2</source>
+        <translation>over %1 til %2</translation>
+    </message>
+    <message>
+        <source>inside %1 to %2</source>
+        <translation>inden for %1 til %2</translation>
     </message>
 </context>
 <context>
@@ -9057,6 +9101,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Background file: %1</source>
         <translation>Baggrundsfil: %1</translation>
+    </message>
+    <message>
+        <source>Compared run</source>
+        <translation>Sammenlignet flyvning</translation>
     </message>
 </context>
 <context>
@@ -9781,14 +9829,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>σ er %1 m² nu, en standardafvigelse på %2 m; ved ankomsten er den %3 m², hvis isbjerget ikke ses før</translation>
     </message>
     <message>
-        <source>σ at arrival</source>
-        <translation>σ ved ankomst</translation>
-    </message>
-    <message>
-        <source>Uncertainty of the position when the UAV is there, m²</source>
-        <translation>Positionens usikkerhed, når dronen er der, m²</translation>
-    </message>
-    <message>
         <source>later</source>
         <translation>senere</translation>
     </message>
@@ -9836,6 +9876,26 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Lost: searched for %1</source>
         <comment>times and chances of finding it</comment>
         <translation>Mistet: eftersøges %1</translation>
+    </message>
+    <message>
+        <source>Returning home</source>
+        <translation>På vej hjem</translation>
+    </message>
+    <message>
+        <source>σ now</source>
+        <translation>σ nu</translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation>På jorden</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>Venter</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position when the UAV is there</source>
+        <translation>Positionens usikkerhed, når dronen er der</translation>
     </message>
 </context>
 <context>

@@ -738,16 +738,28 @@
         <translation>La partie effectuée reste dans la liste des vols.</translation>
     </message>
     <message>
-        <source>It is lost with the window. Save run keeps it in a file.</source>
-        <translation>Il sera perdu à la fermeture de la fenêtre. « Enregistrer le vol » le conserve dans un fichier.</translation>
-    </message>
-    <message>
         <source>End the flight</source>
         <translation>Mettre fin au vol</translation>
     </message>
     <message>
         <source>Continue flight</source>
         <translation>Poursuivre le vol</translation>
+    </message>
+    <message>
+        <source>Unsaved run</source>
+        <translation>Vol non enregistré</translation>
+    </message>
+    <message>
+        <source>Save the run?</source>
+        <translation>Enregistrer le vol ?</translation>
+    </message>
+    <message>
+        <source>What was flown is lost if you do not save it.</source>
+        <translation>Ce qui a été volé est perdu si vous ne l’enregistrez pas.</translation>
+    </message>
+    <message>
+        <source>Save run...</source>
+        <translation>Enregistrer le vol...</translation>
     </message>
 </context>
 <context>
@@ -7892,6 +7904,18 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Asset here</source>
         <translation>Bien protégé ici</translation>
     </message>
+    <message>
+        <source>Asset</source>
+        <translation>Bien protégé</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>No-fly area</source>
+        <translation>Zone interdite</translation>
+    </message>
 </context>
 <context>
     <name>berg::DifferenceChart</name>
@@ -8371,6 +8395,26 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>%1, %2 % computed</source>
         <translation>%1, calculée à %2 %</translation>
+    </message>
+    <message>
+        <source>Predicted range</source>
+        <translation>Plage prévue</translation>
+    </message>
+    <message>
+        <source>ζ of nine flights in ten was predicted to lie in this range.</source>
+        <translation>ζ de neuf vols sur dix était prévu dans cette plage.</translation>
+    </message>
+    <message>
+        <source>below %1 to %2</source>
+        <translation>au-dessous de %1 à %2</translation>
+    </message>
+    <message>
+        <source>above %1 to %2</source>
+        <translation>au-dessus de %1 à %2</translation>
+    </message>
+    <message>
+        <source>inside %1 to %2</source>
+        <translation>entre %1 et %2</translation>
     </message>
 </context>
 <context>
@@ -9057,6 +9101,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Background file: %1</source>
         <translation>Fichier du fond de carte : %1</translation>
+    </message>
+    <message>
+        <source>Compared run</source>
+        <translation>Vol comparé</translation>
     </message>
 </context>
 <context>
@@ -9781,14 +9829,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>σ vaut actuellement %1 m², soit un écart-type de %2 m ; à l&apos;arrivée, %3 m² si l&apos;iceberg n&apos;est pas vu avant</translation>
     </message>
     <message>
-        <source>σ at arrival</source>
-        <translation>σ à l&apos;arrivée</translation>
-    </message>
-    <message>
-        <source>Uncertainty of the position when the UAV is there, m²</source>
-        <translation>Incertitude de la position à l&apos;arrivée du drone, m²</translation>
-    </message>
-    <message>
         <source>later</source>
         <translation>plus tard</translation>
     </message>
@@ -9836,6 +9876,26 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Lost: searched for %1</source>
         <comment>times and chances of finding it</comment>
         <translation>Perdu : recherché %1</translation>
+    </message>
+    <message>
+        <source>Returning home</source>
+        <translation>Retour à la base</translation>
+    </message>
+    <message>
+        <source>σ now</source>
+        <translation>σ actuel</translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation>Au sol</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>En attente</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position when the UAV is there</source>
+        <translation>Incertitude de la position quand le drone y est</translation>
     </message>
 </context>
 <context>

@@ -738,16 +738,28 @@
         <translation>Så langt den kom, blir den stående i listen over flyginger.</translation>
     </message>
     <message>
-        <source>It is lost with the window. Save run keeps it in a file.</source>
-        <translation>Den går tapt med vinduet. Lagre flyging beholder den i en fil.</translation>
-    </message>
-    <message>
         <source>End the flight</source>
         <translation>Avslutt flygingen</translation>
     </message>
     <message>
         <source>Continue flight</source>
         <translation>Fly videre</translation>
+    </message>
+    <message>
+        <source>Unsaved run</source>
+        <translation>Flyging ikke lagret</translation>
+    </message>
+    <message>
+        <source>Save the run?</source>
+        <translation>Lagre flygingen?</translation>
+    </message>
+    <message>
+        <source>What was flown is lost if you do not save it.</source>
+        <translation>Det som er fløyet, går tapt hvis du ikke lagrer det.</translation>
+    </message>
+    <message>
+        <source>Save run...</source>
+        <translation>Lagre flyging...</translation>
     </message>
 </context>
 <context>
@@ -7892,6 +7904,18 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Asset here</source>
         <translation>Objekt her</translation>
     </message>
+    <message>
+        <source>Asset</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Område</translation>
+    </message>
+    <message>
+        <source>No-fly area</source>
+        <translation>Flyforbudsområde</translation>
+    </message>
 </context>
 <context>
     <name>berg::DifferenceChart</name>
@@ -8371,6 +8395,26 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>%1, %2 % computed</source>
         <translation>%1, %2 % beregnet</translation>
+    </message>
+    <message>
+        <source>Predicted range</source>
+        <translation>Forutsagt område</translation>
+    </message>
+    <message>
+        <source>ζ of nine flights in ten was predicted to lie in this range.</source>
+        <translation>ζ for ni av ti flyginger ble forutsagt å ligge i dette området.</translation>
+    </message>
+    <message>
+        <source>below %1 to %2</source>
+        <translation>under %1 til %2</translation>
+    </message>
+    <message>
+        <source>above %1 to %2</source>
+        <translation>over %1 til %2</translation>
+    </message>
+    <message>
+        <source>inside %1 to %2</source>
+        <translation>innenfor %1 til %2</translation>
     </message>
 </context>
 <context>
@@ -9057,6 +9101,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Background file: %1</source>
         <translation>Bakgrunnsfil: %1</translation>
+    </message>
+    <message>
+        <source>Compared run</source>
+        <translation>Sammenlignet flyging</translation>
     </message>
 </context>
 <context>
@@ -9781,14 +9829,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>σ er %1 m² nå, et standardavvik på %2 m; ved ankomst er den %3 m², hvis isfjellet ikke er sett før</translation>
     </message>
     <message>
-        <source>σ at arrival</source>
-        <translation>σ ved ankomst</translation>
-    </message>
-    <message>
-        <source>Uncertainty of the position when the UAV is there, m²</source>
-        <translation>Posisjonens usikkerhet når UAV-en er der, m²</translation>
-    </message>
-    <message>
         <source>later</source>
         <translation>senere</translation>
     </message>
@@ -9836,6 +9876,26 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Lost: searched for %1</source>
         <comment>times and chances of finding it</comment>
         <translation>Mistet: letes etter %1</translation>
+    </message>
+    <message>
+        <source>Returning home</source>
+        <translation>På vei hjem</translation>
+    </message>
+    <message>
+        <source>σ now</source>
+        <translation>σ nå</translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation>På bakken</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>Holder</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position when the UAV is there</source>
+        <translation>Posisjonens usikkerhet når UAV-en er der</translation>
     </message>
 </context>
 <context>
