@@ -73,6 +73,9 @@ std::vector<FieldOfView> Cameras::middles() const
 int Cameras::viewer(const Point& place_m)
 {
     for (std::size_t uav = 0; uav < m_cameras.size(); ++uav) {
+        const double near_m = m_cameras[uav].reach_m + kReachMargin_m;
+        if ((place_m - m_cameras[uav].pose.position_m).squaredNorm() > near_m * near_m)
+            continue; // most places: without a sine
         if (!m_views[uav])
             m_views[uav] = m_cameras[uav].view();
         if (m_views[uav]->contains(place_m))

@@ -22,6 +22,8 @@ bool targetReached(int uav, const Errand& errand, const Fleet& fleet)
 /** Whether another UAV has come to one of those it is sent to. */
 bool isSeenByOther(int uav, const Errand& errand, const Fleet& fleet)
 {
+    if (fleet.count() == 1)
+        return false;
     const auto isSeen = [&](int iceberg) {
         return isReachedByOther(fleet.observer(), uav, iceberg);
     };
