@@ -502,6 +502,10 @@
         <source>%1 is airspace: use --format airspace with --into SCENARIO</source>
         <translation>%1 est un fichier d’espace aérien : utilisez --format airspace avec --into SCENARIO</translation>
     </message>
+    <message>
+        <source>%1 excludes %2</source>
+        <translation>%1 exclut %2</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -6854,7 +6858,7 @@ Zone adjacente %4</translation>
     <name>Report</name>
     <message>
         <source>predicted before take-off %1 m² s, until the end of the run</source>
-        <translation>prévu avant le décollage %1 m² s, jusqu’à la fin de la simulation</translation>
+        <translation>prévu avant le décollage %1 m² s, jusqu’à la fin du vol</translation>
     </message>
     <message>
         <source>changed in flight, so that the prediction was for another flight</source>

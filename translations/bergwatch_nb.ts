@@ -502,6 +502,10 @@
         <source>%1 is airspace: use --format airspace with --into SCENARIO</source>
         <translation>%1 er luftrom: bruk --format airspace med --into SCENARIO</translation>
     </message>
+    <message>
+        <source>%1 excludes %2</source>
+        <translation>%1 utelukker %2</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -6854,7 +6858,7 @@ Tilstøtende område %4</translation>
     <name>Report</name>
     <message>
         <source>predicted before take-off %1 m² s, until the end of the run</source>
-        <translation>forutsagt før avgang %1 m² s, til slutten av kjøringen</translation>
+        <translation>forutsagt før avgang %1 m² s, til slutten av flygingen</translation>
     </message>
     <message>
         <source>changed in flight, so that the prediction was for another flight</source>

@@ -223,6 +223,10 @@ Sentence plainWords(const CLI::ParseError& error)
     if (text.ends_with(kRequired))
         return sentence(QT_TRANSLATE_NOOP("CommandLine", "%1 is required"),
                         {text.substr(0, text.size() - kRequired.size())});
+    constexpr std::string_view kExcludes = " excludes ";
+    if (const std::size_t at = text.find(kExcludes); at != std::string::npos)
+        return sentence(QT_TRANSLATE_NOOP("CommandLine", "%1 excludes %2"),
+                        {text.substr(0, at), text.substr(at + kExcludes.size())});
     if (const std::size_t between = text.rfind(kBetween); between != std::string::npos)
         return {.english = text.substr(0, between),
                 .said = subject + ": " + text.substr(between + 1)};

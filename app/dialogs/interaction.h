@@ -140,7 +140,7 @@ public:
     /** Another window has the file open; `holder` says which. */
     [[nodiscard]] virtual InUse askInUse(QWidget* parent, const QString& fileName,
                                          const QString& holder) = 0;
-    /** The file is not to be written over without a word; `reason` says why. */
+    /** The file must not be overwritten silently; `reason` says why. */
     [[nodiscard]] virtual Overwrite askOverwrite(QWidget* parent, const QString& fileName,
                                                  const QString& reason) = 0;
     /** The file was changed by somebody else, and here nothing is unsaved. */

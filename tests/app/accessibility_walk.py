@@ -208,7 +208,7 @@ def walk_dialogs(window):
         "Generate icebergs...",
         "Move the scenario...",
         "Wind...",
-        "Shortcuts",
+        "Keyboard shortcuts",
         "About Bergwatch",
     ):
         dialog = window.open(command)

@@ -107,6 +107,8 @@ for locale in C POSIX de_DE.UTF-8 nbx; do
 done
 check "LC_MESSAGES before LANG" exits 3 env LC_ALL= LC_MESSAGES=da LANG=fr_FR.UTF-8 "$cli" plan missing.berg
 check "LC_MESSAGES before LANG: Danish" says "kan ikke åbnes"
+check "options that exclude each other, in French" exits 2 env LC_ALL=fr_FR.UTF-8 "$cli" export x.berg -o x.plan --return-home --no-return-home
+check "options that exclude each other, in French: words" says "--return-home exclut --no-return-home"
 check "LANG alone, by its old name" exits 3 env -u LC_ALL -u LC_MESSAGES LANG=no_NO "$cli" plan missing.berg
 check "LANG alone, by its old name: Norwegian" says "kan ikke åpnes"
 for words in "plan missing.berg" "plan negative.berg" "simulate four.berg --duration nan" "plan four.berg --frobnicate" \

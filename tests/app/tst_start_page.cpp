@@ -173,7 +173,7 @@ private slots:
         const QString shipped = QStringLiteral(BERG_SOURCE_DIR "/resources/scenarios/") + name;
         QVERIFY(w.scenario() == loadScenario(shipped.toStdString()));
         QCOMPARE(card.text().toStdString(), w.scenario().name);
-        QVERIFY(w.document().filePath().isEmpty()); // an example is not written over
+        QVERIFY(w.document().filePath().isEmpty()); // an example is not overwritten
         QVERIFY(w.document().isClean());
     }
 
