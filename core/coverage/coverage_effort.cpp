@@ -60,4 +60,22 @@ CoveragePlan restOf(const KeptPlan& plan, const CoverageModel& model, std::span<
     return rest;
 }
 
+void shorten(CoveragePlan& plan, const CoverageModel& model, const FlightPicture& picture,
+             double flown_s)
+{
+    constexpr double kLeastOfHold_s = 0.05;
+    constexpr double kLeastStay_s = 0.3;
+    if (plan.empty())
+        return;
+    CoverageLeg& first = plan.front();
+    if (first.isHold()) {
+        first.stay_s -= flown_s;
+        if (first.stay_s < kLeastOfHold_s)
+            plan.erase(plan.begin());
+    } else if (picture.tracks[static_cast<std::size_t>(model.icebergAt(first.iceberg))].inView &&
+               first.stay_s > kLeastStay_s) {
+        first = holdOf(first.stay_s);
+    }
+}
+
 } // namespace berg

@@ -22,6 +22,12 @@ inline constexpr double kShareOfStart = 0.15;
 inline constexpr std::int64_t kOrderWork = 5'000'000;
 /** Temperature at which searches begin, of the predicted cost. */
 inline constexpr double kHeat = 0.0008;
+/** Where looks pay and the rest of the last plan comes to so many times what the plan came to,
+ * another order may be far better: the next plan takes so many times as long, and all but the last
+ * of it is searched at so many times the temperature. */
+inline constexpr double kSetback = 1.02;
+inline constexpr std::int64_t kWorkOfSetback = 6;
+inline constexpr double kHeatOfSetback = 10;
 /** Rounds of a tour: more than a horizon holds, as a rule; greedy legs follow. */
 inline constexpr int kRounds = 20;
 
@@ -53,5 +59,9 @@ using KeptPlan = std::vector<KeptLeg>;
  */
 [[nodiscard]] CoveragePlan restOf(const KeptPlan& plan, const CoverageModel& model,
                                   std::span<const int> ids);
+
+/** What is left of a plan some time after it was made, when a first leg that is over is cut. */
+void shorten(CoveragePlan& plan, const CoverageModel& model, const FlightPicture& picture,
+             double flown_s);
 
 } // namespace berg

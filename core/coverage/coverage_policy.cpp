@@ -259,25 +259,6 @@ private:
     double m_next_s = 0;
 };
 
-/** What is left of a plan some time after it was made, when a first leg that is over is cut. */
-void shorten(CoveragePlan& plan, const CoverageModel& model, const FlightPicture& picture,
-             double flown_s)
-{
-    constexpr double kLeastOfHold_s = 0.05;
-    constexpr double kLeastStay_s = 0.3;
-    if (plan.empty())
-        return;
-    CoverageLeg& first = plan.front();
-    if (first.isHold()) {
-        first.stay_s -= flown_s;
-        if (first.stay_s < kLeastOfHold_s)
-            plan.erase(plan.begin());
-    } else if (picture.tracks[static_cast<std::size_t>(model.icebergAt(first.iceberg))].inView &&
-               first.stay_s > kLeastStay_s) {
-        first = holdOf(first.stay_s);
-    }
-}
-
 /** Each time a lost iceberg is flown to in vain there is less hope. */
 std::vector<double> chancesOf(std::span<const int> ids, const std::map<int, int>& inVain)
 {
@@ -328,6 +309,8 @@ private:
         std::optional<double> sighting_s; ///< predicted for the first leg; none: a hold
     };
     std::map<int, Flown> m_last; ///< by number of the UAV; empty: no plan yet
+    /** What they came to, where looks pay. */
+    double m_total_m2s = std::numeric_limits<double>::infinity();
     /** How often a lost iceberg was flown to without being found, by id. */
     std::map<int, int> m_inVain;
     /** No other UAV has ever been planned for: the last one to fly goes on as one of several. */
@@ -406,6 +389,8 @@ void CoveragePolicy::keep(const PlanRequest& request, std::span<const CoverageMo
                           const FleetCoverage& found, const PlanAnswer& answer)
 {
     m_last.clear();
+    if (models.front().paysForLooks())
+        m_total_m2s = found.total_m2s;
     for (std::size_t u = 0; u < found.plans.size(); ++u) {
         if (found.plans[u].empty())
             continue;
@@ -447,7 +432,13 @@ FleetCoverage CoveragePolicy::next(FleetCoverageSearch& search, const std::optio
         if (rest.total_m2s <= start.total_m2s)
             start = std::move(rest);
     }
-    return search.improved(start, options.workLimit.value_or(work(kNextWork)), kHeat, watch);
+    const bool isSetback = start.total_m2s > kSetback * m_total_m2s;
+    const std::int64_t limit =
+        options.workLimit.value_or(work(kNextWork) * (isSetback ? kWorkOfSetback : 1));
+    if (isSetback)
+        start =
+            search.improved(start, limit - limit / kWorkOfSetback, kHeatOfSetback * kHeat, watch);
+    return search.improved(start, limit, kHeat, watch);
 }
 
 PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& options)
