@@ -765,6 +765,10 @@
         <source>Save run...</source>
         <translation>Gem flyvning...</translation>
     </message>
+    <message>
+        <source>Save the run before the flight ends?</source>
+        <translation>Gem flyvningen, før den afsluttes?</translation>
+    </message>
 </context>
 <context>
     <name>DriftArrow</name>
@@ -890,10 +894,6 @@
         <translation>Planlæggeren fejlede: fortsætter med den forrige plan</translation>
     </message>
     <message>
-        <source>%1 will enter the inner ring</source>
-        <translation>%1 kommer ind i den indre ring</translation>
-    </message>
-    <message>
         <source>Wind changed</source>
         <translation>Vinden ændret</translation>
     </message>
@@ -966,10 +966,6 @@
         <translation>%1 flyver som det næste til %2</translation>
     </message>
     <message>
-        <source>%1 given to %2</source>
-        <translation>%1 tildelt %2</translation>
-    </message>
-    <message>
         <source>seen by another UAV</source>
         <translation>set af en anden drone</translation>
     </message>
@@ -1020,6 +1016,18 @@
     <message>
         <source>Close to another UAV: %3</source>
         <translation>Tæt på en anden drone: %3</translation>
+    </message>
+    <message>
+        <source>Previous plan kept: next %1</source>
+        <translation>Forrige plan beholdt: næste er %1</translation>
+    </message>
+    <message>
+        <source>%1 will enter the inner ring in %4</source>
+        <translation>%1 vil komme ind i den indre ring om %4</translation>
+    </message>
+    <message>
+        <source>%1 assigned to %2</source>
+        <translation>%1 tildelt %2</translation>
     </message>
 </context>
 <context>
@@ -2100,10 +2108,6 @@
         <translation>opgivet</translation>
     </message>
     <message>
-        <source>left the area</source>
-        <translation>forlod området</translation>
-    </message>
-    <message>
         <source>It still comes nearer in an hour, to this distance by then.</source>
         <translation>Det kommer stadig nærmere om en time, til denne afstand på det tidspunkt.</translation>
     </message>
@@ -2114,6 +2118,10 @@
     <message>
         <source>number %1 of %2</source>
         <translation>nummer %1 for %2</translation>
+    </message>
+    <message>
+        <source>left or removed</source>
+        <translation>væk eller fjernet</translation>
     </message>
 </context>
 <context>
@@ -5094,16 +5102,16 @@ Tilstødende område %4</translation>
         <translation>at bevise optimum for så mange isbjerge kan tage et minut eller mere</translation>
     </message>
     <message>
-        <source>the MILP %1 is offered for at most %2 icebergs, not for %3</source>
-        <translation>MILP’en %1 tilbydes for højst %2 isbjerge, ikke for %3</translation>
-    </message>
-    <message>
         <source>the back end %1 proves plans of at most %2 icebergs; auto gives a plan and a bound</source>
         <translation>løseren %1 beviser planer med højst %2 isbjerge; auto giver en plan og en grænse</translation>
     </message>
     <message>
         <source>the back end exact proves latency plans of several UAVs for at most %1 icebergs</source>
         <translation>løseren exact beviser latency-planer for flere droner med højst %1 isbjerge</translation>
+    </message>
+    <message>
+        <source>the MILP formulation %1 is offered for at most %2 icebergs, not for %3</source>
+        <translation>MILP-formuleringen %1 tilbydes for højst %2 isbjerge, ikke for %3</translation>
     </message>
 </context>
 <context>
@@ -11231,6 +11239,10 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
             <numerusform>Ingen strategi er med sikkerhed den bedste: ζ for %1 er %2 (95 %: %3 til %4) mod %5, i %n tilfælde.</numerusform>
             <numerusform>Ingen strategi er med sikkerhed den bedste: ζ for %1 er %2 (95 %: %3 til %4) mod %5, i %n tilfælde.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Use the lowest: %1</source>
+        <translation>Brug den laveste: %1</translation>
     </message>
 </context>
 <context>

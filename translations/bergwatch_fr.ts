@@ -765,6 +765,10 @@
         <source>Save run...</source>
         <translation>Enregistrer le vol...</translation>
     </message>
+    <message>
+        <source>Save the run before the flight ends?</source>
+        <translation>Enregistrer le vol avant qu’il ne se termine ?</translation>
+    </message>
 </context>
 <context>
     <name>DriftArrow</name>
@@ -890,10 +894,6 @@
         <translation>Le planificateur a échoué : poursuite du plan précédent</translation>
     </message>
     <message>
-        <source>%1 will enter the inner ring</source>
-        <translation>%1 entrera dans l&apos;anneau intérieur</translation>
-    </message>
-    <message>
         <source>Wind changed</source>
         <translation>Le vent a changé</translation>
     </message>
@@ -966,10 +966,6 @@
         <translation>%1 va ensuite vers %2</translation>
     </message>
     <message>
-        <source>%1 given to %2</source>
-        <translation>%1 attribué à %2</translation>
-    </message>
-    <message>
         <source>seen by another UAV</source>
         <translation>vu par un autre drone</translation>
     </message>
@@ -1020,6 +1016,18 @@
     <message>
         <source>Close to another UAV: %3</source>
         <translation>Proche d’un autre drone : %3</translation>
+    </message>
+    <message>
+        <source>Previous plan kept: next %1</source>
+        <translation>Plan précédent conservé : ensuite %1</translation>
+    </message>
+    <message>
+        <source>%1 will enter the inner ring in %4</source>
+        <translation>%1 entrera dans l’anneau intérieur dans %4</translation>
+    </message>
+    <message>
+        <source>%1 assigned to %2</source>
+        <translation>%1 attribué à %2</translation>
     </message>
 </context>
 <context>
@@ -2100,10 +2108,6 @@
         <translation>abandonné</translation>
     </message>
     <message>
-        <source>left the area</source>
-        <translation>sorti de la zone</translation>
-    </message>
-    <message>
         <source>It still comes nearer in an hour, to this distance by then.</source>
         <translation>Dans une heure il se rapproche encore ; il sera alors à cette distance.</translation>
     </message>
@@ -2114,6 +2118,10 @@
     <message>
         <source>number %1 of %2</source>
         <translation>numéro %1 de %2</translation>
+    </message>
+    <message>
+        <source>left or removed</source>
+        <translation>parti ou retiré</translation>
     </message>
 </context>
 <context>
@@ -5094,16 +5102,16 @@ Zone adjacente %4</translation>
         <translation>prouver l&apos;optimum pour autant d&apos;icebergs peut prendre une minute ou plus</translation>
     </message>
     <message>
-        <source>the MILP %1 is offered for at most %2 icebergs, not for %3</source>
-        <translation>le MILP %1 est proposé pour %2 icebergs au plus, pas pour %3</translation>
-    </message>
-    <message>
         <source>the back end %1 proves plans of at most %2 icebergs; auto gives a plan and a bound</source>
         <translation>le solveur %1 prouve des plans de %2 icebergs au plus ; auto donne un plan et une borne</translation>
     </message>
     <message>
         <source>the back end exact proves latency plans of several UAVs for at most %1 icebergs</source>
         <translation>le solveur exact prouve les plans latency de plusieurs drones pour %1 icebergs au plus</translation>
+    </message>
+    <message>
+        <source>the MILP formulation %1 is offered for at most %2 icebergs, not for %3</source>
+        <translation>la formulation MILP %1 est proposée pour %2 icebergs au plus, pas pour %3</translation>
     </message>
 </context>
 <context>
@@ -11231,6 +11239,10 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
             <numerusform>Aucune stratégie n&apos;est la meilleure à coup sûr : le ζ de %1 est %2 (95 % : %3 à %4) par rapport à %5, sur %n cas.</numerusform>
             <numerusform>Aucune stratégie n&apos;est la meilleure à coup sûr : le ζ de %1 est %2 (95 % : %3 à %4) par rapport à %5, sur %n cas.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Use the lowest: %1</source>
+        <translation>Utiliser le plus bas : %1</translation>
     </message>
 </context>
 <context>

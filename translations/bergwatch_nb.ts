@@ -765,6 +765,10 @@
         <source>Save run...</source>
         <translation>Lagre flyging...</translation>
     </message>
+    <message>
+        <source>Save the run before the flight ends?</source>
+        <translation>Lagre flygingen før den avsluttes?</translation>
+    </message>
 </context>
 <context>
     <name>DriftArrow</name>
@@ -890,10 +894,6 @@
         <translation>Planleggeren sviktet: forrige plan flys videre</translation>
     </message>
     <message>
-        <source>%1 will enter the inner ring</source>
-        <translation>%1 er på vei inn i den indre ringen</translation>
-    </message>
-    <message>
         <source>Wind changed</source>
         <translation>Vinden endret</translation>
     </message>
@@ -966,10 +966,6 @@
         <translation>%1 flyr til %2 som neste</translation>
     </message>
     <message>
-        <source>%1 given to %2</source>
-        <translation>%1 gitt til %2</translation>
-    </message>
-    <message>
         <source>seen by another UAV</source>
         <translation>sett av en annen UAV</translation>
     </message>
@@ -1020,6 +1016,18 @@
     <message>
         <source>Close to another UAV: %3</source>
         <translation>Nær en annen UAV: %3</translation>
+    </message>
+    <message>
+        <source>Previous plan kept: next %1</source>
+        <translation>Forrige plan beholdt: neste er %1</translation>
+    </message>
+    <message>
+        <source>%1 will enter the inner ring in %4</source>
+        <translation>%1 vil komme inn i den indre ringen om %4</translation>
+    </message>
+    <message>
+        <source>%1 assigned to %2</source>
+        <translation>%1 tildelt %2</translation>
     </message>
 </context>
 <context>
@@ -2100,10 +2108,6 @@
         <translation>oppgitt</translation>
     </message>
     <message>
-        <source>left the area</source>
-        <translation>forlot området</translation>
-    </message>
-    <message>
         <source>It still comes nearer in an hour, to this distance by then.</source>
         <translation>Det kommer fortsatt nærmere om en time, til denne avstanden da.</translation>
     </message>
@@ -2114,6 +2118,10 @@
     <message>
         <source>number %1 of %2</source>
         <translation>nummer %1 for %2</translation>
+    </message>
+    <message>
+        <source>left or removed</source>
+        <translation>borte eller fjernet</translation>
     </message>
 </context>
 <context>
@@ -5094,16 +5102,16 @@ Tilstøtende område %4</translation>
         <translation>å bevise optimum for så mange isfjell kan ta et minutt eller mer</translation>
     </message>
     <message>
-        <source>the MILP %1 is offered for at most %2 icebergs, not for %3</source>
-        <translation>MILP-en %1 tilbys for høyst %2 isfjell, ikke for %3</translation>
-    </message>
-    <message>
         <source>the back end %1 proves plans of at most %2 icebergs; auto gives a plan and a bound</source>
         <translation>løseren %1 beviser planer med høyst %2 isfjell; auto gir en plan og en grense</translation>
     </message>
     <message>
         <source>the back end exact proves latency plans of several UAVs for at most %1 icebergs</source>
         <translation>løseren exact beviser latency-planer for flere UAV-er med høyst %1 isfjell</translation>
+    </message>
+    <message>
+        <source>the MILP formulation %1 is offered for at most %2 icebergs, not for %3</source>
+        <translation>MILP-formuleringen %1 tilbys for høyst %2 isfjell, ikke for %3</translation>
     </message>
 </context>
 <context>
@@ -11231,6 +11239,10 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
             <numerusform>Ingen strategi er sikkert best: ζ for %1 er %2 (95 %: %3 til %4) mot %5, i %n tilfelle.</numerusform>
             <numerusform>Ingen strategi er sikkert best: ζ for %1 er %2 (95 %: %3 til %4) mot %5, i %n tilfeller.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Use the lowest: %1</source>
+        <translation>Bruk den laveste: %1</translation>
     </message>
 </context>
 <context>

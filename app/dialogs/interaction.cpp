@@ -74,7 +74,7 @@ Interaction::Unsaved DialogInteraction::askUnsavedRun(QWidget* parent, bool isUn
 {
     QMessageBox box(QMessageBox::Question,
                     isUnderWay ? Dialogs::tr("Flight under way") : Dialogs::tr("Unsaved run"),
-                    isUnderWay ? Dialogs::tr("A flight is under way. End it?")
+                    isUnderWay ? Dialogs::tr("Save the run before the flight ends?")
                                : Dialogs::tr("Save the run?"),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
     box.setInformativeText(Dialogs::tr("What was flown is lost if you do not save it."));

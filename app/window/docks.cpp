@@ -118,14 +118,15 @@ void Docks::addRight()
         ->toggleViewAction()
         ->setStatusTip(tr("Trade-off τ, policy, solver and route"));
     // Where others are below it; beside others it is as high as they are.
-    const auto limitHeight = [tradeoff = panels().tradeoff,
-                              dock = dock(Dock::Tradeoff)](Qt::DockWidgetArea area) {
+    const auto limitHeight = [this, tradeoff = panels().tradeoff, dock = dock(Dock::Tradeoff)] {
+        const Qt::DockWidgetArea area = window().dockWidgetArea(dock);
         const bool isBeside =
             area == Qt::BottomDockWidgetArea || area == Qt::TopDockWidgetArea || dock->isFloating();
         tradeoff->setHeightLimited(!isBeside);
     };
     connect(dock(Dock::Tradeoff), &QDockWidget::dockLocationChanged, this, limitHeight);
-    limitHeight(kArea);
+    connect(dock(Dock::Tradeoff), &QDockWidget::topLevelChanged, this, limitHeight);
+    limitHeight();
     QDockWidget* plan = add("planDock", tr("Plan"), panels().plan, kArea);
     QDockWidget* inspector = add("inspectorDock", tr("Inspector"), panels().inspector, kArea);
     QDockWidget* pareto = add("paretoDock", tr("Trade-offs"), panels().pareto, kArea);

@@ -97,7 +97,8 @@ bool WorkSafety::mayClose()
     return true;
 }
 
-/** For good: what was flown is lost as well, for the list of runs goes with the window. */
+/** For good: what was flown is lost as well. Of the list of runs only the one shown is asked about:
+ * the others were left when another scenario was opened or the flight was stopped. */
 bool WorkSafety::mayLeaveScene()
 {
     if (!m_gates.files.maySettleChanges())

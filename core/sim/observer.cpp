@@ -341,7 +341,7 @@ void Observer::beginSearch(int uav, Search search)
 void Observer::watchArea(StepReport& report)
 {
     for (int i = 0; i < m_world.icebergCount(); ++i) {
-        if (m_world.age(i) < 0 || m_world.body(i).isRemoved)
+        if (m_world.age(i) < 0)
             continue;
         Track& track = m_tracks[toIndex(i)];
         const bool isInside = insidePolygon(m_area_m, estimate_m(i));
@@ -360,7 +360,11 @@ void Observer::watchArea(StepReport& report)
 void Observer::removeIceberg(int iceberg)
 {
     m_world.remove(iceberg);
-    m_tracks[toIndex(iceberg)].left = true;
+    m_lookStep[toIndex(iceberg)] = m_world.lastStep() + 1;
+    Track& track = m_tracks[toIndex(iceberg)];
+    track.left = true;
+    track.inView = false;
+    track.status = TrackStatus::Tracked;
     m_searches.end(iceberg);
 }
 

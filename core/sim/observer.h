@@ -53,7 +53,7 @@ public:
 
     /** Appears now; its index is the new last one. */
     void addIceberg(const Iceberg& iceberg);
-    /** As if it had left the area, for good. */
+    /** It has left, for good: nothing is seen or learnt of it any more. */
     void removeIceberg(int iceberg);
     /** Its position is known now as if it were in view. */
     void reportSighting(int iceberg, StepReport& report);

@@ -4,6 +4,7 @@
 #include "core/sim/world_state.h"
 #include "core/tracking/drift.h"
 
+#include <limits>
 #include <span>
 
 namespace berg {
@@ -15,14 +16,13 @@ namespace berg {
  */
 [[nodiscard]] std::vector<DriftNoise> drawNoise(const Scenario& scenario);
 
-/** What only an intervention changes about an iceberg. */
+/** What does not change about an iceberg, but for who is to visit it. */
 struct IcebergParameters
 {
     std::uint64_t stream = 0; ///< of its random numbers
     double radius_m = 0;
     Track start;          ///< what is known of it at its start, the velocity with the current
     int assignedUav = -1; ///< the one that alone is to visit it; -1: any
-    bool isRemoved = false;
 };
 
 /** The truth: what time it is, and where the icebergs are. */
@@ -53,7 +53,11 @@ public:
     {
         return m_bodies[toIndex(iceberg)];
     }
-    void remove(int iceberg) { m_bodies[toIndex(iceberg)].isRemoved = true; }
+    /** As if it had never appeared. */
+    void remove(int iceberg)
+    {
+        m_appearsStep[toIndex(iceberg)] = std::numeric_limits<std::int64_t>::max();
+    }
     void assign(int iceberg, int uav) { m_bodies[toIndex(iceberg)].assignedUav = uav; }
     /** Steps since it appeared, below 0 before. */
     [[nodiscard]] std::int64_t age(int iceberg) const

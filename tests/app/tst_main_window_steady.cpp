@@ -148,6 +148,8 @@ private slots:
         QTest::addColumn<int>("questions");
         QTest::newRow("of a moment") << 5. << QString() << 0;
         QTest::newRow("of a moment, changed") << 5. << u"changed"_s << 1;
+        QTest::newRow("of a moment, an iceberg added") << 5. << u"added"_s << 1;
+        QTest::newRow("of a moment, one reported") << 5. << u"reported"_s << 1;
         QTest::newRow("longer") << 80. << QString() << 1;
         QTest::newRow("saved") << 80. << u"saved"_s << 0;
         QTest::newRow("saved, flown on") << 80. << u"saved, flown on"_s << 1;
@@ -166,6 +168,12 @@ private slots:
             w.workspace.setWind({3, -1});
             QVERIFY(flyTo(w, flown_s + 1));
         }
+        if (then == u"added"_s)
+            w.workspace.addIceberg({.position_m = {2500, 2000}});
+        if (then == u"reported"_s)
+            w.workspace.reportSeen({w.scenario().icebergs[0].id});
+        if (then == u"added"_s || then == u"reported"_s)
+            QVERIFY(flyTo(w, flown_s + 1));
         w.interaction.path = w.file(u"some.bergrun"_s);
         if (then.startsWith(u"saved"_s)) {
             w.trigger(u"saveRunAction"_s);

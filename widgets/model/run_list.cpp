@@ -163,6 +163,11 @@ void RunList::insert(RunPointer run)
         makeRoom();
         return;
     }
+    if (run->name.isEmpty() && !(*equal)->name.isEmpty()) {
+        auto named = std::make_shared<ComparedRun>(*run);
+        named->name = (*equal)->name;
+        run = std::move(named);
+    }
     replace(*equal, std::move(run));
 }
 

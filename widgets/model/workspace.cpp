@@ -68,8 +68,9 @@ bool Workspace::isMidFlight() const
 bool Workspace::hasUnsavedRun() const
 {
     const MissionSnapshot& now = m_record.now;
-    const bool isChanged = std::ranges::count(m_record.history.events, EventKind::Intervention,
-                                              &MissionEvent::kind) > 0;
+    const bool isChanged = std::ranges::any_of(m_record.history.events, [](const auto& event) {
+        return event.kind == EventKind::Intervention || event.reported;
+    });
     const bool isWorthIt =
         isChanged || (now.time_s >= kWorthKeeping_s && m_runner.generation() != m_studyGeneration);
     return inFlight() && isWorthIt &&
@@ -245,8 +246,10 @@ void Workspace::remove(const std::vector<std::string>& ids)
 {
     if (!inFlight() || refuseWhileLookingBack())
         return;
+    const MissionSnapshot& now = m_record.now;
     for (const std::string& id : flownAmong(ids))
-        m_runner.intervene({.removed = id});
+        if (now.active.at(static_cast<std::size_t>(indexOfId(now.icebergs, id))))
+            m_runner.intervene({.removed = id});
 }
 
 void Workspace::assign(const std::vector<std::string>& icebergs, const std::string& uav)

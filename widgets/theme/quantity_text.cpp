@@ -138,7 +138,7 @@ QString heightsText(double floor_m, const std::optional<double>& ceiling_m, cons
         const double height_ft = height_m / kFoot_m;
         const double round_ft = 100 * std::round(height_ft / 100);
         return std::abs(height_ft - round_ft) < 1 ? fixedText(round_ft, 0, locale)
-                                                  : significantText(height_ft, 3, locale);
+                                                  : fixedText(height_ft, 0, locale);
     };
     const auto both = [](const QString& inMetres, const QString& inFeet) {
         return QuantityText::tr("%1 (%2 ft)").arg(inMetres, inFeet);

@@ -35,6 +35,7 @@ QString eventSentence(const MissionEvent& event, const std::vector<Iceberg>& ice
         .uav = nameInFleet(uavs, event.uav).toStdString(),
         .otherUav = nameInFleet(uavs, event.otherUav).toStdString(),
         .distance = distanceText(event.distance_m, locale).toStdString(),
+        .entry = clockText(event.entry_s).toStdString(),
         .planner =
             shortPolicyText({.policy = event.policy, .tau = event.tau}, locale).toStdString()};
     const ReportWords words = reportLanguage();

@@ -45,14 +45,14 @@ bool isPlannerChange(const MissionEvent& event)
     return event.kind == EventKind::Intervention && event.changed == ChangedPart::Planner;
 }
 
-/** Of a drag of tau, which is many changes, the last. */
+/** Of a drag of tau, which is many changes, where it began and what it came to. */
 void addDeviation(std::vector<MissionEvent>& deviations, const MissionEvent& event)
 {
     constexpr double kDrag_s = 60;
     if (!deviations.empty() && isPlannerChange(deviations.back()) && isPlannerChange(event) &&
         deviations.back().policy == event.policy &&
         event.time_s - deviations.back().time_s <= kDrag_s)
-        deviations.back() = event;
+        deviations.back().tau = event.tau;
     else
         deviations.push_back(event);
 }

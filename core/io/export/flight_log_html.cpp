@@ -190,6 +190,7 @@ std::string deviationHtml(const ExportContent& content, const MissionEvent& even
                            .uav = uavs.size() > 1 ? name(uavs, event.uav) : std::string(),
                            .otherUav = name(uavs, event.otherUav),
                            .distance = rounded(event.distance_m) + " m",
+                           .entry = clockOf(event.entry_s),
                            .planner = plannerText(event.policy, event.tau)};
     std::string text = timeOf(content, event.time_s) + ' ' +
                        eventSentence(event, names, [&content](std::string_view english) {

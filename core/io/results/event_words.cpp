@@ -40,11 +40,13 @@ std::string_view changeWords(const MissionEvent& event)
     return {};
 }
 
-/** %1 is the iceberg, %2 policy and tau, %3 a distance. */
+/** %1 is the iceberg, %2 policy and tau, %3 a distance, %4 a time. */
 std::string_view wordsOf(const MissionEvent& event, bool hasIceberg)
 {
     switch (event.kind) {
     case EventKind::Planned:
+        if (event.fellBack && hasIceberg)
+            return QT_TRANSLATE_NOOP("EventText", "Previous plan kept: next %1");
         return hasIceberg ? QT_TRANSLATE_NOOP("EventText", "Planned: next %1")
                           : QT_TRANSLATE_NOOP("EventText", "Every iceberg is in view: circling");
     case EventKind::Reached:
@@ -59,7 +61,7 @@ std::string_view wordsOf(const MissionEvent& event, bool hasIceberg)
         return QT_TRANSLATE_NOOP("EventText",
                                  "The planner failed: continuing with the previous plan");
     case EventKind::Alarm:
-        return QT_TRANSLATE_NOOP("EventText", "%1 will enter the inner ring");
+        return QT_TRANSLATE_NOOP("EventText", "%1 will enter the inner ring in %4");
     case EventKind::Intervention:
         return changeWords(event);
     case EventKind::Left:
@@ -100,11 +102,11 @@ std::string eventSentence(const MissionEvent& event, const EventNames& names,
     };
     const auto own = [&] {
         return fill(wordsOf(event, !names.iceberg.empty()),
-                    {names.iceberg, names.planner, names.distance});
+                    {names.iceberg, names.planner, names.distance, names.entry});
     };
     if (names.uav.empty())
         return own();
-    if (event.kind == EventKind::Planned)
+    if (event.kind == EventKind::Planned && !event.fellBack)
         return fill(names.iceberg.empty()
                         ? QT_TRANSLATE_NOOP("EventText", "%1 has nothing to visit: circling")
                         : QT_TRANSLATE_NOOP("EventText", "%1 flies to %2 next"),
@@ -113,7 +115,8 @@ std::string eventSentence(const MissionEvent& event, const EventNames& names,
         return fill(QT_TRANSLATE_NOOP("EventText", "%1 and %2 are %3 apart"),
                     {names.uav, names.otherUav, names.distance});
     if (event.kind == EventKind::Intervention && event.changed == ChangedPart::Assignment)
-        return fill(QT_TRANSLATE_NOOP("EventText", "%1 given to %2"), {names.iceberg, names.uav});
+        return fill(QT_TRANSLATE_NOOP("EventText", "%1 assigned to %2"),
+                    {names.iceberg, names.uav});
     return names.uav + ": " + own();
 }
 

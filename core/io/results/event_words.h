@@ -15,6 +15,7 @@ struct EventNames
     std::string uav;      ///< empty: of nobody in particular, or there is one UAV
     std::string otherUav; ///< empty: unknown
     std::string distance;
+    std::string entry;   ///< time until it is in the ring
     std::string planner; ///< policy and tau in force
 };
 

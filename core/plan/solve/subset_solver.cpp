@@ -1,5 +1,6 @@
 #include "core/plan/solve/subset_solver.h"
 
+#include "core/plan/solve/names.h"
 #include "core/plan/solve/piece_list.h"
 #include "core/plan/solve/solve_watch.h"
 
@@ -341,7 +342,7 @@ std::optional<IssueReason> SubsetSolver::whyNot(const TvpProblem& problem) const
     if (problem.icebergCount() <= kMostIcebergs)
         return std::nullopt;
     return IssueReason{IssueId::ProofTooLarge,
-                       {std::string("subsets"), std::int64_t{kMostIcebergs}}};
+                       {nameOf(kBackendNames, Backend::Exact), std::int64_t{kMostIcebergs}}};
 }
 
 SolveOutcome SubsetSolver::doSolve(const TvpProblem& problem, const SolveOptions& options) const

@@ -359,6 +359,33 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(mission.intervene({.removed = "nobody"}), Error);
     }
 
+    /** Nor is it looked for: it was lost, or is missed where it is believed to be. */
+    void removedIcebergIsNotSearchedFor()
+    {
+        Scenario scenario = randomScenario(19);
+        scenario.observer = {.model = ObserverModel::Kalman, .detection = 0.5};
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.velocitySd_mps = 0.5;
+        scenario.duration_s = 3000;
+        Mission mission(scenario);
+        const auto lost = [&] {
+            const auto& events = mission.events();
+            return std::ranges::find(events, EventKind::Lost, &MissionEvent::kind);
+        };
+        while (lost() == mission.events().end() && !mission.simulation().finished())
+            mission.advance(mission.simulation().time_s() + 5);
+        QVERIFY(lost() != mission.events().end());
+        const int iceberg = lost()->iceberg;
+        const double removed_s = mission.simulation().time_s();
+        mission.intervene({.removed = mission.icebergs()[static_cast<std::size_t>(iceberg)].id});
+        QCOMPARE(mission.interventions().size(), std::size_t{1});
+        mission.advance(removed_s + 0.2);
+        flyToEnd(mission);
+        for (const MissionEvent& event : mission.events())
+            if (event.time_s > removed_s)
+                QVERIFY(event.iceberg != iceberg);
+    }
+
     void badInterventionsAreRefused()
     {
         Mission mission(randomScenario(20));

@@ -84,6 +84,18 @@ private slots:
         QVERIFY(!list.comparison());
     }
 
+    /** It is added when it is complete, and once more when it is stopped. */
+    void nameSurvivesTheSameRun()
+    {
+        const Mission mission = flownWith(shortScenario(), policy(PolicyKind::Nearest));
+        RunList list;
+        list.add(recordOf(mission));
+        list.rename(0, u"first try"_s);
+        list.add(recordOf(mission));
+        QCOMPARE(list.runs().size(), std::size_t{1});
+        QCOMPARE(list.runs()[0]->name, u"first try"_s);
+    }
+
     void aVariantIsSetBesideTheReference()
     {
         const Mission first = flownWith(shortScenario(), policy(PolicyKind::Nearest));

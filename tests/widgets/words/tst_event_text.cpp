@@ -85,7 +85,7 @@ private slots:
              .iceberg = 0,
              .uav = 1,
              .changed = ChangedPart::Assignment},
-            u"berg-1 given to uav-2"_s);
+            u"berg-1 assigned to uav-2"_s);
         row("given back",
             {.kind = EventKind::Intervention, .iceberg = 0, .changed = ChangedPart::Assignment},
             u"Any UAV may visit berg-1"_s);

@@ -65,7 +65,7 @@ QString MapEdits::removalText(const std::vector<std::string>& ids) const
 void MapEdits::deleteSelected()
 {
     const std::vector<std::string> ids = m_selection.ids();
-    if (m_view.mayIntervene())
+    if (m_view.isLocked())
         emit m_view.removalRequested(ids);
     if (!begin() || m_view.removePart())
         return;

@@ -26,7 +26,7 @@ constexpr int kPadding_px = 12;
 constexpr double kRadius_px = 7;
 
 /** Of the flight as it was chosen at take-off; null: none, or something was changed in flight. */
-const PolicyForecast* forecastOf(const ComparedRun& run, const PolicyForecastList& forecasts)
+const PolicyForecast* knownForecast(const ComparedRun& run, const PolicyForecastList& forecasts)
 {
     const auto found = forecasts.find(run.planner.policy);
     if (run.wasChanged || !run.worldChanges.empty() || found == forecasts.end() ||
@@ -42,7 +42,7 @@ FlightSummary flightSummary(const FlightRecord& record, const PolicyForecastList
     const ComparedRun run = comparedRun(record);
     const RunFigures figures = figuresAt(run, run.flown_s);
     FlightSummary summary{.zeta_m2s = run.metrics.zeta_m2s, .visits = run.metrics.visits};
-    if (const PolicyForecast* forecast = forecastOf(run, forecasts)) {
+    if (const PolicyForecast* forecast = knownForecast(run, forecasts)) {
         summary.predicted_m2s =
             forecast->isFlown() ? summarise(forecast->drawn_m2s).mean : forecast->metrics.zeta_m2s;
         summary.range = forecast->range();

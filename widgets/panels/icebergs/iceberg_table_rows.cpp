@@ -301,7 +301,7 @@ QString stateText(const IcebergTableRow& row)
     case IcebergStanding::GivenUp:
         return IcebergRowText::tr("given up");
     case IcebergStanding::Left:
-        return IcebergRowText::tr("left the area");
+        return IcebergRowText::tr("left or removed");
     case IcebergStanding::Unplanned:
         return IcebergRowText::tr("not in the order");
     case IcebergStanding::Later:

@@ -43,7 +43,10 @@ protected:
     void focusOutEvent(QFocusEvent* event) override
     {
         QPlainTextEdit::focusOutEvent(event);
-        m_finished();
+        // Its own menu and other programs take the focus for a moment only, as QLineEdit has it.
+        if (event->reason() != Qt::PopupFocusReason &&
+            event->reason() != Qt::ActiveWindowFocusReason)
+            m_finished();
     }
 
 private:

@@ -187,16 +187,22 @@ void RunTable::removeCurrent()
 
 void RunTable::renameCurrent()
 {
-    if (currentRow() >= 0)
-        editItem(item(currentRow(), RunName));
+    if (currentRow() < 0)
+        return;
+    setCurrentCell(currentRow(), RunName);
+    editItem(currentItem());
 }
 
 void RunTable::commitData(QWidget* editor)
 {
-    const QString before = currentItem()->text();
+    // Not the current row: that may have changed while one typed.
+    const QTableWidgetItem* cell = itemAt(editor->geometry().center());
+    if (cell == nullptr)
+        return;
+    const QString before = cell->text();
     QTableWidget::commitData(editor);
-    if (const QString name = currentItem()->text(); name != before)
-        m_list.rename(static_cast<std::size_t>(currentRow()), name);
+    if (const QString name = cell->text(); name != before)
+        m_list.rename(static_cast<std::size_t>(cell->row()), name);
 }
 
 void RunTable::contextMenuEvent(QContextMenuEvent* event)

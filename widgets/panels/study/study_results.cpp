@@ -240,7 +240,8 @@ void StudyResults::showRecommendation()
     const auto name = [&](std::size_t s) {
         return settingText(summary.settings[s].setting, locale());
     };
-    m_useBest->setText(tr("Use %1").arg(name(best.setting)));
+    m_useBest->setText(
+        (best.isSure ? tr("Use %1") : tr("Use the lowest: %1")).arg(name(best.setting)));
     m_useBest->setToolTip(tr("Plans the scenario on the map with this setting."));
     if (summary.cases.size() == 1) {
         m_recommendation->setText(

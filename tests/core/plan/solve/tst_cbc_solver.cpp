@@ -429,15 +429,18 @@ private slots:
         QTest::newRow("position, 40") << Formulation::Position << 40 << QString();
         QTest::newRow("position, 41")
             << Formulation::Position << 41
-            << QStringLiteral("the MILP position is offered for at most 40 icebergs, not for 41");
+            << QStringLiteral(
+                   "the MILP formulation position is offered for at most 40 icebergs, not for 41");
         QTest::newRow("printed, 60") << Formulation::Printed << 60 << QString();
         QTest::newRow("printed, 61")
             << Formulation::Printed << 61
-            << QStringLiteral("the MILP printed is offered for at most 60 icebergs, not for 61");
+            << QStringLiteral(
+                   "the MILP formulation printed is offered for at most 60 icebergs, not for 61");
         QTest::newRow("reduced, 60") << Formulation::Reduced << 60 << QString();
         QTest::newRow("reduced, 61")
             << Formulation::Reduced << 61
-            << QStringLiteral("the MILP reduced is offered for at most 60 icebergs, not for 61");
+            << QStringLiteral(
+                   "the MILP formulation reduced is offered for at most 60 icebergs, not for 61");
     }
 
     void whyNot()

@@ -201,7 +201,7 @@ private slots:
         QTest::newRow("searched") << int(TrackStatus::Lost) << true << false
                                   << u"lost, searched for"_s;
         QTest::newRow("given up") << int(TrackStatus::GivenUp) << false << false << u"given up"_s;
-        QTest::newRow("left") << int(TrackStatus::Tracked) << false << true << u"left the area"_s;
+        QTest::newRow("left") << int(TrackStatus::Tracked) << false << true << u"left or removed"_s;
     }
 
     void statesOfLostIcebergs()

@@ -308,7 +308,9 @@ private slots:
         const StudySetting& best = summary.settings[summary.recommendation->setting].setting;
         QCOMPARE(wanted.count(), 1);
         QVERIFY(wanted.front().front().value<berg::StudySetting>() == best);
-        QCOMPARE(use.text(), u"Use "_s + settingText(best, QLocale::c()));
+        QCOMPARE(use.text(),
+                 (summary.recommendation->isSure ? u"Use %1"_s : u"Use the lowest: %1"_s)
+                     .arg(settingText(best, QLocale::c())));
     }
 
     void pointLeadsToItsCases()
