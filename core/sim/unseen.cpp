@@ -1,6 +1,7 @@
 #include "core/sim/unseen.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace berg {
 
@@ -32,8 +33,11 @@ unseenIntervals(std::span<const Sample> samples, std::span<const std::vector<Ice
         for (std::size_t i = 0; i < rows[k].size(); ++i) {
             const IcebergSample& now = rows[k][i];
             Watch& watch = watches[i];
-            if (!now.active)
+            if (!now.active) { // not there yet, outside the area or removed
+                if (std::exchange(watch.known, false) && !watch.seen && time_s > watch.since_s)
+                    unseen[i].push_back({.from_s = watch.since_s, .to_s = time_s});
                 continue;
+            }
             const bool seen = now.inView || (watch.known && now.sigma_m2 < watch.sigma_m2);
             if (!watch.known || (seen && watch.seen))
                 watch.since_s = time_s;

@@ -12,7 +12,7 @@ namespace berg {
 struct UnseenInterval
 {
     double from_s = 0; ///< last seen then, or known of from then on
-    double to_s = 0;   ///< seen again, or end of the record
+    double to_s = 0;   ///< seen again, no longer there, or end of the record
     bool operator==(const UnseenInterval&) const = default;
 };
 

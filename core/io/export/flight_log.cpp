@@ -95,7 +95,7 @@ public:
             before_s = sample.time_s;
         }
         for (std::size_t i = 0; i < m_icebergs.size(); ++i)
-            if (m_icebergs[i].known_s) {
+            if (m_icebergs[i].wasThere) {
                 close(m_icebergs[i], m_log.flown_s);
                 m_icebergs[i].log.iceberg = i;
                 m_log.icebergs.push_back(m_icebergs[i].log);
@@ -107,6 +107,7 @@ private:
     {
         LogIceberg log;
         std::optional<double> known_s; ///< seen last, or known of from then on
+        bool wasThere = false;
     };
 
     void readUavs(const Sample& sample, double passed_s)
@@ -125,16 +126,21 @@ private:
 
     static void close(Watched& watched, double time_s)
     {
-        watched.log.longestUnseen_s =
-            std::max(watched.log.longestUnseen_s, time_s - *watched.known_s);
+        if (watched.known_s)
+            watched.log.longestUnseen_s =
+                std::max(watched.log.longestUnseen_s, time_s - *watched.known_s);
     }
 
     void readIcebergs(const std::vector<IcebergSample>& icebergs, double time_s)
     {
         for (std::size_t i = 0; i < icebergs.size() && i < m_icebergs.size(); ++i) {
             Watched& watched = m_icebergs[i];
-            if (!icebergs[i].active)
+            if (!icebergs[i].active) { // not there yet, outside the area or removed
+                close(watched, time_s);
+                watched.known_s.reset();
                 continue;
+            }
+            watched.wasThere = true;
             watched.log.sigma_m2 = icebergs[i].sigma_m2;
             if (!watched.known_s)
                 watched.known_s = time_s;

@@ -97,6 +97,8 @@ private slots:
         row("appears", "...---v", {3, 6});
         row("appears in view", "..vv--", {3, 5});
         row("appears at the end", "....-", {});
+        row("removed", "v---..", {0, 4});
+        row("removed in view", "--v..", {0, 2, 2, 3});
         row("one sample", "-", {});
         row("nothing", "", {});
     }

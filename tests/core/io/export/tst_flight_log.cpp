@@ -108,8 +108,10 @@ private slots:
         mission.intervene({.appears = Iceberg{.id = "late", .position_m = {2500, 1500}}});
         mission.intervene({.removed = mission.icebergs()[0].id});
         mission.advance(1e9);
-        const std::vector<MissionEvent> told = flightLog(runContent(mission)).deviations;
+        const FlightLog log = flightLog(runContent(mission));
+        const std::vector<MissionEvent>& told = log.deviations;
         QCOMPARE(told.size(), std::size_t{3});
+        QVERIFY(log.icebergs[0].longestUnseen_s <= 104); // then it was removed
         QCOMPARE(told[0].tau, 1.3);
         const std::string page = flightLogHtml(runContent(mission));
         for (const char* part : {"Planned from now on by: visitation, τ = 1.3",
