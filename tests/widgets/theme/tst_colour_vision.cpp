@@ -1,5 +1,6 @@
 #include "tests/support/approx.h"
 #include "tests/support/colour_vision.h"
+#include "widgets/map/paint/map_surroundings.h"
 #include "widgets/theme/palette.h"
 #include "widgets/words/policy_words.h"
 
@@ -104,6 +105,16 @@ private slots:
             QVERIFY2(apart >= kApart,
                      qPrintable(u"%1: %2"_s.arg(QLatin1String(pair.name)).arg(apart)));
         }
+    }
+
+    void airspaceIsToldFromTheComparedRun_data() { addRows(); }
+
+    void airspaceIsToldFromTheComparedRun()
+    {
+        QFETCH(int, theme);
+        QFETCH(Vision, vision);
+        const Theme& shown = themes()[static_cast<std::size_t>(theme)].theme;
+        QVERIFY(colourDifference(airspacePen(shown).color(), shown.comparison, vision) >= kApart);
     }
 
     void uavsAreToldApart_data() { addRows(); }
