@@ -176,12 +176,13 @@ std::optional<double> PolicyCombo::zetaOf(PolicyKind policy) const
     return hasMean(policy) ? summarise(forecast->drawn_m2s).mean : forecast->metrics.zeta_m2s;
 }
 
-/** Its zeta is the mean of flights in drawn worlds. */
+/** Its zeta is the mean of flights in drawn worlds; in flight, when it is no longer weighed against
+ * the others, as at the end of the flight. */
 bool PolicyCombo::hasMean(PolicyKind policy) const
 {
     const PolicyForecast* const forecast = forecastOf(policy);
-    return m_isDrawn && forecast != nullptr && forecast->state == ForecastState::Known &&
-           forecast->isFlown();
+    return (m_isDrawn || m_inFlight) && forecast != nullptr &&
+           forecast->state == ForecastState::Known && forecast->isFlown();
 }
 
 /** Predicted, but too slow for the drawn worlds that others were flown in. */
@@ -318,9 +319,7 @@ QString PolicyCombo::summary() const
                                ? zetaText(*zeta_m2s, locale())
                                : u"%1 (%2)"_s.arg(zetaText(*zeta_m2s, locale()), spread);
     if (m_inFlight)
-        return (hasMean(policy) ? tr("Mean before take-off: ζ %1")
-                                : tr("Predicted before take-off: ζ %1"))
-            .arg(figure);
+        return tr("Predicted before take-off: ζ %1").arg(figure);
     QString told = (hasMean(policy) ? tr("Mean ζ %1") : tr("Predicted ζ %1")).arg(figure);
     const std::optional<PolicyKind> best = lowest();
     if (!best) {
