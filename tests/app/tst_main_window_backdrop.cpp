@@ -74,12 +74,13 @@ private slots:
         const QImage with = settledMap(w);
         QVERIFY(with != without);
         QVERIFY(opacity.isEnabled());
+        QCOMPARE(opacity.value(), 50); // the field of view is seen on it
         auto& button = test::child<QPushButton>(w.window(), u"backdropButton"_s);
         QCOMPARE(button.text(), u"ice chart.geojson"_s);
 
         opacity.setValue(0);
         QCOMPARE(settledMap(w), without);
-        opacity.setValue(100);
+        opacity.setValue(50);
         QCOMPARE(settledMap(w), with);
         {
             const MainWindow next(w.workspace, w.interaction, w.settings);

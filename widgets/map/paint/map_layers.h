@@ -27,8 +27,8 @@ inline constexpr std::size_t kMapLayers = 9;
 /** How strongly each layer is painted, a file of the user below all, how far drift arrows look. */
 struct MapLayers
 {
-    /** By `MapLayer`, 0: hidden, to 1. */
-    std::array<double, kMapLayers> opacities{1, 1, 1, 1, 1, 1, 1, 1, 1};
+    /** By `MapLayer`, 0: hidden, to 1; the background does not drown what lies on it. */
+    std::array<double, kMapLayers> opacities{1, 1, 1, 1, 1, 1, 1, 0.5, 1};
     BackdropPointer backdrop; ///< null: none
     double horizon_s = 0;     ///< of drift arrows; 0: what makes them of a length to be seen
     bool operator==(const MapLayers&) const = default;

@@ -67,7 +67,7 @@ private slots:
         all.backdrop = std::make_shared<const Backdrop>(Backdrop{
             {.kind = MapShape::Kind::Polygon, .parts = {{{46, -49}, {46, -47}, {48, -48}}}}});
         MapLayers faint = all;
-        faint.set(static_cast<MapLayer>(layer), 0.5);
+        faint.set(static_cast<MapLayer>(layer), 0.3);
         MapLayers hidden = all;
         hidden.set(static_cast<MapLayer>(layer), 0);
         const QImage full = painted(all);
