@@ -128,6 +128,8 @@ void Docks::addRight()
     connect(dock(Dock::Tradeoff), &QDockWidget::topLevelChanged, this, limitHeight);
     limitHeight();
     QDockWidget* plan = add("planDock", tr("Plan"), panels().plan, kArea);
+    connect(panels().inspector, &InspectorPanel::left, panels().map,
+            qOverload<>(&QWidget::setFocus));
     QDockWidget* inspector = add("inspectorDock", tr("Inspector"), panels().inspector, kArea);
     QDockWidget* pareto = add("paretoDock", tr("Trade-offs"), panels().pareto, kArea);
     window().tabifyDockWidget(plan, inspector);

@@ -111,6 +111,31 @@ private slots:
         QVERIFY(!tau.text().isEmpty());
     }
 
+    void escapeLeavesTheInspectorForTheMap_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("line") << u"icebergId"_s;
+        QTest::newRow("number") << u"icebergEast"_s;
+        QTest::newRow("coordinate") << u"icebergLatitude"_s;
+    }
+
+    void escapeLeavesTheInspectorForTheMap()
+    {
+        QFETCH(QString, name);
+        WindowFixture w(randomScenario(1, {.icebergs = 4}));
+        w.workspace.selection().set({w.scenario().icebergs[0].id});
+        raise(w, u"inspectorDock"_s);
+        auto& field = test::child<QWidget>(w.window(), name);
+        field.setFocus();
+        QTest::keyClicks(&field, u"1"_s);
+        QTest::keyClick(&field, Qt::Key_Escape);
+        QVERIFY(field.hasFocus()); // it is being typed
+        QTest::keyClick(&field, Qt::Key_Z, Qt::ControlModifier);
+        QTest::keyClick(&field, Qt::Key_Return);
+        QTest::keyClick(&field, Qt::Key_Escape);
+        QVERIFY(w.map().hasFocus());
+    }
+
     void undoInAFieldIsOfItsTypingOrOfTheScenario_data()
     {
         QTest::addColumn<QString>("name");

@@ -9,6 +9,8 @@
 #include "widgets/words/issue_text.h"
 
 #include <QFormLayout>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -213,6 +215,17 @@ void InspectorPanel::finishTyping()
         return;
     for (InspectorForm* form : m_forms)
         form->finishTyping();
+}
+
+/** Keys that no input has use for arrive here. */
+void InspectorPanel::keyPressEvent(QKeyEvent* event)
+{
+    const auto lines = findChildren<QLineEdit*>();
+    const bool isTyping = std::ranges::any_of(lines, &QLineEdit::isModified);
+    if (event->key() == Qt::Key_Escape && !isTyping)
+        emit left();
+    else
+        QWidget::keyPressEvent(event);
 }
 
 void InspectorPanel::changeSelection()

@@ -36,6 +36,13 @@ public:
     /** Takes what is being typed as if Return had been pressed, e.g. before saving. */
     void finishTyping();
 
+signals:
+    /** Esc, where nothing is being typed. */
+    void left();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
 private:
     /** A row of a mark and a text that may wrap. */
     struct Notice
