@@ -46,6 +46,7 @@ QString consequence(Interaction::FlightEnd why)
 Interaction::Unsaved unsavedAnswer(QMessageBox& box)
 {
     box.setDefaultButton(QMessageBox::Save);
+    box.button(QMessageBox::Discard)->setText(Dialogs::tr("&Discard"));
     switch (box.exec()) {
     case QMessageBox::Save:
         return Interaction::Unsaved::Save;

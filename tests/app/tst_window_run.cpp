@@ -141,6 +141,20 @@ private slots:
         QCOMPARE(files.labelText(QFileDialog::FileName), u"Fil&navn:"_s);
     }
 
+    void everyAnswerOnUnsavedWorkHasAKey()
+    {
+        QStringList texts;
+        QTimer::singleShot(0, this, [&] {
+            for (const QAbstractButton* button :
+                 QApplication::activeModalWidget()->findChildren<QAbstractButton*>())
+                texts << button->text();
+            QApplication::activeModalWidget()->close();
+        });
+        QCOMPARE(DialogInteraction().askUnsaved(nullptr, {.name = u"Name"_s}),
+                 Interaction::Unsaved::Cancel);
+        QVERIFY(texts.contains(u"&Discard"_s));
+    }
+
     void longMessagesFitTheScreen()
     {
         const QString rows = u"<tr><td>%1</td></tr>"_s.arg(QString(2000, u'x')).repeated(300);
