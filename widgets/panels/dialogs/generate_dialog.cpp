@@ -85,6 +85,7 @@ GenerateDialog::GenerateDialog(const Scenario& scenario, const WorldBounds& view
     m_number->setObjectName(u"generateNumber"_s);
     m_number->setRange(1, static_cast<int>(kMostIcebergs));
     m_number->setValue(FieldRequest{}.icebergs);
+    m_number->selectAll(); // another number is typed at once
     addRow(*form, tr("&Number"), {m_number});
     connect(m_number, &QSpinBox::valueChanged, this, &GenerateDialog::draw);
     addPlace(*form);

@@ -64,6 +64,15 @@ class TestGenerateDialog : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    void aNumberIsTypedAtOnce()
+    {
+        Fixture f;
+        QSpinBox& number = f.spin(u"generateNumber"_s);
+        number.setFocus();
+        QTest::keyClicks(&number, u"50"_s);
+        QCOMPARE(number.value(), 50);
+    }
+
     void drawsInTheViewAtFirst()
     {
         Fixture f;
