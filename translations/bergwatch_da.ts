@@ -769,6 +769,10 @@
         <source>Save the run before the flight ends?</source>
         <translation>Gem flyvningen, før den afsluttes?</translation>
     </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Forkast</translation>
+    </message>
 </context>
 <context>
     <name>DriftArrow</name>
@@ -10218,10 +10222,6 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
     <message>
         <source>Recommended</source>
         <translation>Anbefalet</translation>
-    </message>
-    <message>
-        <source>Mean before take-off: ζ %1</source>
-        <translation>Middel før start: ζ %1</translation>
     </message>
     <message>
         <source>Mean ζ %1</source>

@@ -769,6 +769,10 @@
         <source>Save the run before the flight ends?</source>
         <translation>Enregistrer le vol avant qu’il ne se termine ?</translation>
     </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Abandonner</translation>
+    </message>
 </context>
 <context>
     <name>DriftArrow</name>
@@ -10218,10 +10222,6 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
     <message>
         <source>Recommended</source>
         <translation>Recommandée</translation>
-    </message>
-    <message>
-        <source>Mean before take-off: ζ %1</source>
-        <translation>Moyenne avant le décollage : ζ %1</translation>
     </message>
     <message>
         <source>Mean ζ %1</source>

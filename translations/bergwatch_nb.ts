@@ -769,6 +769,10 @@
         <source>Save the run before the flight ends?</source>
         <translation>Lagre flygingen før den avsluttes?</translation>
     </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Forkast</translation>
+    </message>
 </context>
 <context>
     <name>DriftArrow</name>
@@ -10218,10 +10222,6 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>Recommended</source>
         <translation>Anbefalt</translation>
-    </message>
-    <message>
-        <source>Mean before take-off: ζ %1</source>
-        <translation>Gjennomsnitt før start: ζ %1</translation>
     </message>
     <message>
         <source>Mean ζ %1</source>
