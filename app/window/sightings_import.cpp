@@ -16,7 +16,8 @@
 #include <QMimeData>
 #include <QTimer>
 
-#include <ranges>
+#include <algorithm>
+#include <span>
 
 using namespace Qt::StringLiterals;
 
@@ -37,7 +38,8 @@ QString reasonsOf(const Rejections& rejected)
 {
     constexpr std::size_t kMostLines = 15;
     QStringList lines;
-    for (const RejectedRow& row : rejected.first | std::views::take(kMostLines))
+    const std::span<const RejectedRow> first(rejected.first);
+    for (const RejectedRow& row : first.first(std::min(first.size(), kMostLines)))
         lines << placedIssueText(
             {Severity::Error, "line " + std::to_string(row.line), reasonOf(row)});
     if (rejected.count > kMostLines)

@@ -121,7 +121,8 @@ void TimeChart::fillColumn(ChartReadout& readout, double time_s) const
     for (const std::size_t i : rowsAt(values, readout)) {
         const std::size_t k = readout.flags.size();
         ReadoutFlag row = flagOf(i, *values[i], 0);
-        row.rect = {m_column.left_px + m_column.width_px * static_cast<double>(k / m_column.rows),
+        const std::size_t column = k / m_column.rows;
+        row.rect = {m_column.left_px + m_column.width_px * static_cast<double>(column),
                     m_column.top_px + m_column.row_px * static_cast<double>(k % m_column.rows),
                     m_column.width_px, m_column.row_px};
         row.isStrong = m_content.lines[i].emphasis == LineEmphasis::Strong;

@@ -7,7 +7,7 @@ namespace berg {
 ReportWords reportLanguage()
 {
     return ReportWords([](std::string_view english) {
-        const std::string text(english);
+        std::string text(english);
         for (const char* const context : {"Report", "EventText"})
             if (const QString said = QCoreApplication::translate(context, text.c_str());
                 said != QString::fromUtf8(text))

@@ -83,10 +83,9 @@ double Stopwatch::elapsed_s() const
 
 SolveOutcome unable(IssueReason reason)
 {
-    return {.reason = StopReason::Unable,
-            .plan = {},
-            .detail = englishText(reason),
-            .whyUnable = std::move(reason)};
+    SolveOutcome outcome{.reason = StopReason::Unable, .plan = {}, .detail = englishText(reason)};
+    outcome.whyUnable = std::move(reason);
+    return outcome;
 }
 
 SolveOutcome TvpSolver::solve(const TvpProblem& problem, const SolveOptions& options) const
