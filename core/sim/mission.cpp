@@ -217,7 +217,9 @@ void Mission::noteChanges(const Intervention& intervention)
 void Mission::requireAppeared(const std::string& iceberg, const char* field) const
 {
     const int index = indexOfId(m_icebergs, iceberg);
-    if (index < 0 || (!m_simulation.active(index) && field != std::string_view("removed")))
+    const bool mayHaveLeft = field == std::string_view("removed");
+    if (index < 0 ||
+        (!m_simulation.active(index) && !(mayHaveLeft && m_simulation.track(index).left)))
         throw Error(ErrorCode::InvalidInput, m_scenario.name,
                     {{Severity::Error, field, {IssueId::NoSuchIceberg, {iceberg}}}});
 }

@@ -393,6 +393,11 @@ private slots:
         const WorldState before = mission.simulation().state();
         Iceberg twin;
         twin.id = "berg-1"; // taken
+        Scenario later = randomScenario(20);
+        later.icebergs[0].appears_s = 500;
+        Mission early(later);
+        early.advance(100);
+        QVERIFY_EXCEPTION_THROWN(early.intervene({.removed = later.icebergs[0].id}), Error);
         QVERIFY_EXCEPTION_THROWN(mission.intervene({.appears = twin}), Error);
         QVERIFY_EXCEPTION_THROWN(mission.intervene({.tau = -1.0}), Error);
         QVERIFY(mission.simulation().state() == before);
