@@ -6901,10 +6901,6 @@ Tilstødende område %4</translation>
         <translation>Program</translation>
     </message>
     <message>
-        <source>Planned: the first plan, before take-off. Distances flown are through the air.</source>
-        <translation>Planlagt: den første plan, før start. Fløjne afstande er gennem luften.</translation>
-    </message>
-    <message>
         <source>UAV</source>
         <translation>Drone</translation>
     </message>
@@ -6959,10 +6955,6 @@ Tilstødende område %4</translation>
     <message>
         <source>ζ over time</source>
         <translation>ζ over tid</translation>
-    </message>
-    <message>
-        <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again or the record ends.</source>
-        <translation>Længst uset: fra et isbjerg blev kendt eller set, til det blev set igen eller optagelsen slutter.</translation>
     </message>
     <message>
         <source>Iceberg</source>
@@ -7375,6 +7367,14 @@ Tilstødende område %4</translation>
     <message>
         <source>legs with aim points that give the lowest predicted ζ, planned again at each sighting</source>
         <translation>etaper med sigtepunkter, der giver lavest forudsagt ζ, planlagt igen ved hver observation</translation>
+    </message>
+    <message>
+        <source>Planned: the first plan, before take-off, in straight legs. Distances flown are through the air.</source>
+        <translation>Planlagt: den første plan, før start, i lige etaper. Fløjne afstande er gennem luften.</translation>
+    </message>
+    <message>
+        <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again, left, was removed or the record ends.</source>
+        <translation>Længst uset: fra et isbjerg blev kendt eller set, til det blev set igen, forlod området, blev fjernet eller optagelsen slutter.</translation>
     </message>
 </context>
 <context>

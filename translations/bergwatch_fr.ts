@@ -6901,10 +6901,6 @@ Zone adjacente %4</translation>
         <translation>Programme</translation>
     </message>
     <message>
-        <source>Planned: the first plan, before take-off. Distances flown are through the air.</source>
-        <translation>Prévu : le premier plan, avant le décollage. Les distances volées sont dans l’air.</translation>
-    </message>
-    <message>
         <source>UAV</source>
         <translation>Drone</translation>
     </message>
@@ -6959,10 +6955,6 @@ Zone adjacente %4</translation>
     <message>
         <source>ζ over time</source>
         <translation>ζ dans le temps</translation>
-    </message>
-    <message>
-        <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again or the record ends.</source>
-        <translation>Plus long sans vue : depuis qu’un iceberg est connu, ou vu, jusqu’à ce qu’il soit revu ou que l’enregistrement finisse.</translation>
     </message>
     <message>
         <source>Iceberg</source>
@@ -7375,6 +7367,14 @@ Zone adjacente %4</translation>
     <message>
         <source>legs with aim points that give the lowest predicted ζ, planned again at each sighting</source>
         <translation>des segments à points de visée qui donnent le ζ prévu le plus bas, replanifiés à chaque observation</translation>
+    </message>
+    <message>
+        <source>Planned: the first plan, before take-off, in straight legs. Distances flown are through the air.</source>
+        <translation>Prévu : le premier plan, avant le décollage, en segments droits. Les distances volées sont dans l’air.</translation>
+    </message>
+    <message>
+        <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again, left, was removed or the record ends.</source>
+        <translation>Plus long sans vue : depuis qu’un iceberg est connu, ou vu, jusqu’à ce qu’il soit revu, sorti, retiré ou que l’enregistrement finisse.</translation>
     </message>
 </context>
 <context>

@@ -6901,10 +6901,6 @@ Tilstøtende område %4</translation>
         <translation>Program</translation>
     </message>
     <message>
-        <source>Planned: the first plan, before take-off. Distances flown are through the air.</source>
-        <translation>Planlagt: den første planen, før avgang. Fløyne avstander er gjennom luften.</translation>
-    </message>
-    <message>
         <source>UAV</source>
         <translation>UAV</translation>
     </message>
@@ -6959,10 +6955,6 @@ Tilstøtende område %4</translation>
     <message>
         <source>ζ over time</source>
         <translation>ζ over tid</translation>
-    </message>
-    <message>
-        <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again or the record ends.</source>
-        <translation>Lengst usett: fra et isfjell ble kjent eller sett, til det ble sett igjen eller opptaket slutter.</translation>
     </message>
     <message>
         <source>Iceberg</source>
@@ -7375,6 +7367,14 @@ Tilstøtende område %4</translation>
     <message>
         <source>legs with aim points that give the lowest predicted ζ, planned again at each sighting</source>
         <translation>etapper med siktepunkter som gir lavest forutsagt ζ, planlagt på nytt ved hver observasjon</translation>
+    </message>
+    <message>
+        <source>Planned: the first plan, before take-off, in straight legs. Distances flown are through the air.</source>
+        <translation>Planlagt: den første planen, før avgang, i rette etapper. Fløyne avstander er gjennom luften.</translation>
+    </message>
+    <message>
+        <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again, left, was removed or the record ends.</source>
+        <translation>Lengst usett: fra et isfjell ble kjent eller sett, til det ble sett igjen, dro ut, ble fjernet eller opptaket slutter.</translation>
     </message>
 </context>
 <context>

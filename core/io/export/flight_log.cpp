@@ -62,16 +62,16 @@ void addPlanned(LogUav& uav, const Mission& mission, const PlanAnswer& plan)
 {
     const Scenario& scenario = mission.scenario();
     const std::string& id = scenario.uavs[uav.row].id;
-    const ExportSource source{.scenario = scenario, .plan = plan};
-    const ExportContent path = exportContent(source, {.what = ExportWhat::Path, .uav = id});
-    const std::vector<TimedPoint> line = pathOf(path.uavs.front());
+    const ExportContent order =
+        exportContent({.scenario = scenario, .plan = plan}, {.what = ExportWhat::Order, .uav = id});
+    const ExportUav& planned = order.uavs.front();
+    const std::vector<TimedPoint> line = pathOf(planned);
     for (std::size_t i = 1; i < line.size(); ++i)
         uav.plannedLength_m += (line[i].position_m - line[i - 1].position_m).norm();
     uav.plannedTime_s = line.back().time_s - line.front().time_s;
-    const std::vector<Visit>& visits = path.uavs.front().visits;
-    uav.plannedVisits = static_cast<std::size_t>(
-        std::ranges::count_if(visits, [](const Visit& visit) { return visit.iceberg >= 0; }));
-    uav.planHash = sha256(wplText(exportContent(source, {.what = ExportWhat::Order, .uav = id})));
+    uav.plannedVisits = static_cast<std::size_t>(std::ranges::count_if(
+        planned.visits, [](const Visit& visit) { return visit.iceberg >= 0; }));
+    uav.planHash = sha256(wplText(order));
 }
 
 /** What the samples tell of UAVs and icebergs, one after the other. */

@@ -13,7 +13,7 @@ struct LogUav
 {
     std::size_t row = 0; ///< in the scenario
     std::size_t plannedVisits = 0;
-    double plannedLength_m = 0; ///< over ground, as an aircraft with these turns flies it
+    double plannedLength_m = 0; ///< over ground, in straight legs, as the brief has it
     double plannedTime_s = 0;
     int visits = 0;
     double flown_m = 0;   ///< through the air

@@ -88,8 +88,9 @@ std::string uavsHtml(const ExportContent& content, const FlightLog& log)
 {
     const ReportWords& words = content.words;
     HtmlTable table(
-        words.html(QT_TRANSLATE_NOOP("Report", "Planned: the first plan, before take-off. "
-                                               "Distances flown are through the air.")),
+        words.html(QT_TRANSLATE_NOOP("Report",
+                                     "Planned: the first plan, before take-off, in straight legs. "
+                                     "Distances flown are through the air.")),
         words.heads(
             {QT_TRANSLATE_NOOP("Report", "UAV"), QT_TRANSLATE_NOOP("Report", "Visits planned"),
              QT_TRANSLATE_NOOP("Report", "flown"),
@@ -158,9 +159,9 @@ std::string sightingsHtml(const ExportContent& content, const FlightLog& log)
 {
     const ReportWords& words = content.words;
     HtmlTable table(
-        words.html(QT_TRANSLATE_NOOP("Report",
-                                     "Longest unseen: from when an iceberg was known of, or seen, "
-                                     "until it was seen again or the record ends.")),
+        words.html(QT_TRANSLATE_NOOP(
+            "Report", "Longest unseen: from when an iceberg was known of, or seen, "
+                      "until it was seen again, left, was removed or the record ends.")),
         words.heads(
             {QT_TRANSLATE_NOOP("Report", "Iceberg"), QT_TRANSLATE_NOOP("Report", "First seen"),
              QT_TRANSLATE_NOOP("Report", "Last seen"), QT_TRANSLATE_NOOP("Report", "Visits"),
