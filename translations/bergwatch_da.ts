@@ -10668,6 +10668,17 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <source>proven: %1 of %2</source>
         <translation>bevist: %1 af %2</translation>
     </message>
+    <message numerus="yes">
+        <source>%n areas: a scenario holds at most %1</source>
+        <translation>
+            <numerusform>%n område: et scenario har plads til højst %1</numerusform>
+            <numerusform>%n områder: et scenario har plads til højst %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Airspace left out</source>
+        <translation>Luftrum udeladt</translation>
+    </message>
 </context>
 <context>
     <name>berg::SolveTimeDesk</name>

@@ -499,6 +499,13 @@
             <numerusform>%1, %n icebergs</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n areas: a scenario holds at most %1</source>
+        <translation>
+            <numerusform>%n area: a scenario holds at most %1</numerusform>
+            <numerusform>%n areas: a scenario holds at most %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>berg::StudyPicture</name>

@@ -10668,6 +10668,17 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <source>proven: %1 of %2</source>
         <translation>prouvés : %1 sur %2</translation>
     </message>
+    <message numerus="yes">
+        <source>%n areas: a scenario holds at most %1</source>
+        <translation>
+            <numerusform>%n zone : un scénario en contient %1 au plus</numerusform>
+            <numerusform>%n zones : un scénario en contient %1 au plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Airspace left out</source>
+        <translation>Espace aérien laissé de côté</translation>
+    </message>
 </context>
 <context>
     <name>berg::SolveTimeDesk</name>

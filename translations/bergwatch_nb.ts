@@ -10668,6 +10668,17 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <source>proven: %1 of %2</source>
         <translation>bevist: %1 av %2</translation>
     </message>
+    <message numerus="yes">
+        <source>%n areas: a scenario holds at most %1</source>
+        <translation>
+            <numerusform>%n område: et scenario har plass til høyst %1</numerusform>
+            <numerusform>%n områder: et scenario har plass til høyst %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Airspace left out</source>
+        <translation>Luftrom utelatt</translation>
+    </message>
 </context>
 <context>
     <name>berg::SolveTimeDesk</name>

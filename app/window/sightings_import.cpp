@@ -142,8 +142,26 @@ void SightingsImport::takeAirspace(const Airspace& airspace)
             .arg(name, QString::number(result.known), QString::number(result.far),
                  QString::number(result.tooMany + result.rejected.count));
     showMessage(summary, kMessage_ms);
+    tellLeftOut(result, summary);
+}
+
+/** An error only where nothing is left. */
+void SightingsImport::tellLeftOut(const AirspaceResult& result, const QString& summary)
+{
+    QStringList text{summary, {}};
+    if (result.tooMany > 0)
+        text << tr("%n areas: a scenario holds at most %1", nullptr,
+                   static_cast<int>(result.tooMany))
+                    .arg(kMostAirspaceAreas);
     if (result.rejected.count > 0)
-        interaction().showError(&window(), summary + u"\n\n"_s + reasonsOf(result.rejected));
+        text << reasonsOf(result.rejected);
+    if (text.size() == 2)
+        return;
+    if (result.added + result.known == 0)
+        interaction().showError(&window(), text.join(u'\n'));
+    else
+        interaction().showInformation(&window(), tr("Airspace left out"),
+                                      text.join(u'\n').toHtmlEscaped().replace(u'\n', u"<br>"_s));
 }
 
 void SightingsImport::importSightings(const QString& path)

@@ -45,6 +45,7 @@ private:
     [[nodiscard]] bool mayImport();
     void readAirspace(const QString& path);
     void takeAirspace(const Airspace& airspace);
+    void tellLeftOut(const AirspaceResult& result, const QString& summary);
     void importSightings(const QString& path);
     void acceptImport(const ImportChoice& choice, const QString& fileName);
     void openDropped(const QString& path);

@@ -32,6 +32,24 @@ auto accepts()
     };
 }
 
+const QByteArray kZoneOfNoPlace = "AC D\nAN NOWHERE\nAL GND\nAH FL100\nDP nowhere\n";
+
+/** A triangle of 5 km there. */
+QByteArray zoneAt(const LatLon& origin)
+{
+    QByteArray text = "AC D\nAN ZONE\nAL GND\nAH FL100\n";
+    const LocalFrame frame(origin);
+    for (const Point& corner_m : {Point(0, 0), Point(5000, 0), Point(0, 5000)}) {
+        const LatLon place = frame.toGeographic(corner_m);
+        const auto angle = [](double deg, char positive, char negative) {
+            return QByteArray::number(std::abs(deg), 'f', 6) + (deg < 0 ? negative : positive);
+        };
+        text += "DP " + angle(place.latitude_deg, 'N', 'S') + ' ' +
+                angle(place.longitude_deg, 'E', 'W') + '\n';
+    }
+    return text;
+}
+
 void drop(QWidget& window, const QString& path)
 {
     QMimeData data;
@@ -69,21 +87,7 @@ private slots:
     {
         WindowFixture w(test::openSea());
         const Scenario before = w.scenario();
-        const QString path = w.file(u"zones.openair"_s);
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("AC D\nAN ZONE\nAL GND\nAH FL100\n");
-        const LocalFrame frame(before.origin);
-        for (const Point& corner_m : {Point(0, 0), Point(5000, 0), Point(0, 5000)}) {
-            const LatLon place = frame.toGeographic(corner_m);
-            const auto angle = [](double deg, char positive, char negative) {
-                return QByteArray::number(std::abs(deg), 'f', 6) + (deg < 0 ? negative : positive);
-            };
-            file.write("DP " + angle(place.latitude_deg, 'N', 'S') + ' ' +
-                       angle(place.longitude_deg, 'E', 'W') + '\n');
-        }
-        file.close();
-        w.interaction.path = path;
+        w.interaction.path = written(w.file(u"zones.openair"_s), zoneAt(before.origin));
         w.trigger(u"airspaceAction"_s);
         w.document().edit(u"Other"_s, [](Scenario& scenario) { scenario.seed = 99; });
         QTRY_COMPARE(w.scenario().airspace.size(), std::size_t{1});
@@ -98,17 +102,26 @@ private slots:
     void airspaceThatIsLeftOutHasItsReason()
     {
         WindowFixture w(test::openSea());
-        const QString path = w.file(u"zones.openair"_s);
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("AC D\nAN ZONE\nAL GND\nAH FL100\nDP nowhere\n");
-        file.close();
-        w.interaction.path = path;
+        w.interaction.path = written(w.file(u"zones.openair"_s), kZoneOfNoPlace);
         w.trigger(u"airspaceAction"_s);
         QTRY_COMPARE(w.interaction.errors.size(), 1);
         QVERIFY(w.interaction.errors[0].contains(u"1 left out"_s));
         QVERIFY2(w.interaction.errors[0].contains(u"line 5: airspace left out"_s),
                  qPrintable(w.interaction.errors[0]));
+    }
+
+    /** What was added is no error. */
+    void airspaceThatIsLeftOutInPartIsTold()
+    {
+        WindowFixture w(test::openSea());
+        w.interaction.path =
+            written(w.file(u"zones.openair"_s), zoneAt(w.scenario().origin) + kZoneOfNoPlace);
+        w.trigger(u"airspaceAction"_s);
+        QTRY_COMPARE(w.interaction.informations.size(), 1);
+        QVERIFY2(w.interaction.informations[0].contains(u"line 12: airspace left out"_s),
+                 qPrintable(w.interaction.informations[0]));
+        QVERIFY(w.interaction.errors.isEmpty());
+        QCOMPARE(w.scenario().airspace.size(), std::size_t{1});
     }
 
     void isOneUndoStep()
