@@ -18,6 +18,7 @@
 #include <QMenu>
 
 #include <algorithm>
+#include <memory>
 
 using namespace Qt::StringLiterals;
 
@@ -86,6 +87,18 @@ void ContextMenus::addHandOverActions(QMenu& menu, const std::string& id)
     add(tr("Any UAV may visit it"), {});
 }
 
+/** In flight: those that the UAV is not under already. */
+void ContextMenus::addOrders(QMenu& menu, const std::string& id)
+{
+    const FlightRecord& record = workspace().record();
+    const auto row = std::ranges::find(record.scenario.uavs, id, &Uav::id);
+    const auto uav = static_cast<std::size_t>(row - record.scenario.uavs.begin());
+    const std::vector<UavState>& uavs = record.now.world.uavs;
+    for (const auto& [order, action] : m_actions.orders)
+        if (uav < uavs.size() && uavs[uav].order != order)
+            menu.addAction(action);
+}
+
 void ContextMenus::addObjectActions(QMenu& menu, const std::string& id)
 {
     const bool locked = workspace().inFlight();
@@ -101,8 +114,7 @@ void ContextMenus::addObjectActions(QMenu& menu, const std::string& id)
     }
     if (isUav) {
         if (locked)
-            for (QAction* action : m_actions.orders)
-                menu.addAction(action);
+            addOrders(menu, id);
         menu.addAction(m_actions.duplicate);
         if (workspace().document().scenario().uavs.size() > 1) // the last one stays
             menu.addAction(m_actions.remove);
@@ -138,19 +150,21 @@ QString ContextMenus::nameOf(const std::string& id) const
 void ContextMenus::addOthers(QMenu& menu, std::span<const std::string> ids)
 {
     constexpr std::size_t kMost = 8;
+    const auto chosen = std::make_shared<bool>(false);
+    connect(&menu, &QMenu::triggered, &menu, [chosen] { *chosen = true; });
     for (const std::string& id : ids.first(std::min(kMost, ids.size()))) {
         QMenu* other = menu.addMenu(nameOf(id).replace(u'&', u"&&"_s));
         addObjectActions(*other, id);
         connect(other, &QMenu::aboutToShow, this,
                 [this, id] { workspace().selection().set({id}); });
-        const auto goBack = [this, &menu, above = workspace().selection().ids()] {
+        const auto goBack = [this, &menu, chosen, above = workspace().selection().ids()] {
             const QAction* active = menu.activeAction();
             const bool isInOther =
                 active != nullptr && active->menu() != nullptr && active->menu()->isVisible();
-            if (menu.isVisible() && !isInOther)
+            if (!*chosen && !isInOther)
                 workspace().selection().set(above);
         };
-        // Not when an entry was chosen: then all of them are hidden, and it is carried out next.
+        // Later: an entry that is chosen hides the menus before it is carried out.
         connect(other, &QMenu::aboutToHide, &menu, goBack, Qt::QueuedConnection);
     }
     menu.addSeparator();

@@ -29,6 +29,7 @@ private:
                    const std::vector<std::string>& ids);
     void showOnPlan(const QPoint& globalPos, const std::string& id);
     void addHandOverActions(QMenu& menu, const std::string& id);
+    void addOrders(QMenu& menu, const std::string& id);
     void addObjectActions(QMenu& menu, const std::string& id);
     [[nodiscard]] QString nameOf(const std::string& id) const;
     void addOthers(QMenu& menu, std::span<const std::string> ids);

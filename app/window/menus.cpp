@@ -305,8 +305,8 @@ void Menus::buildFlightMenu()
     m_shared.seen = add(menu, {"seenAction", tr("Report as seen no&w"), Qt::Key_N, std::nullopt},
                         [this] { workspace().reportSeen(workspace().selection().ids()); });
     const auto addOrder = [&](const char* name, const QString& text, FlightOrder order) {
-        m_shared.orders.push_back(add(menu, {name, text, {}, std::nullopt},
-                                      [this, order] { workspace().order(orderedUavs(), order); }));
+        m_shared.orders[order] = add(menu, {name, text, {}, std::nullopt},
+                                     [this, order] { workspace().order(orderedUavs(), order); });
     };
     addOrder("returnAction", tr("&Return home now"), FlightOrder::ReturnNow);
     addOrder("holdAction", tr("Hold here"), FlightOrder::HoldHere);
@@ -439,7 +439,7 @@ void Menus::updateActions()
     const bool hasIcebergs = !icebergsOf(scenario, ids).empty();
     m_shared.copy->setEnabled(hasIcebergs);
     m_shared.seen->setEnabled(locked && !workspace().flownAmong(ids).empty());
-    for (QAction* action : m_shared.orders)
+    for (const auto& [order, action] : m_shared.orders)
         action->setEnabled(locked && !orderedUavs().empty());
     m_shared.cut->setEnabled(!locked && hasIcebergs);
     m_shared.duplicate->setEnabled(!locked && (hasIcebergs || !uavsOf(scenario, ids).empty()));

@@ -6,6 +6,7 @@
 #include "widgets/map/view/map_tools.h"
 
 #include <array>
+#include <map>
 #include <vector>
 
 class QActionGroup;
@@ -67,7 +68,7 @@ struct SharedActions
     QAction* log = nullptr;
     QAction* seen = nullptr;
     QAction* wind = nullptr;
-    std::vector<QAction*> orders;              ///< to the selected UAVs
+    std::map<FlightOrder, QAction*> orders;    ///< to the selected UAVs
     std::array<QAction*, kMapPanels> panels{}; ///< show and hide those on the map
 };
 

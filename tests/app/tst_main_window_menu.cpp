@@ -5,6 +5,7 @@
 #include <QClipboard>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
 #include <QStatusBar>
 
 using namespace berg;
@@ -136,6 +137,8 @@ private slots:
 
         open();
         QTRY_VERIFY(below.isVisible());
+        QVERIFY(textsOf(below).contains(u"Return home now"_s));
+        QVERIFY(!textsOf(below).contains(u"Resume"_s)); // nothing is held
         below.setActiveAction(&w.action(u"returnAction"_s));
         QTest::keyClick(&below, Qt::Key_Return);
         QVERIFY(w.until([&] {
@@ -143,6 +146,24 @@ private slots:
             return std::ranges::count(events, EventKind::Intervention, &MissionEvent::kind) == 1;
         }));
         QCOMPARE(w.workspace.selection().ids(), (Ids{uav}));
+    }
+
+    void dismissedMenuLeavesTheSelectionAsItWas()
+    {
+        Scenario scenario = test::MapFixture::fourIcebergs();
+        scenario.icebergs[0].position_m = scenario.uavs[0].position_m + Point(3 * kPixel_m, 0);
+        WindowFixture w(scenario);
+        const QPointer<QMenu> menu = &menuAt(w, scenario.icebergs[0].position_m);
+        const Ids above = w.workspace.selection().ids();
+        for (QAction* action : menu->actions())
+            if (action->menu() != nullptr)
+                menu->setActiveAction(action);
+        QMenu& below = *menu->activeAction()->menu();
+        QTRY_VERIFY(below.isVisible());
+        QVERIFY(w.workspace.selection().ids() != above);
+        QTest::mouseClick(&below, Qt::LeftButton, {}, QPoint(-500, -500)); // beside it
+        QTRY_VERIFY(menu.isNull());
+        QCOMPARE(w.workspace.selection().ids(), above);
     }
 
     void waterTakesIcebergs()
