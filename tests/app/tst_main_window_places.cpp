@@ -166,6 +166,18 @@ private slots:
         QVERIFY(box.isHidden());
     }
 
+    /** As one does who has seen enough; a press beside its own field is none on the map. */
+    void boxClosesWithAPressOnTheMap()
+    {
+        WindowFixture w(fourIcebergs());
+        auto& box = test::child<FindBox>(w.window(), u"findBox"_s);
+        w.trigger(u"findAction"_s);
+        QTest::mouseClick(&box, Qt::LeftButton, {}, QPoint(2, 2));
+        QVERIFY(box.isVisible());
+        QTest::mouseClick(&w.map(), Qt::LeftButton, {}, QPoint(60, w.map().height() - 150));
+        QVERIFY(box.isHidden());
+    }
+
     /** Actions that other parts keep for themselves are no commands, whatever they are called. */
     void commandsAreThoseOfTheMenus()
     {

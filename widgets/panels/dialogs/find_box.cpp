@@ -52,6 +52,7 @@ FindBox::FindBox(QWidget* parent) : QWidget(parent)
 {
     setObjectName(u"findBox"_s);
     setCursor(Qt::ArrowCursor);
+    setAttribute(Qt::WA_NoMousePropagation); // a press beside the field is none on the map
     addRows();
     connect(m_field, &QLineEdit::textEdited, this, &FindBox::showMatches);
     connect(m_field, &QLineEdit::returnPressed, this, &FindBox::choose);
@@ -289,6 +290,8 @@ bool FindBox::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Resize && watched == parentWidget() && isVisible())
         place();
+    if (event->type() == QEvent::MouseButtonPress && watched == parentWidget())
+        dismiss();
     if (watched == m_field && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         const int last = m_list->count() - 1;
