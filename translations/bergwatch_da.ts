@@ -7571,6 +7571,10 @@ mod %2</translation>
         <source>Acknowledged: %1</source>
         <translation>Kvitteret: %1</translation>
     </message>
+    <message>
+        <source>Not in flight</source>
+        <translation>Ikke i luften</translation>
+    </message>
 </context>
 <context>
     <name>berg::BackdropFile</name>
@@ -8431,6 +8435,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>inside %1 to %2</source>
         <translation>inden for %1 til %2</translation>
+    </message>
+    <message>
+        <source>changed in flight</source>
+        <translation>ændret undervejs</translation>
     </message>
 </context>
 <context>

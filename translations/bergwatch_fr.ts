@@ -7571,6 +7571,10 @@ vers le %2</translation>
         <source>Acknowledged: %1</source>
         <translation>Acquitté : %1</translation>
     </message>
+    <message>
+        <source>Not in flight</source>
+        <translation>Pas en vol</translation>
+    </message>
 </context>
 <context>
     <name>berg::BackdropFile</name>
@@ -8431,6 +8435,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>inside %1 to %2</source>
         <translation>entre %1 et %2</translation>
+    </message>
+    <message>
+        <source>changed in flight</source>
+        <translation>modifié en vol</translation>
     </message>
 </context>
 <context>

@@ -7571,6 +7571,10 @@ mot %2</translation>
         <source>Acknowledged: %1</source>
         <translation>Bekreftet: %1</translation>
     </message>
+    <message>
+        <source>Not in flight</source>
+        <translation>Ikke i luften</translation>
+    </message>
 </context>
 <context>
     <name>berg::BackdropFile</name>
@@ -8431,6 +8435,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>inside %1 to %2</source>
         <translation>innenfor %1 til %2</translation>
+    </message>
+    <message>
+        <source>changed in flight</source>
+        <translation>endret underveis</translation>
     </message>
 </context>
 <context>

@@ -1,3 +1,4 @@
+#include "tests/support/map_fixture.h"
 #include "tests/support/scenario_builder.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/theme/quantity_text.h"
@@ -140,6 +141,15 @@ private slots:
         QVERIFY(w.map().view().scale_pxpm() > 1.5 * fitted_pxpm); // near
     }
 
+    void quietFlightSaysSo()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const auto& state = test::child<QLabel>(w.window(), u"flightState"_s);
+        QCOMPARE(state.text(), u"Not in flight"_s);
+        QVERIFY(flyTo(w, 5));
+        QTRY_COMPARE(state.text(), u"No alarms"_s);
+    }
+
     void acknowledgedAlarmIsGoneUntilItHappensAgain()
     {
         WindowFixture w(threatened());
@@ -155,7 +165,7 @@ private slots:
         QTRY_COMPARE(w.map().height(), map_px);
         w.workspace.reset();
         QVERIFY(w.untilReady());
-        QTRY_COMPARE(state.text(), u"No alarms"_s);
+        QTRY_COMPARE(state.text(), u"Not in flight"_s);
         QVERIFY(flyTo(w, 5));
         QTRY_VERIFY(line(w, 1).isVisible());
     }

@@ -125,6 +125,17 @@ private slots:
         QCOMPARE(range.text(), told);
     }
 
+    void cardSaysWhyNothingWasPredicted()
+    {
+        QWidget map;
+        FlightCard card(&map);
+        const auto& predicted = test::child<QLabel>(card, u"flightCardPredicted"_s);
+        card.showSummary({.zeta_m2s = 100});
+        QCOMPARE(predicted.text(), u"–"_s);
+        card.showSummary({.zeta_m2s = 100, .wasChanged = true});
+        QCOMPARE(predicted.text(), u"changed in flight"_s);
+    }
+
     void cardGoesWhenItIsClosedOrAnotherRunBegins()
     {
         WindowFixture w(shortRun());

@@ -191,6 +191,7 @@ void AlarmStrip::setTheme(const Theme& theme)
 
 void AlarmStrip::showState(bool inFlight, std::optional<double> lookBack_s, const QString& fault)
 {
+    m_isInFlight = inFlight;
     m_lookBack_s = inFlight ? lookBack_s : std::nullopt;
     m_fault = inFlight ? QString() : fault;
     fillState();
@@ -201,13 +202,14 @@ void AlarmStrip::fillState()
 {
     const bool looksBack = m_lookBack_s.has_value();
     const bool isKnown = !m_notices.empty(); // acknowledged, but not over
-    const IconName sign = !m_fault.isEmpty() ? IconName::Fault
-                          : looksBack        ? IconName::Reset
-                          : isKnown          ? IconName::Hint
-                                             : IconName::Proven;
+    const IconName sign = !m_fault.isEmpty()         ? IconName::Fault
+                          : looksBack                ? IconName::Reset
+                          : isKnown || !m_isInFlight ? IconName::Hint
+                                                     : IconName::Proven;
     m_icon->setPixmap(icon(sign, m_theme).pixmap(QSize(kIcon_px, kIcon_px), devicePixelRatioF()));
-    QString text =
-        isKnown ? tr("Acknowledged: %1").arg(textsOf(m_notices).join(u" · "_s)) : tr("No alarms");
+    QString text = isKnown        ? tr("Acknowledged: %1").arg(textsOf(m_notices).join(u" · "_s))
+                   : m_isInFlight ? tr("No alarms")
+                                  : tr("Not in flight");
     if (!m_fault.isEmpty()) // as much as there is room for
         text = m_text->fontMetrics().elidedText(tr("Cannot be planned: %1").arg(m_fault),
                                                 Qt::ElideRight, m_text->width());

@@ -85,6 +85,7 @@ private:
     std::vector<FlightNotice> m_open;    ///< of those what is not acknowledged, the worst first
     std::map<NoticeKind, std::set<std::string>> m_acknowledged; ///< ids of what those are about
     QTimer m_pause; ///< after an acknowledgement: a double click is not meant for the next alarm
+    bool m_isInFlight = false;
     std::optional<double> m_lookBack_s;
     QString m_fault;
     QBoxLayout* m_column = nullptr;

@@ -25,12 +25,17 @@ constexpr int kAboveScale_px = 74; ///< scale bar and margins below it
 constexpr int kPadding_px = 12;
 constexpr double kRadius_px = 7;
 
+/** In flight; then what was predicted before take-off was for another one. */
+bool isChanged(const ComparedRun& run)
+{
+    return run.wasChanged || !run.worldChanges.empty();
+}
+
 /** Of the flight as it was chosen at take-off; null: none, or something was changed in flight. */
 const PolicyForecast* knownForecast(const ComparedRun& run, const PolicyForecastList& forecasts)
 {
     const auto found = forecasts.find(run.planner.policy);
-    if (run.wasChanged || !run.worldChanges.empty() || found == forecasts.end() ||
-        found->second.state != ForecastState::Known)
+    if (isChanged(run) || found == forecasts.end() || found->second.state != ForecastState::Known)
         return nullptr;
     return &found->second;
 }
@@ -41,7 +46,9 @@ FlightSummary flightSummary(const FlightRecord& record, const PolicyForecastList
 {
     const ComparedRun run = comparedRun(record);
     const RunFigures figures = figuresAt(run, run.flown_s);
-    FlightSummary summary{.zeta_m2s = run.metrics.zeta_m2s, .visits = run.metrics.visits};
+    FlightSummary summary{.zeta_m2s = run.metrics.zeta_m2s,
+                          .visits = run.metrics.visits,
+                          .wasChanged = isChanged(run)};
     if (const PolicyForecast* forecast = knownForecast(run, forecasts)) {
         summary.predicted_m2s =
             forecast->isFlown() ? summarise(forecast->drawn_m2s).mean : forecast->metrics.zeta_m2s;
@@ -157,7 +164,8 @@ void FlightCard::showSummary(const FlightSummary& summary)
         summary.predicted_m2s && *summary.predicted_m2s > 0
             ? u"%1 (%2)"_s.arg(changeText(summary.zeta_m2s / *summary.predicted_m2s - 1, locale()),
                                zeta(*summary.predicted_m2s))
-            : noFigure());
+        : summary.wasChanged ? tr("changed in flight")
+                             : noFigure());
     showValue(*m_range, rangeText(summary));
     const QString bound = summary.bound_m2s ? zeta(*summary.bound_m2s) : noFigure();
     showValue(

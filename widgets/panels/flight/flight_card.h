@@ -23,7 +23,8 @@ struct FlightSummary
     std::optional<double> bound_m2s;     ///< zeta of no flight is below
     double boundShare = 1;               ///< of the work for it that is done; then it may rise
     int visits = 0;
-    QString longestUnseen; ///< the iceberg that was out of view longest; empty: none was
+    bool wasChanged = false; ///< in flight: what was predicted was for another one
+    QString longestUnseen;   ///< the iceberg that was out of view longest; empty: none was
     double longestUnseen_s = 0;
 };
 
