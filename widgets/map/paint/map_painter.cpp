@@ -324,8 +324,9 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     const MapPaint p(painter, frame);
     paintArea(p);
     const MapLayers& layers = frame.style.layers;
-    withOpacity(p, layers.opacity(MapLayer::Permit), [&] { paintPermit(p); });
-    paintClosedAreas(p);
+    AreaNames names(p);
+    withOpacity(p, layers.opacity(MapLayer::Permit), [&] { paintPermit(p, names); });
+    paintClosedAreas(p, names);
     withOpacity(p, layers.opacity(MapLayer::Swept), [&] { paintSwept(p); });
     withOpacity(p, layers.opacity(MapLayer::Compared), [&] { paintComparison(p); });
     paintTracks(p);

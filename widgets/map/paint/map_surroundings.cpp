@@ -100,63 +100,60 @@ void paintPairTooClose(const MapPaint& p, const QLineF& path)
     drawAlarm(p.painter, path.center() - QPointF(0, kReach_px), p.theme);
 }
 
-/** Names of areas with their heights: they give way to icebergs and panels, and to each other. */
-class AreaNames
-{
-public:
-    explicit AreaNames(const MapPaint& p) : m_p(p), m_taken(p.layout.overlays())
-    {
-        for (const PlacedLabel& label : p.layout.labels)
-            if (!label.rect.isNull())
-                m_taken.push_back(label.rect);
-    }
-
-    /** `shown`: of the area; `shares` of its height, the best first. Nothing without a free place.
-     */
-    void paint(const QRectF& shown, const std::array<QString, 2>& lines,
-               const std::array<double, 5>& shares)
-    {
-        const QFontMetricsF metrics(m_p.painter.font());
-        const QSizeF size_px(
-            std::max(metrics.horizontalAdvance(lines[0]), metrics.horizontalAdvance(lines[1])),
-            2 * kLine_px);
-        const QRectF room = shown.adjusted(0, kEdge_px, -size_px.width(), -size_px.height());
-        for (const double down : shares)
-            for (const double across : {0.5, 0.25, 0.75, 0.05, 0.95}) {
-                const QRectF label(QPointF(room.left() + across * room.width(),
-                                           room.top() + down * std::max(0.0, room.height())),
-                                   size_px);
-                if (!isFree(label))
-                    continue;
-                for (std::size_t i = 0; i < lines.size(); ++i)
-                    drawHaloText(m_p.painter,
-                                 QRectF(label.left(),
-                                        label.top() + static_cast<double>(i) * kLine_px,
-                                        label.width(), kLine_px),
-                                 Qt::AlignCenter, lines[i], m_p.theme.text, m_p.theme.sea);
-                m_taken.push_back(label);
-                return;
-            }
-    }
-
-private:
-    static constexpr double kLine_px = 17;
-    static constexpr double kEdge_px = 4;
-
-    [[nodiscard]] bool isFree(const QRectF& label) const
-    {
-        return std::ranges::none_of(m_taken,
-                                    [&](const QRectF& one) { return one.intersects(label); }) &&
-               std::ranges::none_of(m_p.layout.icebergs, [&](const LabelDisk& iceberg) {
-                   return overlaps(label, iceberg);
-               });
-    }
-
-    const MapPaint& m_p;
-    std::vector<QRectF> m_taken;
-};
-
 } // namespace
+
+AreaNames::AreaNames(const MapPaint& p) : m_p(p), m_taken(p.layout.overlays())
+{
+    for (const PlacedLabel& label : p.layout.labels)
+        if (!label.rect.isNull())
+            m_taken.push_back(label.rect);
+    constexpr QSizeF kUav_px(40, 40);
+    constexpr QSizeF kAsset_px(100, 60); // with its name below
+    const auto take = [&](const Point& place_m, const QSizeF& size_px) {
+        QRectF taken(QPointF(0, 0), size_px);
+        taken.moveCenter(p.layout.view.toPixel(place_m));
+        m_taken.push_back(taken);
+    };
+    for (const MapUav& uav : p.picture.uavs)
+        take(uav.position_m, kUav_px);
+    if (p.picture.asset)
+        take(p.picture.asset->position_m, kAsset_px);
+}
+
+bool AreaNames::isFree(const QRectF& label) const
+{
+    return std::ranges::none_of(m_taken,
+                                [&](const QRectF& one) { return one.intersects(label); }) &&
+           std::ranges::none_of(m_p.layout.icebergs,
+                                [&](const LabelDisk& iceberg) { return overlaps(label, iceberg); });
+}
+
+void AreaNames::paint(const QRectF& shown, const std::array<QString, 2>& lines,
+                      const std::array<double, 5>& shares)
+{
+    constexpr double kLine_px = 17;
+    constexpr double kEdge_px = 4;
+    const QFontMetricsF metrics(m_p.painter.font());
+    const QSizeF size_px(
+        std::max(metrics.horizontalAdvance(lines[0]), metrics.horizontalAdvance(lines[1])),
+        2 * kLine_px);
+    const QRectF room = shown.adjusted(0, kEdge_px, -size_px.width(), -size_px.height());
+    for (const double down : shares)
+        for (const double across : {0.5, 0.25, 0.75, 0.05, 0.95}) {
+            const QRectF label(QPointF(room.left() + across * room.width(),
+                                       room.top() + down * std::max(0.0, room.height())),
+                               size_px);
+            if (!isFree(label))
+                continue;
+            for (std::size_t i = 0; i < lines.size(); ++i)
+                drawHaloText(m_p.painter,
+                             QRectF(label.left(), label.top() + static_cast<double>(i) * kLine_px,
+                                    label.width(), kLine_px),
+                             Qt::AlignCenter, lines[i], m_p.theme.text, m_p.theme.sea);
+            m_taken.push_back(label);
+            return;
+        }
+}
 
 void paintArea(const MapPaint& p)
 {
@@ -174,10 +171,9 @@ void paintArea(const MapPaint& p)
     p.painter.drawPolygon(outline);
 }
 
-void paintClosedAreas(const MapPaint& p)
+void paintClosedAreas(const MapPaint& p, AreaNames& names)
 {
     p.painter.setFont(labelFont(p.theme));
-    AreaNames names(p);
     for (const MapClosedArea& area : p.picture.closed) {
         QPolygonF outline;
         for (const Point& corner_m : area.corners_m)
@@ -214,7 +210,7 @@ QPen airspacePen(const Theme& theme)
     return {theme.isDark ? QColor(0xc99cf5) : QColor(0x7a3ea8), 1.4, Qt::DashDotDotLine};
 }
 
-void paintPermit(const MapPaint& p)
+void paintPermit(const MapPaint& p, AreaNames& names)
 {
     const auto outlineOf = [&](const std::vector<Point>& corners_m) {
         QPolygonF outline;
@@ -224,7 +220,6 @@ void paintPermit(const MapPaint& p)
     };
     p.painter.setBrush(Qt::NoBrush);
     p.painter.setFont(labelFont(p.theme));
-    AreaNames names(p);
     for (const MapAirspace& area : p.picture.airspace) {
         const QPolygonF outline = outlineOf(area.corners_m);
         const QRectF shown = outline.boundingRect() & p.layout.rect;

@@ -13,12 +13,30 @@ struct MapPaint;
 
 // What there is beside icebergs and ways, as parts of the content of a map.
 
+/** Names of areas with their heights: they give way to panels, to all that has a symbol and to each
+ * other. */
+class AreaNames
+{
+public:
+    explicit AreaNames(const MapPaint& p);
+    /** `shown`: of the area; `shares` of its height, the best first. Nothing without a free place.
+     */
+    void paint(const QRectF& shown, const std::array<QString, 2>& lines,
+               const std::array<double, 5>& shares);
+
+private:
+    [[nodiscard]] bool isFree(const QRectF& label) const;
+
+    const MapPaint& m_p;
+    std::vector<QRectF> m_taken;
+};
+
 /** The area that is monitored, with a fence the one that the UAVs stay inside. */
 void paintArea(const MapPaint& p);
 /** No-fly areas and the stand-off ring: hatched, with their names and heights. */
-void paintClosedAreas(const MapPaint& p);
+void paintClosedAreas(const MapPaint& p, AreaNames& names);
 /** Outlines of airspace and of the operation volume. */
-void paintPermit(const MapPaint& p);
+void paintPermit(const MapPaint& p, AreaNames& names);
 [[nodiscard]] QPen volumePen(VolumePart part, const Theme& theme);
 [[nodiscard]] QPen airspacePen(const Theme& theme);
 /** Where the UAVs land. */

@@ -97,6 +97,26 @@ private slots:
                  0);
     }
 
+    /** Of a no-fly area that lies in airspace and has room for one name. */
+    void namesOfAreasGiveWayToEachOther()
+    {
+        MapPicture picture;
+        const MapLayout layout = layoutOf(picture, kSize_px);
+        const auto toWorld = [&](double x, double y) {
+            return layout.view.toWorld(QPointF(600 + x, 400 + y));
+        };
+        const std::vector<Point> corners_m{toWorld(0, 0), toWorld(140, 0), toWorld(140, 50),
+                                           toWorld(0, 50)};
+        picture.closed = {{.name = u"Closed area"_s, .corners_m = corners_m}};
+        MapPicture other = picture;
+        other.closed[0].name = u"Mines"_s;
+        const Theme theme = Theme::light();
+        QVERIFY(painted(picture, layout, theme) != painted(other, layout, theme));
+        picture.airspace = {{.title = u"TRA Barents"_s, .corners_m = corners_m}};
+        other.airspace = picture.airspace;
+        QVERIFY(painted(picture, layout, theme) == painted(other, layout, theme));
+    }
+
     void ofTheExactObserverNothingIsAdded()
     {
         const MapPicture picture = missionPicture(recordOfStart(fourIcebergs()), kLocale);
