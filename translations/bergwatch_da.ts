@@ -9194,6 +9194,16 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
 </context>
 <context>
+    <name>berg::MapLinks</name>
+    <message numerus="yes">
+        <source>%n icebergs removed from this run. To undo that, look back to before it and choose Continue from here.</source>
+        <translation>
+            <numerusform>%n isbjerg fjernet fra denne flyvning. Fortryd: se tilbage til før det, og vælg Fortsæt herfra.</numerusform>
+            <numerusform>%n isbjerge fjernet fra denne flyvning. Fortryd: se tilbage til før det, og vælg Fortsæt herfra.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>berg::MapView</name>
     <message>
         <source>Map</source>

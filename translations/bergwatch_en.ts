@@ -410,6 +410,16 @@
     </message>
 </context>
 <context>
+    <name>berg::MapLinks</name>
+    <message numerus="yes">
+        <source>%n icebergs removed from this run. To undo that, look back to before it and choose Continue from here.</source>
+        <translation>
+            <numerusform>%n iceberg removed from this run. To undo that, look back to before it and choose Continue from here.</numerusform>
+            <numerusform>%n icebergs removed from this run. To undo that, look back to before it and choose Continue from here.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>berg::MapView</name>
     <message numerus="yes">
         <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</source>

@@ -9194,6 +9194,16 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
 </context>
 <context>
+    <name>berg::MapLinks</name>
+    <message numerus="yes">
+        <source>%n icebergs removed from this run. To undo that, look back to before it and choose Continue from here.</source>
+        <translation>
+            <numerusform>%n iceberg retiré de ce vol. Pour annuler, revenez à un instant antérieur et choisissez Continuer d’ici.</numerusform>
+            <numerusform>%n icebergs retirés de ce vol. Pour annuler, revenez à un instant antérieur et choisissez Continuer d’ici.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>berg::MapView</name>
     <message>
         <source>Map</source>

@@ -9194,6 +9194,16 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
+    <name>berg::MapLinks</name>
+    <message numerus="yes">
+        <source>%n icebergs removed from this run. To undo that, look back to before it and choose Continue from here.</source>
+        <translation>
+            <numerusform>%n isfjell fjernet fra denne flygingen. For å angre: se tilbake til før det og velg Fly videre herfra.</numerusform>
+            <numerusform>%n isfjell fjernet fra denne flygingen. For å angre: se tilbake til før det og velg Fly videre herfra.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>berg::MapView</name>
     <message>
         <source>Map</source>

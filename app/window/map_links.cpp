@@ -145,7 +145,13 @@ void MapLinks::connectMap(const Docks& docks)
     connect(map, &MapView::windEdited, &workspace(), &Workspace::setWind);
     connect(map, &MapView::assetMoved, &workspace(), &Workspace::moveAsset);
     connect(map, &MapView::icebergPlaced, &workspace(), &Workspace::addIceberg);
-    connect(map, &MapView::removalRequested, &workspace(), &Workspace::remove);
+    connect(map, &MapView::removalRequested, this, [this](const std::vector<std::string>& ids) {
+        if (const int count = workspace().remove(ids); count > 0)
+            showMessage(tr("%n icebergs removed from this run. To undo that, look back to before "
+                           "it and choose Continue from here.",
+                           nullptr, count),
+                        kLongMessage_ms);
+    });
     connect(panels().alarms, &AlarmStrip::noticeChosen, this,
             [this](const std::vector<std::string>& about) {
                 workspace().selection().set(about);

@@ -15,6 +15,7 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QSlider>
+#include <QStatusBar>
 #include <QTableView>
 #include <QToolButton>
 #include <QUndoStack>
@@ -257,6 +258,7 @@ private slots:
         QVERIFY(!w.action(u"deleteAction"_s).isEnabled());
         w.workspace.selection().set({"berg-2"});
         QTest::keyClick(&w.map(), Qt::Key_Delete);
+        QVERIFY(w.window().statusBar()->currentMessage().startsWith(u"1 iceberg removed"_s));
         QVERIFY(w.until([&] { return !w.record().now.active.at(1); }));
         QCOMPARE(w.record().now.active, (std::vector<bool>{true, false, true, true}));
         QVERIFY(w.scenario() == before);

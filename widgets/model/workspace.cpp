@@ -242,14 +242,18 @@ void Workspace::reportSeen(const std::vector<std::string>& ids)
         m_runner.intervene({.seen = id});
 }
 
-void Workspace::remove(const std::vector<std::string>& ids)
+int Workspace::remove(const std::vector<std::string>& ids)
 {
     if (!inFlight() || refuseWhileLookingBack())
-        return;
+        return 0;
     const MissionSnapshot& now = m_record.now;
+    int count = 0;
     for (const std::string& id : flownAmong(ids))
-        if (now.active.at(static_cast<std::size_t>(indexOfId(now.icebergs, id))))
+        if (now.active.at(static_cast<std::size_t>(indexOfId(now.icebergs, id)))) {
             m_runner.intervene({.removed = id});
+            ++count;
+        }
+    return count;
 }
 
 void Workspace::assign(const std::vector<std::string>& icebergs, const std::string& uav)

@@ -83,8 +83,8 @@ public:
     void setPolicy(PolicyKind policy);
     /** In flight: somebody else sees those of them now that are icebergs. */
     void reportSeen(const std::vector<std::string>& ids);
-    /** In flight: those of them that are icebergs are monitored no more. */
-    void remove(const std::vector<std::string>& ids);
+    /** In flight: those of them that are icebergs are monitored no more. Returns how many. */
+    int remove(const std::vector<std::string>& ids);
     /** They are to be visited by this UAV alone; empty: by any. */
     void assign(const std::vector<std::string>& icebergs, const std::string& uav);
     /** In flight: what those of them that are UAVs are to do. */
