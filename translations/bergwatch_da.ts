@@ -762,16 +762,20 @@
         <translation>Det fløjne går tabt, hvis du ikke gemmer det.</translation>
     </message>
     <message>
-        <source>Save run...</source>
-        <translation>Gem flyvning...</translation>
-    </message>
-    <message>
         <source>Save the run before the flight ends?</source>
         <translation>Gem flyvningen, før den afsluttes?</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
         <translation>&amp;Forkast</translation>
+    </message>
+    <message>
+        <source>&amp;Save run...</source>
+        <translation>&amp;Gem flyvning...</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuller</translation>
     </message>
 </context>
 <context>
@@ -10443,6 +10447,10 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <source>Picture of the map copied</source>
         <translation>Billede af kortet kopieret</translation>
     </message>
+    <message>
+        <source>The run is saved when the plan under way is made.</source>
+        <translation>Flyvningen gemmes, når den plan, der er under udarbejdelse, er lavet.</translation>
+    </message>
 </context>
 <context>
     <name>berg::RunMarkDelegate</name>
@@ -10640,6 +10648,17 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
             <numerusform>Luftrum fra %1: %n områder tilføjet, %2 fandtes allerede, %3 længere væk end 100 km, %4 udeladt</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n areas: a scenario holds at most %1</source>
+        <translation>
+            <numerusform>%n område: et scenario har plads til højst %1</numerusform>
+            <numerusform>%n områder: et scenario har plads til højst %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Airspace left out</source>
+        <translation>Luftrum udeladt</translation>
+    </message>
 </context>
 <context>
     <name>berg::SolveTimeChart</name>
@@ -10685,17 +10704,6 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
     <message>
         <source>proven: %1 of %2</source>
         <translation>bevist: %1 af %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n areas: a scenario holds at most %1</source>
-        <translation>
-            <numerusform>%n område: et scenario har plads til højst %1</numerusform>
-            <numerusform>%n områder: et scenario har plads til højst %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Airspace left out</source>
-        <translation>Luftrum udeladt</translation>
     </message>
 </context>
 <context>

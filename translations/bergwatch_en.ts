@@ -499,6 +499,13 @@
             <numerusform>Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, %4 left out</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n areas: a scenario holds at most %1</source>
+        <translation>
+            <numerusform>%n area: a scenario holds at most %1</numerusform>
+            <numerusform>%n areas: a scenario holds at most %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>berg::SolveTimeChart</name>
@@ -507,13 +514,6 @@
         <translation>
             <numerusform>%1, %n iceberg</numerusform>
             <numerusform>%1, %n icebergs</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n areas: a scenario holds at most %1</source>
-        <translation>
-            <numerusform>%n area: a scenario holds at most %1</numerusform>
-            <numerusform>%n areas: a scenario holds at most %1</numerusform>
         </translation>
     </message>
 </context>

@@ -762,16 +762,20 @@
         <translation>Ce qui a été volé est perdu si vous ne l’enregistrez pas.</translation>
     </message>
     <message>
-        <source>Save run...</source>
-        <translation>Enregistrer le vol...</translation>
-    </message>
-    <message>
         <source>Save the run before the flight ends?</source>
         <translation>Enregistrer le vol avant qu’il ne se termine ?</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
         <translation>&amp;Abandonner</translation>
+    </message>
+    <message>
+        <source>&amp;Save run...</source>
+        <translation>&amp;Enregistrer le vol...</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>
@@ -10443,6 +10447,10 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <source>Picture of the map copied</source>
         <translation>Image de la carte copiée</translation>
     </message>
+    <message>
+        <source>The run is saved when the plan under way is made.</source>
+        <translation>Le vol sera enregistré une fois terminé le plan en cours.</translation>
+    </message>
 </context>
 <context>
     <name>berg::RunMarkDelegate</name>
@@ -10640,6 +10648,17 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
             <numerusform>Espace aérien de %1 : %n zones ajoutées, %2 déjà présentes, %3 à plus de 100 km, %4 laissées de côté</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n areas: a scenario holds at most %1</source>
+        <translation>
+            <numerusform>%n zone : un scénario en contient %1 au plus</numerusform>
+            <numerusform>%n zones : un scénario en contient %1 au plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Airspace left out</source>
+        <translation>Espace aérien laissé de côté</translation>
+    </message>
 </context>
 <context>
     <name>berg::SolveTimeChart</name>
@@ -10685,17 +10704,6 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
     <message>
         <source>proven: %1 of %2</source>
         <translation>prouvés : %1 sur %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n areas: a scenario holds at most %1</source>
-        <translation>
-            <numerusform>%n zone : un scénario en contient %1 au plus</numerusform>
-            <numerusform>%n zones : un scénario en contient %1 au plus</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Airspace left out</source>
-        <translation>Espace aérien laissé de côté</translation>
     </message>
 </context>
 <context>

@@ -762,16 +762,20 @@
         <translation>Det som er fløyet, går tapt hvis du ikke lagrer det.</translation>
     </message>
     <message>
-        <source>Save run...</source>
-        <translation>Lagre flyging...</translation>
-    </message>
-    <message>
         <source>Save the run before the flight ends?</source>
         <translation>Lagre flygingen før den avsluttes?</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
         <translation>&amp;Forkast</translation>
+    </message>
+    <message>
+        <source>&amp;Save run...</source>
+        <translation>&amp;Lagre flyging...</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
     </message>
 </context>
 <context>
@@ -10443,6 +10447,10 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <source>Picture of the map copied</source>
         <translation>Bilde av kartet er kopiert</translation>
     </message>
+    <message>
+        <source>The run is saved when the plan under way is made.</source>
+        <translation>Flygingen lagres når planen som er under arbeid, er laget.</translation>
+    </message>
 </context>
 <context>
     <name>berg::RunMarkDelegate</name>
@@ -10640,6 +10648,17 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
             <numerusform>Luftrom fra %1: %n områder lagt til, %2 fantes fra før, %3 lenger unna enn 100 km, %4 utelatt</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n areas: a scenario holds at most %1</source>
+        <translation>
+            <numerusform>%n område: et scenario har plass til høyst %1</numerusform>
+            <numerusform>%n områder: et scenario har plass til høyst %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Airspace left out</source>
+        <translation>Luftrom utelatt</translation>
+    </message>
 </context>
 <context>
     <name>berg::SolveTimeChart</name>
@@ -10685,17 +10704,6 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>proven: %1 of %2</source>
         <translation>bevist: %1 av %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n areas: a scenario holds at most %1</source>
-        <translation>
-            <numerusform>%n område: et scenario har plass til høyst %1</numerusform>
-            <numerusform>%n områder: et scenario har plass til høyst %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Airspace left out</source>
-        <translation>Luftrom utelatt</translation>
     </message>
 </context>
 <context>

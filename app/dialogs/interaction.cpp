@@ -12,12 +12,16 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMessageBox>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
+#include <QTimer>
 #include <QVBoxLayout>
+
+#include <chrono>
 
 using namespace Qt::StringLiterals;
 
@@ -79,7 +83,7 @@ Interaction::Unsaved DialogInteraction::askUnsavedRun(QWidget* parent, bool isUn
                                : Dialogs::tr("Save the run?"),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
     box.setInformativeText(Dialogs::tr("What was flown is lost if you do not save it."));
-    box.button(QMessageBox::Save)->setText(Dialogs::tr("Save run..."));
+    box.button(QMessageBox::Save)->setText(Dialogs::tr("&Save run..."));
     return unsavedAnswer(box);
 }
 
@@ -226,6 +230,27 @@ RecoveryAnswer DialogInteraction::askRecovery(QWidget* parent,
 void DialogInteraction::showError(QWidget* parent, const QString& text)
 {
     QMessageBox::warning(parent, Dialogs::tr("Bergwatch"), text);
+}
+
+void DialogInteraction::waitUntil(QWidget* parent, const QString& text,
+                                  const std::function<bool()>& isDone)
+{
+    constexpr auto kPatience = std::chrono::milliseconds(500); // without a dialog that flickers
+    QTimer patience;
+    patience.setSingleShot(true);
+    patience.start(kPatience);
+    const auto wait = [&](QEventLoop::ProcessEventsFlags which) {
+        QCoreApplication::processEvents(which | QEventLoop::WaitForMoreEvents);
+    };
+    while (!isDone() && patience.isActive())
+        wait(QEventLoop::ExcludeUserInputEvents);
+    if (isDone())
+        return;
+    QProgressDialog dialog(text, Dialogs::tr("Cancel"), 0, 0, parent);
+    dialog.setWindowModality(Qt::WindowModal);
+    dialog.show();
+    while (!isDone() && !dialog.wasCanceled())
+        wait(QEventLoop::AllEvents);
 }
 
 void DialogInteraction::showInformation(QWidget* parent, const QString& title, const QString& html)

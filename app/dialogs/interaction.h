@@ -6,6 +6,7 @@
 
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -148,6 +149,9 @@ public:
     /** `offers` is not empty. */
     [[nodiscard]] virtual RecoveryAnswer askRecovery(QWidget* parent,
                                                      const std::vector<RecoveryOffer>& offers) = 0;
+    /** Until it is so, or the user wants to wait no longer; the window takes nothing else. */
+    virtual void waitUntil(QWidget* parent, const QString& text,
+                           const std::function<bool()>& isDone) = 0;
     virtual void showError(QWidget* parent, const QString& text) = 0;
     virtual void showInformation(QWidget* parent, const QString& title, const QString& html) = 0;
 };
@@ -182,6 +186,8 @@ public:
     [[nodiscard]] RecoveryAnswer askRecovery(QWidget* parent,
                                              const std::vector<RecoveryOffer>& offers) override;
     void showError(QWidget* parent, const QString& text) override;
+    void waitUntil(QWidget* parent, const QString& text,
+                   const std::function<bool()>& isDone) override;
     void showInformation(QWidget* parent, const QString& title, const QString& html) override;
 
 private:

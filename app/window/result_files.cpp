@@ -38,8 +38,10 @@ ResultFiles::ResultFiles(WindowContext& context) : WindowPart(context)
     connect(&runner, &MissionRunner::exportReady, this, &ResultFiles::writeExport);
     connect(&runner, &MissionRunner::runReady, this,
             [this](const QString& path, const std::shared_ptr<const RunFile>& run) {
-                writeRun(path, *run);
+                m_isRunSaved = writeRun(path, *run);
             });
+    connect(&runner, &MissionRunner::commandRefused, this,
+            [this] { m_isRunSaved = m_isRunSaved.value_or(false); });
     for (const ChartPanel* chart : panels().charts)
         connect(chart, &ChartPanel::exportRequested, this, [this, chart] { exportChart(*chart); });
 }
@@ -64,8 +66,11 @@ bool ResultFiles::saveRunNow()
     const QString path = runPath();
     if (path.isEmpty())
         return false;
-    const std::shared_ptr<const RunFile> run = workspace().runner().runNow();
-    return run != nullptr && writeRun(path, *run);
+    m_isRunSaved.reset();
+    workspace().runner().requestRun(path);
+    interaction().waitUntil(&window(), tr("The run is saved when the plan under way is made."),
+                            [this] { return m_isRunSaved.has_value(); });
+    return m_isRunSaved.value_or(false);
 }
 
 bool ResultFiles::writeRun(const QString& path, const RunFile& run)

@@ -39,7 +39,8 @@ private:
     bool writeRun(const QString& path, const RunFile& run);
     void exportChart(const ChartPanel& chart);
 
-    ExportOptions m_exportOptions; ///< last chosen
+    ExportOptions m_exportOptions;    ///< last chosen
+    std::optional<bool> m_isRunSaved; ///< the one that was asked for last; none: no answer yet
 };
 
 } // namespace berg

@@ -76,6 +76,7 @@ private slots:
         w.interaction.recoveryAnswers = {{RecoveryAnswer::Action::Restore, 0}};
         QVERIFY(w.window().offerRecoveries());
         QVERIFY(w.interaction.recoveryOffers[0].at(0).name.endsWith(u", in flight"_s));
+        QVERIFY(w.workspace.hasUnsavedRun()); // although it is not flown again yet
         QVERIFY(w.until(RunPhase::Paused));
         QVERIFY(w.workspace.inFlight());
         QVERIFY(*test::flownRun(w) == *flown);

@@ -16,6 +16,7 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QScreen>
@@ -153,6 +154,39 @@ private slots:
         QCOMPARE(DialogInteraction().askUnsaved(nullptr, {.name = u"Name"_s}),
                  Interaction::Unsaved::Cancel);
         QVERIFY(texts.contains(u"&Discard"_s));
+    }
+
+    void everyAnswerOnAnUnsavedRunHasAKey()
+    {
+        QStringList texts;
+        QTimer::singleShot(0, this, [&] {
+            for (const QAbstractButton* button :
+                 QApplication::activeModalWidget()->findChildren<QAbstractButton*>())
+                texts << button->text();
+            QApplication::activeModalWidget()->close();
+        });
+        QCOMPARE(DialogInteraction().askUnsavedRun(nullptr, true), Interaction::Unsaved::Cancel);
+        QVERIFY(texts.contains(u"&Save run..."_s) && texts.contains(u"&Discard"_s));
+    }
+
+    /** Without a dialog where the answer is quick; else one that can be called off. */
+    void waitingEndsWithTheAnswerOrTheUser()
+    {
+        bool isDone = false;
+        QTimer::singleShot(20, this, [&] { isDone = true; });
+        DialogInteraction().waitUntil(nullptr, u"Waiting"_s, [&] {
+            return isDone || QApplication::activeModalWidget() != nullptr;
+        });
+        QVERIFY(isDone);
+
+        QTimer poll;
+        connect(&poll, &QTimer::timeout, this, [] {
+            if (auto* dialog = qobject_cast<QProgressDialog*>(QApplication::activeModalWidget()))
+                dialog->cancel();
+        });
+        poll.start(10);
+        DialogInteraction().waitUntil(nullptr, u"Waiting"_s, [] { return false; });
+        QVERIFY(QApplication::activeModalWidget() == nullptr);
     }
 
     void longMessagesFitTheScreen()

@@ -3,6 +3,7 @@
 #include "app/dialogs/interaction.h"
 
 #include <QStringList>
+#include <QTest>
 
 #include <functional>
 
@@ -130,6 +131,11 @@ public:
         recoveryOffers.push_back(offered);
         const std::size_t asked = recoveryOffers.size();
         return asked <= recoveryAnswers.size() ? recoveryAnswers[asked - 1] : RecoveryAnswer{};
+    }
+    void waitUntil(QWidget*, const QString&, const std::function<bool()>& isDone) override
+    {
+        constexpr int kLongest_ms = 60'000;
+        static_cast<void>(QTest::qWaitFor(isDone, kLongest_ms));
     }
     void showError(QWidget*, const QString& text) override { errors << text; }
     void showInformation(QWidget*, const QString& title, const QString& html) override

@@ -200,15 +200,6 @@ void MissionRunner::requestRun(const QString& path)
     post([path](MissionWorker& worker) { worker.sendRun(path); });
 }
 
-std::shared_ptr<const RunFile> MissionRunner::runNow()
-{
-    std::shared_ptr<const RunFile> run;
-    QMetaObject::invokeMethod(
-        m_worker, [worker = m_worker, &run] { worker->guarded([&] { run = worker->run(); }); },
-        Qt::BlockingQueuedConnection);
-    return run;
-}
-
 void MissionRunner::requestNote()
 {
     post([](MissionWorker& worker) { worker.sendNote(); });

@@ -96,8 +96,6 @@ public:
 
     /** Asks for the run so far, to be saved: `runReady` with the same `path` follows. */
     void requestRun(const QString& path = {});
-    /** The same at once, before all ends: waits for a solve under way. Null: nothing is planned. */
-    [[nodiscard]] std::shared_ptr<const RunFile> runNow();
     /** The same for a recovery: `runNoted` follows. */
     void requestNote();
 

@@ -245,15 +245,10 @@ void MissionWorker::sendInstant()
         emit instantPublished();
 }
 
-std::shared_ptr<const RunFile> MissionWorker::run() const
-{
-    return m_mission ? std::make_shared<const RunFile>(runOf(*m_mission)) : nullptr;
-}
-
 void MissionWorker::sendRun(const QString& path)
 {
-    if (const std::shared_ptr<const RunFile> flown = run())
-        emit runReady(path, flown);
+    if (m_mission)
+        emit runReady(path, std::make_shared<const RunFile>(runOf(*m_mission)));
     else
         emit refused(tr("There is no run to save: the scenario cannot be planned."));
 }

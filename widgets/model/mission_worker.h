@@ -49,8 +49,6 @@ public:
     /** Flies the same way again until `time_s`, and pauses there. */
     void flyOnFrom(double time_s);
     void sendInstant();
-    /** Null: nothing is planned. */
-    [[nodiscard]] std::shared_ptr<const RunFile> run() const;
     void sendRun(const QString& path);
     void sendNote();
     void setExportPaint(const ExportPaint& paint) { m_paint = paint; }

@@ -73,8 +73,8 @@ bool Workspace::hasUnsavedRun() const
     });
     const bool isWorthIt =
         isChanged || (now.time_s >= kWorthKeeping_s && m_runner.generation() != m_studyGeneration);
-    return inFlight() && isWorthIt &&
-           m_savedRun != SavedRun{m_record.scenario, now.time_s, now.metrics};
+    return m_isRestoring || (inFlight() && isWorthIt &&
+                             m_savedRun != SavedRun{m_record.scenario, now.time_s, now.metrics});
 }
 
 void Workspace::noteSaved(const RunFile& run)
@@ -129,6 +129,7 @@ void Workspace::planAgain()
     m_placed.clear();
     m_playBack.stop();
     m_lookedAt_s.reset();
+    m_isRestoring = false;
     m_runner.setScenario(m_document.scenario(), recordingOf(m_document.scenario()));
     m_curvePlan.reset();
     m_curve.setScenario(m_document.scenario());
@@ -160,6 +161,7 @@ void Workspace::acceptSnapshot()
     if (m_givenUp && inFlight() && !(m_givenUp->scenario == m_record.scenario))
         setGivenUp({}); // another world is flown now
     const RunPhase phase = m_record.now.phase;
+    m_isRestoring = m_isRestoring && phase == RunPhase::Planning;
     if (phase == RunPhase::Ready || phase == RunPhase::Failed)
         m_autosaver.setRun({}); // nor was one that was restored flown
     if (inFlight() && !m_notePause.isActive())
@@ -353,6 +355,7 @@ void Workspace::restore(FoundRecovery found)
         found.run.reset(); // left from before an edit
     m_document.restore(found.scenario, found.info.originalPath);
     m_autosaver.adopt(std::move(found.held), found.run);
+    m_isRestoring = found.run != nullptr;
     if (found.run)
         m_runner.setRun(std::move(found.run));
 }

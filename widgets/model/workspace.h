@@ -195,6 +195,7 @@ private:
     std::optional<SavedRun> m_savedRun;     ///< the last one that was saved or opened
     std::uint64_t m_studyGeneration = 0;    ///< of the last flight that a study has as well
     std::optional<GivenUpFlight> m_givenUp; ///< the mission thread has it
+    bool m_isRestoring = false;             ///< a flight, which is flown again until it is there
     bool m_isTakeOffAsked = false;          ///< and the answer of the mission has not come
     /** In flight, the plan the curve is of: rewrites of the history, number of the plan. */
     std::optional<std::pair<std::uint64_t, std::size_t>> m_curvePlan;
