@@ -325,8 +325,8 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     paintArea(p);
     const MapLayers& layers = frame.style.layers;
     AreaNames names(p);
-    withOpacity(p, layers.opacity(MapLayer::Permit), [&] { paintPermit(p, names); });
     paintClosedAreas(p, names);
+    withOpacity(p, layers.opacity(MapLayer::Permit), [&] { paintPermit(p, names); });
     withOpacity(p, layers.opacity(MapLayer::Swept), [&] { paintSwept(p); });
     withOpacity(p, layers.opacity(MapLayer::Compared), [&] { paintComparison(p); });
     paintTracks(p);

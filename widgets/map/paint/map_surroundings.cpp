@@ -186,6 +186,7 @@ void paintClosedAreas(const MapPaint& p, AreaNames& names)
             continue; // the asset has its name
         names.paint(shown, {area.name, heightsText(area.floor_m, area.ceiling_m, p.style.locale)},
                     {0.5, 0.3, 0.7, 0.1, 0.9});
+        names.keepOff(shown); // or it would be read as another area
     }
 }
 

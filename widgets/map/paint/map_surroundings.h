@@ -23,6 +23,8 @@ public:
      */
     void paint(const QRectF& shown, const std::array<QString, 2>& lines,
                const std::array<double, 5>& shares);
+    /** No further name there. */
+    void keepOff(const QRectF& place) { m_taken.push_back(place); }
 
 private:
     [[nodiscard]] bool isFree(const QRectF& label) const;

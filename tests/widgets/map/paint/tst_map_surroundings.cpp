@@ -97,23 +97,22 @@ private slots:
                  0);
     }
 
-    /** Of a no-fly area that lies in airspace and has room for one name. */
-    void namesOfAreasGiveWayToEachOther()
+    /** A no-fly area is never taken for the airspace that it lies in. */
+    void namesOfAirspaceKeepOffNoFlyAreas()
     {
         MapPicture picture;
         const MapLayout layout = layoutOf(picture, kSize_px);
-        const auto toWorld = [&](double x, double y) {
-            return layout.view.toWorld(QPointF(600 + x, 400 + y));
-        };
-        const std::vector<Point> corners_m{toWorld(0, 0), toWorld(140, 0), toWorld(140, 50),
-                                           toWorld(0, 50)};
-        picture.closed = {{.name = u"Closed area"_s, .corners_m = corners_m}};
+        std::vector<Point> corners_m;
+        for (const QPointF& corner_px : {QPointF(600, 400), QPointF(740, 400), QPointF(740, 450),
+                                         QPointF(600, 450)}) // room for one name
+            corners_m.push_back(layout.view.toWorld(corner_px));
+        picture.airspace = {{.title = u"TRA Barents"_s, .corners_m = corners_m}};
         MapPicture other = picture;
-        other.closed[0].name = u"Mines"_s;
+        other.airspace[0].title = u"CYA 701"_s;
         const Theme theme = Theme::light();
         QVERIFY(painted(picture, layout, theme) != painted(other, layout, theme));
-        picture.airspace = {{.title = u"TRA Barents"_s, .corners_m = corners_m}};
-        other.airspace = picture.airspace;
+        picture.closed = {{.name = u"Mines"_s, .corners_m = corners_m}};
+        other.closed = picture.closed;
         QVERIFY(painted(picture, layout, theme) == painted(other, layout, theme));
     }
 
