@@ -81,10 +81,10 @@ public:
     Menus(WindowContext& context, const MenuTargets& targets);
 
     [[nodiscard]] const SharedActions& shared() const { return m_shared; }
-    void updateActions();
     void refreshIcons() const;
 
 private:
+    void updateActions();
     template <class Slot>
     QAction* add(QMenu& menu, const ActionSpec& spec, const Slot& slot);
     template <class Slot>

@@ -248,7 +248,8 @@ double SafetyGuard::time_s(const ReturnPath& path) const
     return static_cast<double>(path.commands()) * m_uav.clock.command_s();
 }
 
-Outlook SafetyGuard::outlookAfter(const DubinsState& pose, double u_radps, double left_s) const
+SafetyGuard::Outlook SafetyGuard::outlookAfter(const DubinsState& pose, double u_radps,
+                                               double left_s) const
 {
     const ReturnSearch paths = search();
     if (!paths.isInside(pose, u_radps, 1))

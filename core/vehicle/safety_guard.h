@@ -27,21 +27,6 @@ struct SortieState
     std::optional<ReturnPath> returnPath;
 };
 
-/** Whether a command may be given to a UAV with a fence and a limited endurance. */
-enum class Return
-{
-    InTime,
-    Late,   ///< there is a path home, which takes too long
-    Unknown ///< none is known that stays inside
-};
-
-/** What a command leads to, and the path home from there. */
-struct Outlook
-{
-    Return back = Return::Unknown;
-    std::optional<ReturnPath> path; ///< `InTime` only
-};
-
 /**
  * What a UAV may be commanded: inside its fence, and so that it is home in time. State and wish in,
  * command out; it knows nothing of icebergs and plans. Keeps the clocks of the sortie and the
@@ -116,11 +101,6 @@ public:
     /** Turn rate that begins the way home. */
     [[nodiscard]] double homeRate_radps(const DubinsState& pose) const;
 
-    /** Whether the UAV has a fence and a home, so that a path home is proven at each command. */
-    [[nodiscard]] bool provesReturn() const { return m_uav.fence && m_uav.sortie; }
-    /** Whether a path home inside the fence is proven after one command at this rate. */
-    [[nodiscard]] Outlook outlookAfter(const DubinsState& pose, double u_radps,
-                                       double left_s) const;
     /** A path home from there, however long; none: no one is known. */
     [[nodiscard]] std::optional<ReturnPath> returnPath(const DubinsState& pose) const;
     [[nodiscard]] double time_s(const ReturnPath& path) const;
@@ -133,6 +113,25 @@ public:
                                       std::int64_t steps) const;
 
 private:
+    /** Whether a command may be given to a UAV with a fence and a limited endurance. */
+    enum class Return
+    {
+        InTime,
+        Late,   ///< there is a path home, which takes too long
+        Unknown ///< none is known that stays inside
+    };
+    /** What a command leads to, and the path home from there. */
+    struct Outlook
+    {
+        Return back = Return::Unknown;
+        std::optional<ReturnPath> path; ///< `InTime` only
+    };
+
+    /** Whether the UAV has a fence and a home, so that a path home is proven at each command. */
+    [[nodiscard]] bool provesReturn() const { return m_uav.fence && m_uav.sortie; }
+    /** Whether a path home inside the fence is proven after one command at this rate. */
+    [[nodiscard]] Outlook outlookAfter(const DubinsState& pose, double u_radps,
+                                       double left_s) const;
     [[nodiscard]] std::optional<double> provenCommand_radps(const DubinsState& pose,
                                                             double wished_radps);
     [[nodiscard]] double roomAfter_m(const DubinsState& pose, double u_radps) const;

@@ -25,6 +25,17 @@ std::optional<double> tauAt(const TauCurve& curve, int interval)
     return shortTau(curve.intervals[static_cast<std::size_t>(interval)]);
 }
 
+/** "0.83 to 1.21", with as many digits as tell the two apart. */
+QString tauRangeText(const CurveInterval& interval, const QLocale& locale)
+{
+    const double width = interval.tauTo - interval.tauFrom;
+    const int decimals =
+        std::clamp(1 - static_cast<int>(std::floor(std::log10(width))), 2, kMostDecimals);
+    return CurveText::tr("%1 to %2")
+        .arg(fixedText(interval.tauFrom, decimals, locale),
+             fixedText(interval.tauTo, decimals, locale));
+}
+
 } // namespace
 
 int presentInterval(const TauCurve& curve, double tau)
@@ -55,16 +66,6 @@ std::optional<double> tauOfPreviousPlan(const TauCurve& curve, double tau)
 {
     const int present = presentInterval(curve, tau);
     return tauAt(curve, present < 0 ? static_cast<int>(curve.intervals.size()) - 1 : present - 1);
-}
-
-QString tauRangeText(const CurveInterval& interval, const QLocale& locale)
-{
-    const double width = interval.tauTo - interval.tauFrom;
-    const int decimals =
-        std::clamp(1 - static_cast<int>(std::floor(std::log10(width))), 2, kMostDecimals);
-    return CurveText::tr("%1 to %2")
-        .arg(fixedText(interval.tauFrom, decimals, locale),
-             fixedText(interval.tauTo, decimals, locale));
 }
 
 QString intervalText(const CurveInterval& interval, const QLocale& locale)

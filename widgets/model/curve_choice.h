@@ -22,8 +22,6 @@ namespace berg {
 /** Tau of the neighbouring plan towards most uncertain first; none at the start. */
 [[nodiscard]] std::optional<double> tauOfPreviousPlan(const TauCurve& curve, double tau);
 
-/** "0.83 to 1.21", with as many digits as tell the two apart. */
-[[nodiscard]] QString tauRangeText(const CurveInterval& interval, const QLocale& locale);
 /** "τ 0.83 to 1.21: 14.2 km, proven optimal" */
 [[nodiscard]] QString intervalText(const CurveInterval& interval, const QLocale& locale);
 

@@ -81,8 +81,7 @@ void takeRows(ImportPreview& preview)
     result.icebergs = {};
 }
 
-} // namespace
-
+/** The first rows of a text if it may be a table, whether it can be imported or not. */
 TableHead tableHead(std::string_view bytes)
 {
     TableHead head;
@@ -105,6 +104,8 @@ TableHead tableHead(std::string_view bytes)
     }
     return head;
 }
+
+} // namespace
 
 bool ImportPreview::isUsable() const
 {

@@ -31,9 +31,6 @@ struct TableHead
     std::vector<QStringList> rows; ///< the first twenty
 };
 
-/** The first rows of a text if it may be a table, whether it can be imported or not. */
-[[nodiscard]] TableHead tableHead(std::string_view bytes);
-
 /** What the file says, whatever of it is imported. */
 struct SightingSummary
 {

@@ -220,6 +220,20 @@ std::string withoutEntry(const std::string& field)
     return close == std::string::npos ? field : field.substr(0, open) + field.substr(close + 1);
 }
 
+/** "icebergs[3].q_m2ps" is "icebergs.q_m2ps". */
+std::string withoutIndices(const std::string& field)
+{
+    std::string name;
+    bool inside = false;
+    for (const char c : field) {
+        inside = inside || c == '[';
+        if (!inside)
+            name += c;
+        inside = inside && c != ']';
+    }
+    return name;
+}
+
 const FieldName* findField(const std::string& field)
 {
     for (const std::string& path : {withoutEntry(field), withoutIndices(field)})
@@ -277,19 +291,6 @@ QString quantityText(Quantity quantity, double value, const QLocale& locale)
 }
 
 } // namespace
-
-std::string withoutIndices(const std::string& field)
-{
-    std::string name;
-    bool inside = false;
-    for (const char c : field) {
-        inside = inside || c == '[';
-        if (!inside)
-            name += c;
-        inside = inside && c != ']';
-    }
-    return name;
-}
 
 QString fieldName(const std::string& field)
 {

@@ -14,7 +14,4 @@ namespace berg {
 [[nodiscard]] QString fieldValue(const std::string& field, const IssueArgument& value,
                                  const QLocale& locale);
 
-/** "icebergs[3].q_m2ps" is "icebergs.q_m2ps". */
-[[nodiscard]] std::string withoutIndices(const std::string& field);
-
 } // namespace berg

@@ -48,6 +48,16 @@ QString solverText(AnswerSource source)
     return QString::fromStdString(nameOf(kSourceNames, source));
 }
 
+/** "under 1 ms", "4 ms", "1.2 s". */
+QString solveTimeText(double elapsed_s, const QLocale& locale)
+{
+    if (elapsed_s < 0.001)
+        return PlanText::tr("under 1 ms");
+    if (elapsed_s < 0.9995)
+        return PlanText::tr("%1 ms").arg(fixedText(1000 * elapsed_s, 0, locale));
+    return PlanText::tr("%1 s").arg(significantText(elapsed_s, 2, locale));
+}
+
 QString detailsOf(const PlanEvent& plan, const QLocale& locale)
 {
     const auto number = [&](double value) { return significantText(value, 6, locale); };
@@ -181,15 +191,6 @@ QString gapText(double gap, const QLocale& locale)
     if (percent > 10)
         return fixedText(std::ceil(percent - kRounding), 0, locale);
     return fixedText(std::max(1.0, std::ceil(10 * percent - kRounding)) / 10, 1, locale);
-}
-
-QString solveTimeText(double elapsed_s, const QLocale& locale)
-{
-    if (elapsed_s < 0.001)
-        return PlanText::tr("under 1 ms");
-    if (elapsed_s < 0.9995)
-        return PlanText::tr("%1 ms").arg(fixedText(1000 * elapsed_s, 0, locale));
-    return PlanText::tr("%1 s").arg(significantText(elapsed_s, 2, locale));
 }
 
 QString chanceText(double chance, const QLocale& locale)

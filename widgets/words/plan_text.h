@@ -58,9 +58,6 @@ struct PlanFigures
  */
 [[nodiscard]] QString gapText(double gap, const QLocale& locale);
 
-/** "under 1 ms", "4 ms", "1.2 s". */
-[[nodiscard]] QString solveTimeText(double elapsed_s, const QLocale& locale);
-
 /** "87 %" for 0.87. */
 [[nodiscard]] QString chanceText(double chance, const QLocale& locale);
 

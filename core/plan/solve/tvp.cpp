@@ -7,6 +7,25 @@
 
 namespace berg {
 
+namespace {
+
+/** sum of sigma_i times the distance flown until iceberg i, m^3: a leg costs its length times the
+ * sigma still unvisited. */
+double weightedLatency(const TvpProblem& problem, std::span<const int> order)
+{
+    double distance_m = 0;
+    double sum = 0;
+    int from = 0;
+    for (const int node : order) {
+        distance_m += problem.distance_m(from, node);
+        sum += problem.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
+        from = node;
+    }
+    return sum;
+}
+
+} // namespace
+
 bool isVisitOrder(const TvpProblem& problem, std::span<const int> order)
 {
     if (static_cast<int>(order.size()) != problem.icebergCount())
@@ -50,19 +69,6 @@ double objective(const TvpProblem& problem, std::span<const int> order)
     if (problem.criterion == Criterion::Latency)
         return problem.mu * weightedLatency(problem, order);
     return problem.mu * flownDistance(problem, order) - uncertaintyReward(problem, order);
-}
-
-double weightedLatency(const TvpProblem& problem, std::span<const int> order)
-{
-    double distance_m = 0;
-    double sum = 0;
-    int from = 0;
-    for (const int node : order) {
-        distance_m += problem.distance_m(from, node);
-        sum += problem.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
-        from = node;
-    }
-    return sum;
 }
 
 double objectiveShift(const TvpProblem& problem)

@@ -53,17 +53,14 @@ using FleetPlan = std::vector<VisitOrder>;
 
 /**
  * The only judge of plans. Visitation: F of Eq. (1) with t(UAV) = 1, -sum sigma_i (N - t_i) + mu D.
- * Latency: mu `weightedLatency`, which with mu = 1 / airspeed is sum sigma_i t_i in m^2 s, t_i the
- * arrival time. `order` must satisfy `isVisitOrder`.
+ * Latency: mu sum sigma_i d_i, d_i the distance flown until iceberg i; with mu = 1 / airspeed that
+ * is sum sigma_i t_i in m^2 s, t_i the arrival time.
+ * `order` must satisfy `isVisitOrder`.
  */
 [[nodiscard]] double objective(const TvpProblem& problem, std::span<const int> order);
 
 /** Reward sum sigma_i (N - t_i), the first term of Eq. (1) with its sign changed. */
 [[nodiscard]] double uncertaintyReward(const TvpProblem& problem, std::span<const int> order);
-
-/** sum of sigma_i times the distance flown until iceberg i, m^3: a leg costs its length times the
- * sigma still unvisited. */
-[[nodiscard]] double weightedLatency(const TvpProblem& problem, std::span<const int> order);
 
 /**
  * What makes the objective a sum of costs, which is never negative: N sum(sigma), which added to F

@@ -26,8 +26,6 @@ public:
     void setNavigable(bool navigable);
 
     [[nodiscard]] Pole pole() const { return m_frame.pole(); }
-    /** Shows the hemisphere of this pole, all of it. */
-    void setPole(Pole pole);
     /** Marks a place and shows its hemisphere. */
     void setPlace(const LatLon& place);
     /** Corners, and points between them, of what a map shows; empty: no box. */
@@ -61,6 +59,7 @@ protected:
 private:
     [[nodiscard]] QRectF chartRect() const;
     [[nodiscard]] double wholeScale_pxpm() const;
+    void setPole(Pole pole);
     void showWhole();
     void setView(const MapViewTransform& view);
     void updateTexts();

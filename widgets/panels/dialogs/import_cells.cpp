@@ -127,6 +127,29 @@ QString fieldOf(const ImportPreview& preview, const QString& column)
     return {};
 }
 
+/** The selected rows, all when none is, with the titles; cells apart by tabs. */
+QString copiedRows(const QTableView& table)
+{
+    const QAbstractItemModel& model = *table.model();
+    std::vector<int> rows;
+    for (const QModelIndex& index : table.selectionModel()->selectedRows())
+        rows.push_back(index.row());
+    std::sort(rows.begin(), rows.end());
+    if (rows.empty())
+        for (int row = 0; row < model.rowCount(); ++row)
+            rows.push_back(row);
+    std::vector<std::vector<QString>> cells(1);
+    for (int column = 0; column < model.columnCount(); ++column)
+        cells.front().push_back(
+            model.headerData(column, Qt::Horizontal).toString().section(u'\n', 0, 0));
+    for (const int row : rows) {
+        cells.emplace_back();
+        for (int column = 0; column < model.columnCount(); ++column)
+            cells.back().push_back(model.index(row, column).data().toString());
+    }
+    return tabSeparated(cells);
+}
+
 } // namespace
 
 void CellModel::setSheet(CellSheet sheet)
@@ -259,28 +282,6 @@ QTableView* newCellTable(CellModel& model, const QString& name, const QString& a
     table->addAction(copy);
     table->setContextMenuPolicy(Qt::ActionsContextMenu);
     return table;
-}
-
-QString copiedRows(const QTableView& table)
-{
-    const QAbstractItemModel& model = *table.model();
-    std::vector<int> rows;
-    for (const QModelIndex& index : table.selectionModel()->selectedRows())
-        rows.push_back(index.row());
-    std::sort(rows.begin(), rows.end());
-    if (rows.empty())
-        for (int row = 0; row < model.rowCount(); ++row)
-            rows.push_back(row);
-    std::vector<std::vector<QString>> cells(1);
-    for (int column = 0; column < model.columnCount(); ++column)
-        cells.front().push_back(
-            model.headerData(column, Qt::Horizontal).toString().section(u'\n', 0, 0));
-    for (const int row : rows) {
-        cells.emplace_back();
-        for (int column = 0; column < model.columnCount(); ++column)
-            cells.back().push_back(model.index(row, column).data().toString());
-    }
-    return tabSeparated(cells);
 }
 
 } // namespace berg

@@ -57,7 +57,5 @@ using PreviewPointer = std::shared_ptr<const ImportPreview>;
 /** A table for such sheets: sorted by a click, selected rows copied by the usual keys. */
 [[nodiscard]] QTableView* newCellTable(CellModel& model, const QString& name,
                                        const QString& accessibleName);
-/** The selected rows, all when none is, with the titles; cells apart by tabs. */
-[[nodiscard]] QString copiedRows(const QTableView& table);
 
 } // namespace berg

@@ -60,8 +60,6 @@ public:
     void removeCurrent();
     /** Columns as they suit this width; zeta only where there is room for it. */
     void arrange(int width_px);
-    /** Begins to edit the name. */
-    void renameCurrent();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -69,6 +67,7 @@ protected:
     void commitData(QWidget* editor) override;
 
 private:
+    void renameCurrent();
     void showRun(int row);
     void choose(int row, int column);
 

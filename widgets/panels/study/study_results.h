@@ -45,9 +45,6 @@ public:
     /** Name for a file of the picture in front. */
     [[nodiscard]] QString pictureName() const;
 
-    /** The mission chosen: that of the case in front, or of the only case there is. */
-    [[nodiscard]] std::optional<Scenario> chosenMission() const;
-
 signals:
     /** The user wants to see this flight: its scenario exactly as the study flew it. */
     void openRunRequested(const berg::Scenario& scenario);
@@ -75,6 +72,8 @@ private:
     void updateEnabled();
     void choose(std::optional<std::size_t> setting);
     void drillDown(std::size_t setting);
+    /** That of the case in front, or of the only case there is. */
+    [[nodiscard]] std::optional<Scenario> chosenMission() const;
     void openRun();
     [[nodiscard]] StudyPicture* front() const;
 
