@@ -81,7 +81,7 @@ void CbcRun::harvest(std::span<const double> solution)
 void CbcRun::report() const
 {
     if (!m_best.empty() && !m_failure)
-        m_watch.report(m_best, m_bestObjective, m_bound);
+        m_watch.report({m_best}, m_bestObjective, m_bound);
 }
 
 void CbcRun::reportNowAndThen()

@@ -9,6 +9,7 @@
 #include "core/plan/solve/certified.h"
 #include "core/plan/solve/engine.h"
 #include "core/plan/solve/names.h"
+#include "core/plan/solve/solve_watch.h"
 #ifdef BERG_WITH_CBC
 #include "core/plan/fleet/cbc_cover.h"
 #endif
@@ -38,16 +39,6 @@ std::int64_t firstTimes(const SolveOptions& options)
     return options.hint.empty() ? kFirstTimes : kFirstTimesFromHint;
 }
 
-/** Why a solve must end now, if it must. */
-std::optional<StopReason> cutOf(const SolveOptions& options, const Stopwatch& watch)
-{
-    if (options.stop.stop_requested())
-        return StopReason::Cancelled;
-    if (options.timeLimit_s && watch.elapsed_s() >= *options.timeLimit_s)
-        return StopReason::TimeLimit;
-    return std::nullopt;
-}
-
 /** One solve: local search and bound take turns. */
 class FleetEngine
 {
@@ -56,6 +47,7 @@ public:
                 std::optional<std::int64_t> effort)
         : m_problem(problem)
         , m_options(options)
+        , m_watch(options)
         , m_costs(problem)
         , m_shift(fleetObjectiveShift(problem))
         , m_own(effort.value_or(kNoLimit))
@@ -137,7 +129,7 @@ private:
     bool cut()
     {
         if (!m_cut)
-            m_cut = cutOf(m_options, m_watch);
+            m_cut = m_watch.cut();
         return m_cut.has_value();
     }
 
@@ -177,15 +169,9 @@ private:
     }
     void report() const
     {
-        if (!m_options.onProgress)
-            return;
-        SolveProgress progress{.plan = m_search.best(),
-                               .objective = m_objective,
-                               .bound = {},
-                               .elapsed_s = m_watch.elapsed_s()};
-        if (m_bound > 0)
-            progress.bound = std::min(boundOnObjective(), m_objective);
-        m_options.onProgress(progress);
+        const double bound = std::min(boundOnObjective(), m_objective);
+        m_watch.report(m_search.best(), m_objective,
+                       m_bound > 0 ? std::optional(bound) : std::nullopt);
     }
 
     SolveOutcome outcome(const FleetBoundResult& result, std::int64_t work)
@@ -215,7 +201,7 @@ private:
 
     const FleetProblem& m_problem;
     const SolveOptions& m_options;
-    Stopwatch m_watch;
+    SolveWatch m_watch;
     FleetCosts m_costs;
     double m_shift;       ///< cost = objective + shift
     std::int64_t m_own;   ///< the back end's own limit of work
@@ -244,22 +230,17 @@ std::int64_t ownEffort(const FleetProblem& problem, const SolveOptions& options)
 /** Distance does not count. */
 SolveOutcome byRanks(const FleetProblem& problem, const SolveOptions& options)
 {
-    const Stopwatch watch;
+    const SolveWatch watch(options);
     const std::int64_t n = problem.icebergCount();
-    FleetRanks ranks = bestRanks(problem, [&] { return cutOf(options, watch).has_value(); });
+    FleetRanks ranks = bestRanks(problem, [&] { return watch.cut().has_value(); });
     SolveOutcome outcome{.status = ranks.isBest ? SolveStatus::Optimal : SolveStatus::Feasible,
                          .plan = std::move(ranks.plan),
                          .work = n * n * n * problem.uavCount(),
                          .source = AnswerSource::Assignment};
     if (!ranks.isBest)
-        outcome.reason = cutOf(options, watch).value_or(StopReason::Finished);
-    if (options.onProgress) {
-        const double value = fleetObjective(problem, outcome.plan);
-        options.onProgress({.plan = outcome.plan,
-                            .objective = value,
-                            .bound = ranks.isBest ? std::optional(value) : std::nullopt,
-                            .elapsed_s = watch.elapsed_s()});
-    }
+        outcome.reason = watch.cut().value_or(StopReason::Finished);
+    const double value = fleetObjective(problem, outcome.plan);
+    watch.report(outcome.plan, value, ranks.isBest ? std::optional(value) : std::nullopt);
     return outcome;
 }
 

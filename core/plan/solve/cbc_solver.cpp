@@ -56,7 +56,7 @@ private:
             takePlan(progress.plan);
             m_known.bound = progress.bound;
             if (!progress.plan.empty())
-                m_watch.report(progress.plan.front(), progress.objective, progress.bound);
+                m_watch.report(progress.plan, progress.objective, progress.bound);
         }
         return stopped();
     }

@@ -157,7 +157,7 @@ private:
     void report() const
     {
         const double bound = std::min(boundOnObjective(), m_objective);
-        m_watch.report(m_search.best(), m_objective,
+        m_watch.report({m_search.best()}, m_objective,
                        m_bound > 0 ? std::optional(bound) : std::nullopt);
     }
 
@@ -216,7 +216,7 @@ SolveOutcome solveByEngine(const TvpProblem& problem, const SolveOptions& option
     outcome.status = SolveStatus::Optimal;
     outcome.plan = {sigmaOrder(problem)};
     const double value = objective(problem, outcome.order());
-    SolveWatch(options).report(outcome.order(), value, value);
+    SolveWatch(options).report(outcome.plan, value, value);
     return outcome;
 }
 

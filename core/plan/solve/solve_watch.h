@@ -24,10 +24,10 @@ public:
     }
 
     /** Hands a progress report to the caller, if he wants any. `bound` in terms of Eq. (1). */
-    void report(const VisitOrder& order, double objective, std::optional<double> bound) const
+    void report(const FleetPlan& plan, double objective, std::optional<double> bound) const
     {
         if (m_options.onProgress)
-            m_options.onProgress({.plan = {order},
+            m_options.onProgress({.plan = plan,
                                   .objective = objective,
                                   .bound = bound,
                                   .elapsed_s = m_watch.elapsed_s()});

@@ -293,7 +293,7 @@ SolveOutcome proven(VisitOrder order, std::int64_t work, const TvpProblem& probl
     outcome.work = work;
     if (options.onProgress) {
         const double value = objective(problem, outcome.order());
-        watch.report(outcome.order(), value, value);
+        watch.report(outcome.plan, value, value);
     }
     return outcome;
 }
@@ -303,7 +303,7 @@ SolveOutcome solveWithRows(const TvpProblem& problem, const SolveOptions& option
 {
     const SolveWatch watch(options);
     if (!options.hint.empty() && options.onProgress)
-        watch.report(options.hint.front(), objective(problem, options.hint.front()), std::nullopt);
+        watch.report(options.hint, objective(problem, options.hint.front()), std::nullopt);
 
     const int n = problem.icebergCount();
     if (options.workLimit && *options.workLimit < SubsetSolver::workFor(n))
