@@ -39,6 +39,20 @@ bool PlacingTool::key(const QKeyEvent& event)
     return true;
 }
 
+QCursor PlacingTool::cursor(const std::string&) const
+{
+    return Qt::CrossCursor;
+}
+
+void PlacingTool::end(bool takeBack)
+{
+    if (m_gesture && takeBack)
+        m_gesture->cancel();
+    else if (m_gesture)
+        m_gesture->finish();
+    drop();
+}
+
 void IcebergTool::press(const MapPointer& pointer)
 {
     MapScene& scene = context().scene;
@@ -146,18 +160,11 @@ void IcebergTool::addInFlight()
     emit context().view.icebergPlaced(placed);
 }
 
-void IcebergTool::cancel()
-{
-    if (m_gesture)
-        m_gesture->cancel();
-    drop();
-}
-
 void IcebergTool::drop()
 {
     m_isPressed = false;
     m_arrow.reset();
-    m_gesture.reset();
+    PlacingTool::drop();
     context().view.setDraft(nullptr);
 }
 
@@ -169,11 +176,6 @@ void IcebergTool::paint(QPainter& painter) const
     const Point overGround_mps = m_iceberg.velocity_mps + context().document.scenario().current_mps;
     paintBubble(painter, m_now.at_px, driftText(overGround_mps, scene.locale()), scene.rect(),
                 scene.theme());
-}
-
-QCursor IcebergTool::cursor(const std::string&) const
-{
-    return Qt::CrossCursor;
 }
 
 QString IcebergTool::status() const
@@ -267,16 +269,7 @@ void UavTool::release(const MapPointer& pointer)
 void UavTool::drop()
 {
     m_isTurning = false;
-    m_gesture.reset();
-}
-
-void UavTool::end(bool takeBack)
-{
-    if (m_gesture && takeBack)
-        m_gesture->cancel();
-    else if (m_gesture)
-        m_gesture->finish();
-    drop();
+    PlacingTool::drop();
 }
 
 void UavTool::paint(QPainter& painter) const
@@ -287,11 +280,6 @@ void UavTool::paint(QPainter& painter) const
     const QPointF from = scene.view().toPixel(m_uav.position_m);
     paintDragTrail(painter, {from, m_now.at_px}, scene.theme());
     paintBubble(painter, m_now.at_px, headingText(m_uav.heading_deg), scene.rect(), scene.theme());
-}
-
-QCursor UavTool::cursor(const std::string&) const
-{
-    return Qt::CrossCursor;
 }
 
 QString UavTool::status() const
@@ -346,15 +334,6 @@ void AssetTool::release(const MapPointer& pointer)
     end(!pointer.isInside);
     if (context().document.scenario().asset)
         context().selection.set({kAssetKey});
-}
-
-void AssetTool::end(bool takeBack)
-{
-    if (m_gesture && takeBack)
-        m_gesture->cancel();
-    else if (m_gesture)
-        m_gesture->finish();
-    drop();
 }
 
 void AssetTool::paint(QPainter& painter) const

@@ -11,7 +11,21 @@ class PlacingTool : public MapTool
 {
 public:
     using MapTool::MapTool;
+
     bool key(const QKeyEvent& event) override;
+    [[nodiscard]] bool isBusy() const override { return m_gesture != nullptr; }
+    void cancel() override { end(true); }
+    [[nodiscard]] QCursor cursor(const std::string& over) const override;
+
+protected:
+    [[nodiscard]] bool isApplying() const override { return m_gesture && m_gesture->isApplying(); }
+    void drop() override { m_gesture.reset(); }
+    /** Of what is pressed. */
+    void end(bool takeBack);
+
+    MapPointer m_press;
+    MapPointer m_now;
+    std::unique_ptr<EditGesture> m_gesture;
 };
 
 /**
@@ -29,13 +43,10 @@ public:
     void move(const MapPointer& pointer) override;
     void release(const MapPointer& pointer) override;
     [[nodiscard]] bool isBusy() const override { return m_isPressed; }
-    void cancel() override;
     void paint(QPainter& painter) const override;
-    [[nodiscard]] QCursor cursor(const std::string& over) const override;
     [[nodiscard]] QString status() const override;
 
 protected:
-    [[nodiscard]] bool isApplying() const override { return m_gesture && m_gesture->isApplying(); }
     void drop() override;
 
 private:
@@ -46,11 +57,8 @@ private:
     void addInFlight();
 
     bool m_isPressed = false;
-    Iceberg m_iceberg; ///< as it was pressed on, or as it is to be added
-    MapPointer m_press;
-    MapPointer m_now;
+    Iceberg m_iceberg;                   ///< as it was pressed on, or as it is to be added
     std::unique_ptr<DriftArrow> m_arrow; ///< while a drift is drawn
-    std::unique_ptr<EditGesture> m_gesture;
 };
 
 /**
@@ -65,26 +73,18 @@ public:
     void press(const MapPointer& pointer) override;
     void move(const MapPointer& pointer) override;
     void release(const MapPointer& pointer) override;
-    [[nodiscard]] bool isBusy() const override { return m_gesture != nullptr; }
-    void cancel() override { end(true); }
     void paint(QPainter& painter) const override;
-    [[nodiscard]] QCursor cursor(const std::string& over) const override;
     [[nodiscard]] QString status() const override;
 
 protected:
-    [[nodiscard]] bool isApplying() const override { return m_gesture && m_gesture->isApplying(); }
     void drop() override;
 
 private:
     [[nodiscard]] const Uav* meantUav() const;
     void apply();
-    void end(bool takeBack);
 
-    MapPointer m_press;
-    MapPointer m_now;
     Uav m_uav; ///< as it is to be
     bool m_isTurning = false;
-    std::unique_ptr<EditGesture> m_gesture;
 };
 
 /**
@@ -99,25 +99,14 @@ public:
     void press(const MapPointer& pointer) override;
     void move(const MapPointer& pointer) override;
     void release(const MapPointer& pointer) override;
-    [[nodiscard]] bool isBusy() const override { return m_gesture != nullptr; }
-    void cancel() override { end(true); }
     void paint(QPainter& painter) const override;
     [[nodiscard]] QCursor cursor(const std::string& over) const override;
     [[nodiscard]] QString status() const override;
 
-protected:
-    [[nodiscard]] bool isApplying() const override { return m_gesture && m_gesture->isApplying(); }
-    void drop() override { m_gesture.reset(); }
-
 private:
-    void end(bool takeBack);
-
-    MapPointer m_press;
-    MapPointer m_now;
     Point m_grip_m = Point::Zero(); ///< from its centre to where it was taken
     Asset m_asset;                  ///< as it is to be
     bool m_isMoving = false;        ///< not while a press on it may still be a click
-    std::unique_ptr<EditGesture> m_gesture;
 };
 
 } // namespace berg
