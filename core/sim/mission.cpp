@@ -52,9 +52,7 @@ AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
                                const std::function<void(double)>& onProgress)
 {
     requireSolvingAllowed();
-    const double dt_s = m_simulation.world().dt_s();
-    const std::int64_t untilStep = std::llround(until_s / dt_s);
-    const std::int64_t second = std::max<std::int64_t>(1, std::llround(1 / dt_s));
+    const std::int64_t untilStep = std::llround(until_s / m_simulation.world().dt_s());
     while (!m_simulation.finished()) {
         if (stop.stop_requested())
             return AdvanceStatus::Cancelled;
@@ -66,7 +64,7 @@ AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
         noteStep();
         if (m_options.record)
             m_recorder.record(m_simulation);
-        if (onProgress && m_simulation.step() % second == 0)
+        if (onProgress && m_simulation.world().isWholeSecond())
             onProgress(m_simulation.time_s());
     }
     return AdvanceStatus::Finished;
@@ -104,9 +102,7 @@ void Mission::noteStep()
                   .uav = uav,
                   .together = seenWithTarget(errand)});
         }
-    const auto second =
-        static_cast<std::int64_t>(std::max(1LL, std::llround(1 / m_simulation.world().dt_s())));
-    if (m_simulation.world().asset() && m_simulation.step() % second == 0)
+    if (m_simulation.world().asset() && m_simulation.world().isWholeSecond())
         noteAlarms();
 }
 

@@ -72,6 +72,7 @@ void World::advanceDrift()
 void World::goTo(std::int64_t step)
 {
     m_step = step;
+    m_inSecond = step % m_stepsPerSecond;
     advanceDrift();
 }
 

@@ -36,9 +36,13 @@ public:
     [[nodiscard]] std::int64_t step() const { return m_step; }
     [[nodiscard]] std::int64_t lastStep() const { return m_lastStep; }
     [[nodiscard]] std::int64_t stepsPerSecond() const { return m_stepsPerSecond; }
-    [[nodiscard]] bool isWholeSecond() const { return m_step % m_stepsPerSecond == 0; }
+    [[nodiscard]] bool isWholeSecond() const { return m_inSecond == 0; }
     [[nodiscard]] std::uint64_t seed() const { return m_seed; }
-    void tick() { ++m_step; }
+    void tick()
+    {
+        ++m_step;
+        m_inSecond = m_inSecond + 1 == m_stepsPerSecond ? 0 : m_inSecond + 1;
+    }
     /** The truth at a later step, as far as nothing is added until then. */
     void goTo(std::int64_t step);
     /** Of the looks at it. */
@@ -92,6 +96,7 @@ private:
     Point m_current_mps;
     std::vector<std::string> m_uavs; ///< ids
     std::int64_t m_step = 0;
+    std::int64_t m_inSecond = 0; ///< steps since the last whole one
     std::vector<IcebergParameters> m_bodies;
     std::vector<DriftModel> m_drift;
     std::vector<std::int64_t> m_appearsStep;
