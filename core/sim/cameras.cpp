@@ -105,7 +105,7 @@ std::int64_t Cameras::stepsOutOfReach(const Point& place_m, double speedLimit_mp
         const double away_m =
             (place_m - camera.pose.position_m).norm() - camera.reach_m - kReachMargin_m;
         if (away_m <= 0)
-            return 0;
+            return 1;
         const double closing_mps = camera.airspeed_mps + m_wind_mps + speedLimit_mps;
         least = std::min(least, static_cast<std::int64_t>(away_m / closing_mps / dt_s));
     }

@@ -52,8 +52,8 @@ public:
     [[nodiscard]] const std::optional<double>& reachRadius_m() const { return m_reachRadius_m; }
     [[nodiscard]] bool isWithinReach(int uav, const Point& place_m) const;
     [[nodiscard]] bool isWithinReachOfAny(const Point& place_m) const;
-    /** 0: near enough to a UAV to be in view. Else the steps before it may be, UAVs and place being
-     * as fast as they can. */
+    /** For a place in no view, the steps until it may be, at least 1: UAVs and place being as fast
+     * as they can. */
     [[nodiscard]] std::int64_t stepsOutOfReach(const Point& place_m, double speedLimit_mps,
                                                double dt_s) const;
 

@@ -141,14 +141,15 @@ void Observer::look(int iceberg, StepReport& report)
         m_newlyAppeared.push_back(iceberg);
     Track& track = m_tracks[toIndex(iceberg)];
     const Point truth_m = m_world.position_m(iceberg);
-    const std::int64_t steps =
-        m_cameras.stepsOutOfReach(truth_m, m_world.speedLimit_mps(iceberg), m_world.dt_s());
-    m_lookStep[toIndex(iceberg)] = m_world.step() + std::max<std::int64_t>(1, steps);
-    const int uav = steps > 0 ? -1 : m_cameras.viewer(truth_m);
+    const int uav = m_cameras.viewer(truth_m);
     if (uav < 0) {
         track.inView = false;
+        m_lookStep[toIndex(iceberg)] =
+            m_world.step() +
+            m_cameras.stepsOutOfReach(truth_m, m_world.speedLimit_mps(iceberg), m_world.dt_s());
         return;
     }
+    m_lookStep[toIndex(iceberg)] = m_world.step() + 1;
     if (!track.inView)
         m_newlySeen.push_back({.iceberg = iceberg, .uav = uav});
     track.seen(truth_m, m_world.time_s());

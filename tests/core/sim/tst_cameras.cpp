@@ -25,6 +25,25 @@ private slots:
         QCOMPARE(firstWith(cameras.views(), place_m), -1);
         QCOMPARE(firstWith(cameras.middles(), place_m), -1);
     }
+
+    /** Near the edge of the view, in the next step; far away not before they may have met. */
+    void nextLookAtWhatIsInNoView()
+    {
+        Cameras cameras(std::nullopt, {3, 4});
+        cameras.add({.airspeed_mps = 20});
+        constexpr double kIcebergSpeed_mps = 5;
+        constexpr double kStep_s = 0.1;
+        const Camera& camera = cameras.of(0);
+        const auto steps = [&](double away_m) {
+            return static_cast<int>(
+                cameras.stepsOutOfReach({away_m, 0}, kIcebergSpeed_mps, kStep_s));
+        };
+        QCOMPARE(steps(camera.reach_m - 1), 1);
+        QCOMPARE(steps(camera.reach_m + 2), 1);
+        QCOMPARE(steps(camera.reach_m + 301.5), 100); // 300 m and the margin, 30 m/s together
+        cameras.add({.airspeed_mps = 20, .pose = {.position_m = {camera.reach_m + 301.5, 0}}});
+        QCOMPARE(steps(camera.reach_m + 301.5), 1);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestCameras)
