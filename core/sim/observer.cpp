@@ -114,8 +114,8 @@ void Observer::observe(double dt_s, StepReport& report)
         const std::int64_t age = m_world.age(iceberg++);
         if (age < 0)
             continue;
-        if (!isFiltered && !track.inView)
-            track.grow(age == 0 ? 0 : dt_s);
+        if (!isFiltered && !track.inView && age > 0)
+            track.sigma_m2 += track.q_m2ps * dt_s; // Eq. (22): the velocity is known
         if (!track.left)
             sigmaSum_m2 += track.sigma_m2;
     }
