@@ -30,6 +30,12 @@ bool FieldOfView::contains(const Point& p_m) const
            std::abs(cross(m_along, d_m)) <= m_half_m.y();
 }
 
+Point Track::fadedEstimate_m(double time_s) const
+{
+    return anchor_m + mean_mps * (time_s - anchor_s) +
+           (velocity_mps - mean_mps) * carriedFor_s(velocityTime_s, time_s - anchor_s);
+}
+
 void Track::moveOn(double dt_s)
 {
     anchor_m = estimate_m(anchor_s + dt_s);

@@ -118,8 +118,7 @@ struct Track
     [[nodiscard]] Point estimate_m(double time_s) const
     {
         if (velocityTime_s > 0 && time_s > anchor_s)
-            return anchor_m + mean_mps * (time_s - anchor_s) +
-                   (velocity_mps - mean_mps) * carriedFor_s(velocityTime_s, time_s - anchor_s);
+            return fadedEstimate_m(time_s);
         return anchor_m + velocity_mps * (time_s - anchor_s);
     }
     void seen(const Point& truth_m, double time_s)
@@ -171,6 +170,7 @@ struct Track
     bool operator==(const Track&) const = default;
 
 private:
+    [[nodiscard]] Point fadedEstimate_m(double time_s) const;
     void moveOn(double dt_s);
 };
 
