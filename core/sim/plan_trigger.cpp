@@ -124,7 +124,7 @@ void PlanTrigger::update(Fleet& fleet)
         if (reason(uav) == PlanReason::None && fleet.autopilot(uav).isPlanned())
             m_reasons[toIndex(uav)] = PlanReason::Fleet;
     }
-    for (int uav = 0; uav < fleet.count(); ++uav)
+    for (int uav = 0; fleet.plansClusters() && uav < fleet.count(); ++uav)
         if (reason(uav) == PlanReason::None && fleet.endOverdueCluster(uav))
             m_reasons[toIndex(uav)] = PlanReason::Overdue;
 }
