@@ -63,11 +63,6 @@ Autopilot::Autopilot(const Uav& uav, const Scenario& scenario)
     m_guard.proveReturn(m_pose, m_u_radps, 0);
 }
 
-bool Autopilot::isHomeward() const
-{
-    return mode() == FlightMode::Home || mode() == FlightMode::Ground;
-}
-
 const Errand* Autopilot::errand() const
 {
     if (const Leg* leg = std::get_if<Leg>(&m_mode))
@@ -260,7 +255,8 @@ void Autopilot::setFence(std::shared_ptr<const Geofence> fence, const Observer& 
 
 bool Autopilot::isCommanded(const World& world) const
 {
-    return !isOnGround() && (world.step() - 1) % m_guard.uav().clock.steps == 0;
+    const std::int64_t steps = m_guard.uav().clock.steps;
+    return !isOnGround() && (steps == 1 || (world.step() - 1) % steps == 0);
 }
 
 void Autopilot::deviateTo(double u_radps)

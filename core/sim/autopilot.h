@@ -28,7 +28,7 @@ public:
     [[nodiscard]] const DubinsState& pose() const { return m_pose; }
     [[nodiscard]] FlightMode mode() const { return static_cast<FlightMode>(m_mode.index()); }
     /** On its way home or on the ground. */
-    [[nodiscard]] bool isHomeward() const;
+    [[nodiscard]] bool isHomeward() const { return mode() == FlightMode::Home || isOnGround(); }
     /** On its way home, on the ground or holding it is not. */
     [[nodiscard]] bool isPlanned() const { return !isHomeward() && mode() != FlightMode::Hold; }
     [[nodiscard]] FlightOrder order() const { return m_order; }
