@@ -289,7 +289,7 @@ bool Autopilot::command(int uav, Observer& observer, StepReport& report)
 
 void Autopilot::move(int uav, const DubinsState* measured, StepReport& report)
 {
-    const Point from_m = m_pose.position_m;
+    m_before_m = m_pose.position_m;
     const double dt_s = m_guard.uav().clock.dt_s;
     if (!isOnGround()) {
         m_pose = measured != nullptr
@@ -297,12 +297,12 @@ void Autopilot::move(int uav, const DubinsState* measured, StepReport& report)
                      : step(m_pose, motion().airspeed_mps, m_u_radps, dt_s, motion().wind_mps);
         m_flown_m += motion().airspeed_mps * dt_s;
     }
-    watchFence(uav, from_m, report);
+    watchFence(uav, report);
     if (!m_guard.uav().sortie)
         return;
     if (m_guard.tick())
         report.add({.kind = EventKind::LateHome, .uav = uav});
-    if (mode() != FlightMode::Home || !m_guard.isLanding(from_m, m_pose.position_m))
+    if (mode() != FlightMode::Home || !m_guard.isLanding(m_before_m, m_pose.position_m))
         return;
     m_guard.land();
     m_mode = Ground{};
@@ -312,13 +312,13 @@ void Autopilot::move(int uav, const DubinsState* measured, StepReport& report)
 }
 
 /** Nothing that flies itself leaves it but from a start too near; wind and telemetry may. */
-void Autopilot::watchFence(int uav, const Point& from_m, StepReport& report) const
+void Autopilot::watchFence(int uav, StepReport& report) const
 {
     const Geofence* fence = m_guard.uav().fence.get();
     if (fence == nullptr)
         return;
     const bool isInside = fence->contains(m_pose.position_m);
-    if (isInside != fence->contains(from_m))
+    if (isInside != fence->contains(m_before_m))
         report.add({.kind = isInside ? EventKind::BackInside : EventKind::LeftFence, .uav = uav});
 }
 

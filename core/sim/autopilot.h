@@ -26,6 +26,8 @@ public:
     Autopilot(const Uav& uav, const Scenario& scenario);
 
     [[nodiscard]] const DubinsState& pose() const { return m_pose; }
+    /** Its place before it moved last. */
+    [[nodiscard]] const Point& before_m() const { return m_before_m; }
     [[nodiscard]] FlightMode mode() const { return static_cast<FlightMode>(m_mode.index()); }
     /** On its way home or on the ground. */
     [[nodiscard]] bool isHomeward() const { return mode() == FlightMode::Home || isOnGround(); }
@@ -108,7 +110,7 @@ private:
     /** In the order of `FlightMode`. */
     using Mode = std::variant<Idle, Leg, RunOut, Circle, Searching, Home, Ground, Hold>;
 
-    void watchFence(int uav, const Point& from_m, StepReport& report) const;
+    void watchFence(int uav, StepReport& report) const;
     [[nodiscard]] double steer(int uav, Observer& observer, StepReport& report);
     [[nodiscard]] double steerLeg(const Observer& observer);
     [[nodiscard]] double steerAim(AimedLeg& aim);
@@ -132,6 +134,7 @@ private:
     SafetyGuard m_guard;
 
     DubinsState m_pose;
+    Point m_before_m = Point::Zero();
     double m_u_radps = 0;
     double m_crossTrack_m = 0;
     double m_flown_m = 0; ///< through the air

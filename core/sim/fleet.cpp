@@ -93,10 +93,6 @@ void Fleet::advance(std::span<const DubinsState> poses)
 {
     m_observer.world().tick(); // the estimates steered at are those at the end of the step
     m_report.trigger = PlanReason::None;
-    std::vector<Point> before_m;
-    if (count() > 1)
-        for (const Autopilot& autopilot : m_autopilots)
-            before_m.push_back(autopilot.pose().position_m);
     for (int uav = 0; uav < count(); ++uav) {
         Autopilot& me = m_autopilots[toIndex(uav)];
         if (!me.command(uav, m_observer, m_report))
@@ -110,8 +106,7 @@ void Fleet::advance(std::span<const DubinsState> poses)
             enterLayer(uav);
         m_observer.cameras().point(uav, me.pose(), me.mode());
     }
-    if (count() > 1)
-        watchSeparation(before_m);
+    watchSeparation();
     m_observer.observe(m_observer.world().dt_s(), m_report);
     std::erase_if(m_unclustered, [this](int iceberg) { return m_observer.track(iceberg).inView; });
 }
@@ -354,8 +349,8 @@ void Fleet::order(int uav, FlightOrder order)
         leaveSearch(uav);
 }
 
-/** Of the pairs aloft in one altitude layer; `before_m`: the places before the step. */
-void Fleet::watchSeparation(std::span<const Point> before_m)
+/** Of the pairs aloft in one altitude layer. */
+void Fleet::watchSeparation()
 {
     const World& world = m_observer.world();
     for (int a = 0; a < count(); ++a)
@@ -366,9 +361,8 @@ void Fleet::watchSeparation(std::span<const Point> before_m)
                 continue;
             const double distance_m = (first.pose().position_m - second.pose().position_m).norm();
             m_closest_m = std::min(m_closest_m.value_or(distance_m), distance_m);
-            const bool wasApart =
-                isJustAloft(first, world) || isJustAloft(second, world) ||
-                (before_m[toIndex(a)] - before_m[toIndex(b)]).norm() >= m_separation_m;
+            const bool wasApart = isJustAloft(first, world) || isJustAloft(second, world) ||
+                                  (first.before_m() - second.before_m()).norm() >= m_separation_m;
             if (wasApart && distance_m < m_separation_m)
                 m_report.add(
                     {.kind = EventKind::Close, .uav = a, .otherUav = b, .distance_m = distance_m});

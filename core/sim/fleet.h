@@ -72,7 +72,7 @@ private:
     void sendHomeWhenLate(int uav);
     void enterLayer(int uav);
     void keepApart(int uav);
-    void watchSeparation(std::span<const Point> before_m);
+    void watchSeparation();
 
     bool m_clusters;
     double m_separation_m;
