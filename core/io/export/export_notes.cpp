@@ -254,9 +254,4 @@ std::vector<IssueArgument> noteArguments(const ExportNote& note)
     throw std::logic_error("noteArguments: unknown kind");
 }
 
-std::string noteText(const ExportNote& note)
-{
-    return filledIn(notePattern(note.kind), noteArguments(note));
-}
-
 } // namespace berg

@@ -51,7 +51,5 @@ struct ExportNote
 /** A sentence in English, with %1, %2, ... for the arguments. */
 [[nodiscard]] std::string_view notePattern(ExportNoteKind kind);
 [[nodiscard]] std::vector<IssueArgument> noteArguments(const ExportNote& note);
-/** Both put together. */
-[[nodiscard]] std::string noteText(const ExportNote& note);
 
 } // namespace berg
