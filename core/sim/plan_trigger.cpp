@@ -22,8 +22,6 @@ bool targetReached(int uav, const Errand& errand, const Fleet& fleet)
 /** Whether another UAV has come to one of those it is sent to. */
 bool isSeenByOther(int uav, const Errand& errand, const Fleet& fleet)
 {
-    if (fleet.count() == 1)
-        return false;
     const auto isSeen = [&](int iceberg) {
         return isReachedByOther(fleet.observer(), uav, iceberg);
     };
