@@ -36,24 +36,6 @@ ViewWindow::ViewWindow(const SensorSpec& sensor, double margin_m)
 {
 }
 
-std::optional<ViewSpan> ViewWindow::crossingRectangle(const Point& from_m, const Point& to_m) const
-{
-    ViewSpan span;
-    for (int axis = 0; axis < 2; ++axis) {
-        const double path_m = to_m[axis] - from_m[axis];
-        if (path_m == 0) {
-            if (std::abs(from_m[axis]) > m_half_m[axis])
-                return std::nullopt;
-            continue;
-        }
-        const double a = (-m_half_m[axis] - from_m[axis]) / path_m;
-        const double b = (m_half_m[axis] - from_m[axis]) / path_m;
-        span.enter = std::max(span.enter, std::min(a, b));
-        span.leave = std::min(span.leave, std::max(a, b));
-    }
-    return span.enter <= span.leave ? std::optional(span) : std::nullopt;
-}
-
 std::optional<ViewSpan> ViewWindow::crossingDisk(const Point& from_m, const Point& to_m) const
 {
     const Point path_m = to_m - from_m;

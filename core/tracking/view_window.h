@@ -77,7 +77,19 @@ public:
             if ((from_m[axis] > m_half_m[axis] && to_m[axis] > m_half_m[axis]) ||
                 (from_m[axis] < -m_half_m[axis] && to_m[axis] < -m_half_m[axis]))
                 return std::nullopt;
-        return crossingRectangle(from_m, to_m);
+        return inside_m(from_m, to_m) >= 0 ? std::optional(ViewSpan{})
+                                           : crossingRectangle(from_m, to_m);
+    }
+
+    /** How far from the edge of the view all of the way is; negative: part of it is outside, or the
+     * view is a disk. */
+    [[nodiscard]] double inside_m(const Point& from_m, const Point& to_m) const
+    {
+        if (m_shape == FovShape::Disk)
+            return -1;
+        const double x_m = std::max(std::abs(from_m.x()), std::abs(to_m.x()));
+        const double y_m = std::max(std::abs(from_m.y()), std::abs(to_m.y()));
+        return std::min(m_half_m.x() - x_m, m_half_m.y() - y_m);
     }
 
     /**
@@ -88,7 +100,23 @@ public:
 
 private:
     [[nodiscard]] std::optional<ViewSpan> crossingRectangle(const Point& from_m,
-                                                            const Point& to_m) const;
+                                                            const Point& to_m) const
+    {
+        ViewSpan span;
+        for (int axis = 0; axis < 2; ++axis) {
+            const double path_m = to_m[axis] - from_m[axis];
+            if (path_m == 0) {
+                if (std::abs(from_m[axis]) > m_half_m[axis])
+                    return std::nullopt;
+                continue;
+            }
+            const double a = (-m_half_m[axis] - from_m[axis]) / path_m;
+            const double b = (m_half_m[axis] - from_m[axis]) / path_m;
+            span.enter = std::max(span.enter, std::min(a, b));
+            span.leave = std::min(span.leave, std::max(a, b));
+        }
+        return span.enter <= span.leave ? std::optional(span) : std::nullopt;
+    }
     [[nodiscard]] std::optional<ViewSpan> crossingDisk(const Point& from_m,
                                                        const Point& to_m) const;
 

@@ -75,6 +75,29 @@ private slots:
         QVERIFY(crossed < 900);
     }
 
+    /** Then a narrower view sees all of it too, and every share is exactly as it would be computed.
+     */
+    void insideAllTheWay_data() { shapes_data(); }
+    void insideAllTheWay()
+    {
+        QFETCH(FovShape, shape);
+        const ViewWindow window({.fov_m = Point(600, 400), .shape = shape}, 0);
+        Random random(5);
+        int whole = 0;
+        for (int i = 0; i < 1000; ++i) {
+            const Point from_m = anyPoint(random, 400);
+            const Point to_m = anyPoint(random, 400);
+            const double inside_m = window.inside_m(from_m, to_m);
+            if (inside_m < 0)
+                continue;
+            ++whole;
+            QVERIFY(window.contains(from_m) && window.contains(to_m));
+            const auto span = window.narrowed(inside_m * 0.999).crossing(from_m, to_m);
+            QVERIFY(span && span->enter == 0 && span->leave == 1);
+        }
+        QVERIFY(shape == FovShape::Disk ? whole == 0 : whole > 100);
+    }
+
     void standingPoint()
     {
         for (const FovShape shape : {FovShape::Body, FovShape::North, FovShape::Disk}) {
