@@ -50,11 +50,6 @@ CovarianceAccount::CovarianceAccount(const Track& track, const ObserverSpec& obs
     m_information_1pm2s = observer.detection / (observer.interval_s * sd_m * sd_m * weight);
 }
 
-double CovarianceAccount::deviation_m(double sigma_m2) const
-{
-    return std::sqrt(std::max(0.0, sigma_m2) / m_weight);
-}
-
 /**
  * Of n steps, each the information of its looks in its middle: about the position there, and,
  * since they are spread over the step, about the velocity. Between the looks sigma is P / (1 + P L
@@ -64,21 +59,23 @@ double CovarianceAccount::filter(DriftVariances& known, double seen_s) const
 {
     if (!(seen_s > 0))
         return 0;
-    const double steps = std::ceil(seen_s / kLongestLook_s);
-    const double step_s = seen_s / steps;
+    const double steps = seen_s > kLongestLook_s ? std::ceil(seen_s / kLongestLook_s) : 1;
+    const double step_s = steps > 1 ? seen_s / steps : seen_s;
     const double information_1pm2 = m_information_1pm2s * step_s;
     double product = 1;
     double grown_m2s = 0;
+    DriftVariances now = known; // in registers
     for (double k = 0; k < steps; ++k) {
-        const double factor = 1 + known.position_m2 * information_1pm2;
+        const double factor = 1 + now.position_m2 * information_1pm2;
         product *= factor;
-        const double still_m2 = known.position_m2 / factor;
-        grow(known, step_s / 2);
-        measurePosition(known, information_1pm2);
-        measureVelocity(known, information_1pm2 * step_s * step_s / 12);
-        grow(known, step_s / 2);
-        grown_m2s += (known.position_m2 - still_m2) * step_s / 2;
+        const double still_m2 = now.position_m2 / factor;
+        grow(now, step_s / 2);
+        measurePosition(now, information_1pm2);
+        measureVelocity(now, information_1pm2 * step_s * step_s / 12);
+        grow(now, step_s / 2);
+        grown_m2s += (now.position_m2 - still_m2) * step_s / 2;
     }
+    known = now;
     return grown_m2s + std::log(product) / m_information_1pm2s;
 }
 

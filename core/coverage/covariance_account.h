@@ -2,6 +2,9 @@
 
 #include "core/tracking/observer.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace berg {
 
 /**
@@ -20,7 +23,17 @@ public:
 
     [[nodiscard]] const DriftVariances& start() const { return m_start; }
     /** Along one axis, metres, of a covariance of this account. */
-    [[nodiscard]] double deviation_m(double sigma_m2) const;
+    [[nodiscard]] double deviation_m(double sigma_m2) const
+    {
+        return std::sqrt(std::max(0.0, sigma_m2) / m_weight);
+    }
+    /** Whether the deviation is surely less: without its root, which takes long. */
+    [[nodiscard]] bool deviatesLess(double sigma_m2, double than_m) const
+    {
+        constexpr double kRounding = 0.99;
+        constexpr double kLeast_m = 1e-6;
+        return than_m > kLeast_m && sigma_m2 < kRounding * m_weight * than_m * than_m;
+    }
 
     /** The covariance after `unseen_s`, and the integral of sigma until then. */
     struct Growth
@@ -31,8 +44,7 @@ public:
     [[nodiscard]] Growth growth(const DriftVariances& from, double unseen_s) const
     {
         if (m_process.velocityTime_s > 0)
-            return {.sigma_m2 = grown(from, m_process, unseen_s).position_m2,
-                    .cost_m2s = positionIntegral_m2s(from, m_process, unseen_s)};
+            return fadingGrowth(from, unseen_s);
         const double grown_m2 = (m_process.q_m2ps + 2 * from.mixed_m2ps) * unseen_s;
         const double drifted_m2 = from.velocity_m2ps2 * unseen_s * unseen_s;
         return {.sigma_m2 = from.position_m2 + grown_m2 + drifted_m2,
@@ -44,7 +56,7 @@ public:
     {
         const Growth end = growth(known, unseen_s);
         if (m_process.velocityTime_s > 0)
-            known = grown(known, m_process, unseen_s);
+            known = grown(DriftVariances(known), m_process, unseen_s);
         else
             known.mixed_m2ps += known.velocity_m2ps2 * unseen_s;
         known.position_m2 = end.sigma_m2;
@@ -65,6 +77,12 @@ public:
     void lookForLost(DriftVariances& known, double chance) const;
 
 private:
+    /** Where the velocity fades. Takes a copy, so that what others know stays in registers. */
+    [[nodiscard]] Growth fadingGrowth(DriftVariances from, double unseen_s) const
+    {
+        return {.sigma_m2 = grown(from, m_process, unseen_s).position_m2,
+                .cost_m2s = positionIntegral_m2s(from, m_process, unseen_s)};
+    }
     double filter(DriftVariances& known, double seen_s) const;
 
     DriftVariances m_start;

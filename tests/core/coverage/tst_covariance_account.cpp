@@ -140,6 +140,19 @@ private slots:
                          one.deviation_m(known.position_m2)) < 1e-9);
     }
 
+    void lessIsLess()
+    {
+        for (const double weight : {1.0, 3.0}) {
+            const CovarianceAccount account(unseenTrack(0.1), kalman(5), weight);
+            for (const double sigma_m2 : {-1.0, 0.0, 1e-9, 1.0, 400.0}) {
+                const double deviation_m = account.deviation_m(sigma_m2);
+                QVERIFY(!account.deviatesLess(sigma_m2, deviation_m));
+                QVERIFY(account.deviatesLess(sigma_m2, 1.01 * deviation_m + 2e-6));
+                QVERIFY(!account.deviatesLess(sigma_m2, -1));
+            }
+        }
+    }
+
     void oneLookOfTheSimpleObserverTellsAll()
     {
         const CovarianceAccount account({.sigma_m2 = 7, .q_m2ps = kQ_m2ps}, {}, 2);
