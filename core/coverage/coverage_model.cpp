@@ -1,10 +1,9 @@
 #include "core/coverage/coverage_model.h"
 
+#include "core/coverage/view_axes.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
-#include <span>
 #include <tuple>
 #include <utility>
 
@@ -15,10 +14,6 @@ namespace {
 /** A turn is flown in arcs on which a point moves almost straight through the view. */
 constexpr double kLongestArc_s = 1;
 constexpr double kLongestArc_rad = 0.21;
-/** Times closer than this are one. */
-constexpr double kShortest_s = 1e-9;
-/** What is looked for again after so long out of view has another chance to be found. */
-constexpr double kNewChance_s = 20;
 
 /** A place of a lost iceberg has been looked at when it is in the middle of the view. */
 constexpr double kPlace = 0.25;
@@ -29,24 +24,6 @@ double largestQ_m2ps(const FlightPicture& picture)
     for (const Track& track : picture.tracks)
         q_m2ps = std::max(q_m2ps, track.q_m2ps);
     return q_m2ps;
-}
-
-/** Axes of the view at one instant. */
-struct ViewAxes
-{
-    Point origin_m;
-    Point x;
-
-    [[nodiscard]] Point coordinates(const Point& p_m) const
-    {
-        const Point d_m = p_m - origin_m;
-        return {x.dot(d_m), cross(x, d_m)};
-    }
-};
-
-ViewAxes axesOf(const ViewWindow& window, const Pose& uav)
-{
-    return {.origin_m = uav.position_m, .x = window.turns() ? uav.ahead : Point(0, 1)};
 }
 
 /** The point nearest to `p_m`, in axes of the view, that is just inside or outside of it. */
@@ -89,161 +66,10 @@ int firstIceberg(const CoveragePlan& plan)
     return leg == plan.end() ? -1 : leg->iceberg;
 }
 
-/** One leg under way. */
-class CoverageModel::Flight
-{
-public:
-    Flight(const CoverageModel& model, CoverageState& state, int target,
-           std::vector<CoverageSighting>* sightings, std::vector<CoverageView>* views)
-        : m_model(model), m_state(state), m_target(target), m_sightings(sightings), m_views(views)
-    {
-    }
-
-    /** True when the target is in view, or the horizon has come, on the way. */
-    bool turn(double turn_rad, const Pose& turned)
-    {
-        const double side = turn_rad < 0 ? -1 : 1;
-        double left_s = std::abs(turn_rad) / m_model.m_limit_radps;
-        if (left_s <= kShortest_s)
-            return false;
-        const std::span<const int> near = nearIcebergs(side, left_s);
-        const double sine = side * m_model.m_sineOfArc;
-        while (left_s > 0) {
-            const bool last = left_s <= m_model.m_arc_s;
-            const double dt_s = last ? left_s : m_model.m_arc_s;
-            const Pose end =
-                last
-                    ? turned
-                    : turnedTo(m_state.uav, rotated(m_state.uav.ahead, m_model.m_cosineOfArc, sine),
-                               side, m_model.m_radius_m);
-            if (piece(end, dt_s, near)) {
-                const double angle_rad = side * m_model.m_limit_radps * (m_end_s - m_from_s);
-                moveTo(
-                    turnedTo(m_state.uav,
-                             rotated(m_state.uav.ahead, std::cos(angle_rad), std::sin(angle_rad)),
-                             side, m_model.m_radius_m));
-                return true;
-            }
-            moveTo(end);
-            left_s = last ? 0 : left_s - dt_s;
-        }
-        return false;
-    }
-
-    /** Until then, or to the end of a straight way of `length_m`. */
-    void straight(double length_m)
-    {
-        const double dt_s = length_m / m_model.m_speed_mps;
-        Pose end = m_state.uav;
-        end.position_m += end.ahead * length_m;
-        piece(end, dt_s, m_model.m_all);
-        end.position_m =
-            m_state.uav.position_m + end.ahead * (m_model.m_speed_mps * (m_end_s - m_from_s));
-        moveTo(end);
-    }
-
-private:
-    /** Those that may come into view on a turn; the others need not be looked at. */
-    std::span<const int> nearIcebergs(double side, double turn_s)
-    {
-        const Point centre_m =
-            m_state.uav.position_m + side * m_model.m_radius_m * m_state.uav.left();
-        const double reach_m =
-            m_model.m_radius_m + m_model.m_window.reach_m() + m_model.m_fastest_mps * turn_s;
-        std::size_t count = 0;
-        for (const int i : m_model.m_all) {
-            const Point d_m = m_model.place_m(i, m_state.time_s) - centre_m;
-            if (d_m.squaredNorm() > reach_m * reach_m)
-                continue;
-            if (count == m_near.size())
-                return m_model.m_all;
-            m_near[count++] = i;
-        }
-        return {m_near.data(), count};
-    }
-
-    void moveTo(const Pose& uav)
-    {
-        m_state.uav = uav;
-        m_state.time_s = m_end_s;
-    }
-
-    /**
-     * What is seen of `icebergs` on a short arc or a straight line from the state to `end`; true
-     * when the leg ends on it. `m_end_s` is the end of the piece or of the leg.
-     */
-    bool piece(const Pose& end, double dt_s, std::span<const int> icebergs)
-    {
-        const ViewAxes before = axesOf(m_model.m_window, m_state.uav);
-        const ViewAxes after = axesOf(m_model.m_window, end);
-        m_from_s = m_state.time_s;
-        const double to_s = m_from_s + dt_s;
-        m_end_s = std::min(to_s, m_model.m_flightEnd_s);
-        const auto crossing = [&](int iceberg) {
-            const Point from_m = before.coordinates(m_model.place_m(iceberg, m_from_s));
-            const Point to_m = after.coordinates(m_model.place_m(iceberg, to_s));
-            std::optional<ViewSpan> span = m_model.m_window.crossing(from_m, to_m);
-            if (!span || !m_model.m_paysForLooks)
-                return span;
-            const double enter_s = m_from_s + span->enter * dt_s;
-            return windowAt(iceberg, enter_s).crossing(from_m, to_m);
-        };
-        bool ends = m_end_s < to_s;
-        if (m_target >= 0)
-            if (const std::optional<ViewSpan> span = crossing(m_target)) {
-                const double enter_s = m_from_s + span->enter * dt_s;
-                ends = ends || enter_s <= m_end_s;
-                m_end_s = std::min(m_end_s, enter_s);
-            }
-        for (const int i : icebergs)
-            if (const std::optional<ViewSpan> span = crossing(i))
-                see(i, m_from_s + span->enter * dt_s, m_from_s + span->leave * dt_s);
-        return ends;
-    }
-
-    [[nodiscard]] ViewWindow windowAt(int iceberg, double time_s) const
-    {
-        const auto& account = m_model.accountOf(m_state, iceberg);
-        return m_model.windowOf(iceberg, m_model.growthUntil(iceberg, account, time_s).sigma_m2);
-    }
-
-    void see(int iceberg, double enter_s, double leave_s)
-    {
-        if (enter_s > m_end_s)
-            return;
-        const double until_s = std::min(leave_s, m_end_s);
-        if (m_views)
-            m_views->push_back({.iceberg = iceberg, .enter_s = enter_s, .leave_s = until_s});
-        const int owner = m_model.icebergAt(iceberg);
-        CoverageState::Account& account = m_state.accounts[static_cast<std::size_t>(owner)];
-        const unsigned bit = m_model.berg(iceberg).bit;
-        m_state.cost_m2s += m_model.passOthers_m2s(owner, account, enter_s);
-        if (bit != 0) {
-            m_state.cost_m2s += m_model.viewPlace_m2s(iceberg, account, enter_s);
-            return;
-        }
-        const bool isNew = m_model.berg(iceberg).chance < 1
-                               ? enter_s > account.lookedFor_s + kNewChance_s
-                               : enter_s - account.paid_s > kShortest_s;
-        if (isNew && m_sightings)
-            m_sightings->push_back({iceberg, enter_s});
-        m_state.cost_m2s +=
-            m_model.view_m2s(iceberg, account, isNew ? enter_s : account.paid_s, until_s);
-    }
-
-    const CoverageModel& m_model;
-    CoverageState& m_state;
-    int m_target;
-    std::vector<CoverageSighting>* m_sightings;
-    std::vector<CoverageView>* m_views;
-    double m_from_s = 0;
-    double m_end_s = 0;
-    std::array<int, 48> m_near{};
-};
-
 CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon)
     : m_window(picture.sensor, viewMargin_m(largestQ_m2ps(picture)))
     , m_placeWindow(m_window.scaled(kPlace))
+    , m_reach_m(m_window.reach_m())
     , m_paysForLooks(picture.observer.model != ObserverModel::Simple)
     , m_horizon(horizon)
     , m_flightEnd_s(std::min(horizon.length_s, horizon.flown_s))
@@ -291,8 +117,6 @@ CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon
             m_fastest_mps = std::max(m_fastest_mps, berg.velocity_mps.norm());
         }
     }
-    m_all.resize(m_bergs.size());
-    std::iota(m_all.begin(), m_all.end(), 0);
     setOthers({});
 }
 
@@ -341,7 +165,7 @@ double CoverageModel::viewPlace_m2s(int place, CoverageState::Account& account, 
 int CoverageModel::placeNear(int iceberg, const Point& offset_m) const
 {
     int nearest = iceberg;
-    for (const int place : m_all)
+    for (int place = 0; place < placeCount(); ++place)
         if (icebergAt(place) == iceberg &&
             (this->offset_m(place) - offset_m).norm() < (this->offset_m(nearest) - offset_m).norm())
             nearest = place;
@@ -410,24 +234,6 @@ CoverageState CoverageModel::start() const
     if (!m_isAlone)
         passOthers(state);
     return state;
-}
-
-bool CoverageModel::fly(CoverageState& state, const CoverageLeg& leg,
-                        std::vector<CoverageSighting>* sightings,
-                        std::vector<CoverageView>* views) const
-{
-    if (atEnd(state) || (!leg.isHold() && inView(state, leg.iceberg)))
-        return false;
-    const double from_s = state.time_s;
-    const TangentTurn turn = leg.isHold() ? holdTurn(state, leg) : turnOf(state, leg);
-    Flight flight(*this, state, leg.iceberg, sightings, views);
-    if (!flight.turn(turn.turn_rad, turn.end) && (!leg.isHold() || turn.length_m > 0))
-        flight.straight(turn.length_m);
-    if (!leg.isHold() && leg.stay_s > 0 && !atEnd(state))
-        Flight(*this, state, -1, sightings, views).straight(m_speed_mps * leg.stay_s);
-    if (!m_isAlone)
-        passOthers(state);
-    return state.time_s - from_s > kShortest_s;
 }
 
 double CoverageModel::total_m2s(const CoverageState& state) const

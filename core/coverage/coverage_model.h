@@ -164,6 +164,11 @@ public:
     [[nodiscard]] Course course(const CoverageState& state, const CoverageLeg& leg) const;
 
 private:
+    /** Times closer than this are one. */
+    static constexpr double kShortest_s = 1e-9;
+    /** What is looked for again after so long out of view has another chance to be found. */
+    static constexpr double kNewChance_s = 20;
+
     struct Berg
     {
         Point place_m; ///< at the time of the picture
@@ -239,6 +244,7 @@ private:
 
     ViewWindow m_window;      ///< of an iceberg whose place is known
     ViewWindow m_placeWindow; ///< a view in it covers the place of a lost one
+    double m_reach_m;         ///< no iceberg farther away than this is in view
     bool m_paysForLooks;
     CoverageHorizon m_horizon;
     double m_flightEnd_s;
@@ -254,7 +260,6 @@ private:
     std::vector<Berg> m_bergs; ///< icebergs, then further places of those that are lost
     std::size_t m_icebergs = 0;
     std::vector<Point> m_offsets_m;          ///< of places, see `offset_m`
-    std::vector<int> m_all;                  ///< their indices
     std::vector<OtherView> m_others;         ///< of one iceberg after the other, ascending
     std::vector<std::size_t> m_firstOfOther; ///< of each iceberg
     bool m_isAlone = true;                   ///< no other has anything in view

@@ -167,6 +167,35 @@ private slots:
         QVERIFY(model.sigma_m2(state, 2) > 9);
     }
 
+    /** None of many is passed over: each costs what it costs alone. */
+    void crowdIsTheSumOfAll_data()
+    {
+        QTest::addColumn<ObserverModel>("observer");
+        QTest::newRow("simple") << ObserverModel::Simple;
+        QTest::newRow("kalman") << ObserverModel::Kalman;
+    }
+    void crowdIsTheSumOfAll()
+    {
+        QFETCH(ObserverModel, observer);
+        Scenario crowd = randomScenario(4, {.icebergs = 90, .size_m = Point(2500, 2500)});
+        crowd.observer.model = observer;
+        const std::vector<CoverageLeg> legs{holdOf(50), holdOf(12, -1), holdOf(40), holdOf(30, 1)};
+        const auto cost_m2s = [&](const Scenario& scenario) {
+            const CoverageModel model = modelOf(scenario, {.length_s = 1000});
+            CoverageState state = model.start();
+            for (const CoverageLeg& leg : legs)
+                model.fly(state, leg);
+            return model.total_m2s(state);
+        };
+        double sum_m2s = 0;
+        for (const Iceberg& iceberg : crowd.icebergs) {
+            Scenario alone = crowd;
+            alone.icebergs = {iceberg};
+            sum_m2s += cost_m2s(alone);
+        }
+        QVERIFY(std::abs(cost_m2s(crowd) / sum_m2s - 1) < 1e-12); // rounding
+    }
+
     void endsAtTheHorizon()
     {
         Scenario scenario = emptySea();

@@ -1,0 +1,242 @@
+#include "core/coverage/coverage_model.h"
+#include "core/coverage/view_axes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+// What is seen on a leg.
+
+namespace berg {
+
+/** One leg under way. */
+class CoverageModel::Flight
+{
+public:
+    Flight(const CoverageModel& model, CoverageState& state, int target,
+           std::vector<CoverageSighting>* sightings, std::vector<CoverageView>* views)
+        : m_model(model), m_state(state), m_target(target), m_sightings(sightings), m_views(views)
+    {
+    }
+
+    /** True when the target is in view, or the horizon has come, on the way. */
+    bool turn(double turn_rad, const Pose& turned)
+    {
+        const double side = turn_rad < 0 ? -1 : 1;
+        double left_s = std::abs(turn_rad) / m_model.m_limit_radps;
+        if (left_s <= kShortest_s)
+            return false;
+        lookAround(m_state.uav.position_m + side * m_model.m_radius_m * m_state.uav.left(),
+                   m_model.m_radius_m, left_s);
+        locate();
+        const double sine = side * m_model.m_sineOfArc;
+        while (left_s > 0) {
+            const bool last = left_s <= m_model.m_arc_s;
+            const double dt_s = last ? left_s : m_model.m_arc_s;
+            const Pose end =
+                last
+                    ? turned
+                    : turnedTo(m_state.uav, rotated(m_state.uav.ahead, m_model.m_cosineOfArc, sine),
+                               side, m_model.m_radius_m);
+            if (piece(end, dt_s)) {
+                const double angle_rad = side * m_model.m_limit_radps * (m_end_s - m_from_s);
+                moveTo(
+                    turnedTo(m_state.uav,
+                             rotated(m_state.uav.ahead, std::cos(angle_rad), std::sin(angle_rad)),
+                             side, m_model.m_radius_m));
+                return true;
+            }
+            moveTo(end);
+            left_s = last ? 0 : left_s - dt_s;
+        }
+        return false;
+    }
+
+    /** Before straight ways that are no longer than this together. */
+    void lookAhead(double length_m)
+    {
+        constexpr double kRounding_m = 1;
+        const Pose& uav = m_state.uav;
+        lookAround(uav.position_m + uav.ahead * (length_m / 2), length_m / 2 + kRounding_m,
+                   length_m / m_model.m_speed_mps);
+    }
+
+    /** Until then, or to the end of a straight way of `length_m`. */
+    void straight(double length_m)
+    {
+        const double dt_s = length_m / m_model.m_speed_mps;
+        Pose end = m_state.uav;
+        end.position_m += end.ahead * length_m;
+        locate();
+        piece(end, dt_s);
+        end.position_m =
+            m_state.uav.position_m + end.ahead * (m_model.m_speed_mps * (m_end_s - m_from_s));
+        moveTo(end);
+    }
+
+    /** To the end of it, whatever comes into view. */
+    void stay(double length_m)
+    {
+        m_target = -1;
+        straight(length_m);
+    }
+
+private:
+    static constexpr ViewSpan kNever{.enter = 2, .leave = 2};
+
+    /** One that may come into view. */
+    struct Near
+    {
+        int iceberg = 0;
+        Point from_m;  ///< where a piece begins, in axes of the view
+        ViewSpan span; ///< of the piece
+        [[nodiscard]] bool isSeen() const { return span.enter <= 1; }
+    };
+
+    /** Keeps those that may come into view in so many seconds, no farther away than this from a
+     * place: nothing else need be looked at. */
+    void lookAround(const Point& centre_m, double away_m, double lasting_s)
+    {
+        const double reach_m = away_m + m_model.m_reach_m + m_model.m_fastest_mps * lasting_s;
+        const double reach_m2 = reach_m * reach_m;
+        const double now_s = m_state.time_s;
+        const int places = m_model.placeCount();
+        std::size_t count = 0;
+        m_many.clear();
+        for (int i = 0; i < places; ++i) {
+            const double away_m2 = (m_model.place_m(i, now_s) - centre_m).squaredNorm();
+            m_few[count].iceberg = i;
+            count += away_m2 <= reach_m2 ? 1 : 0; // no jump: it could not be foreseen
+            if (count < m_few.size())
+                continue;
+            m_many.insert(m_many.end(), m_few.begin(), m_few.end());
+            count = 0;
+        }
+        if (!m_many.empty())
+            m_many.insert(m_many.end(), m_few.begin(),
+                          m_few.begin() + static_cast<std::ptrdiff_t>(count));
+        m_near = m_many.empty() ? std::span(m_few.data(), count) : std::span(m_many);
+    }
+
+    /** Where they are as a piece begins. */
+    void locate()
+    {
+        const ViewAxes axes = axesOf(m_model.m_window, m_state.uav);
+        for (Near& near : m_near)
+            near.from_m = axes.coordinates(m_model.place_m(near.iceberg, m_state.time_s));
+    }
+
+    void moveTo(const Pose& uav)
+    {
+        m_state.uav = uav;
+        m_state.time_s = m_end_s;
+    }
+
+    /**
+     * What is seen of those near on a short arc or a straight line from the state to `end`; true
+     * when the leg ends on it. `m_end_s` is the end of the piece or of the leg.
+     */
+    bool piece(const Pose& end, double dt_s)
+    {
+        const ViewAxes after = axesOf(m_model.m_window, end);
+        m_from_s = m_state.time_s;
+        const double to_s = m_from_s + dt_s;
+        m_end_s = std::min(to_s, m_model.m_flightEnd_s);
+        bool ends = m_end_s < to_s;
+        for (Near& near : m_near) {
+            const Point to_m = after.coordinates(m_model.place_m(near.iceberg, to_s));
+            near.span = crossing(near, to_m, dt_s).value_or(kNever);
+            near.from_m = to_m;
+            if (near.iceberg == m_target && near.isSeen()) {
+                const double enter_s = m_from_s + near.span.enter * dt_s;
+                ends = ends || enter_s <= m_end_s;
+                m_end_s = std::min(m_end_s, enter_s);
+            }
+        }
+        for (const Near& near : m_near) {
+            const double enter_s = m_from_s + near.span.enter * dt_s;
+            if (near.isSeen() && enter_s <= m_end_s)
+                see(near.iceberg, enter_s, std::min(m_from_s + near.span.leave * dt_s, m_end_s));
+        }
+        return ends;
+    }
+
+    [[nodiscard]] std::optional<ViewSpan> crossing(const Near& near, const Point& to_m,
+                                                   double dt_s) const
+    {
+        const ViewWindow& window = m_model.m_window;
+        const std::optional<ViewSpan> span = window.crossing(near.from_m, to_m);
+        if (!span || !m_model.m_paysForLooks)
+            return span;
+        const Berg& berg = m_model.berg(near.iceberg);
+        const double sigma_m2 =
+            m_model
+                .growthUntil(near.iceberg, m_model.accountOf(m_state, near.iceberg),
+                             m_from_s + span->enter * dt_s)
+                .sigma_m2;
+        if (berg.bit == 0 &&
+            berg.account.deviatesLess(sigma_m2, window.inside_m(near.from_m, to_m)))
+            return span;
+        return m_model.windowOf(near.iceberg, sigma_m2).crossing(near.from_m, to_m);
+    }
+
+    void see(int iceberg, double enter_s, double until_s)
+    {
+        if (m_views)
+            m_views->push_back({.iceberg = iceberg, .enter_s = enter_s, .leave_s = until_s});
+        const int owner = m_model.icebergAt(iceberg);
+        CoverageState::Account& account = m_state.accounts[static_cast<std::size_t>(owner)];
+        const unsigned bit = m_model.berg(iceberg).bit;
+        m_state.cost_m2s += m_model.passOthers_m2s(owner, account, enter_s);
+        if (bit != 0) {
+            m_state.cost_m2s += m_model.viewPlace_m2s(iceberg, account, enter_s);
+            return;
+        }
+        const bool isNew = m_model.berg(iceberg).chance < 1
+                               ? enter_s > account.lookedFor_s + kNewChance_s
+                               : enter_s - account.paid_s > kShortest_s;
+        if (isNew && m_sightings)
+            m_sightings->push_back({iceberg, enter_s});
+        m_state.cost_m2s +=
+            m_model.view_m2s(iceberg, account, isNew ? enter_s : account.paid_s, until_s);
+    }
+
+    const CoverageModel& m_model;
+    CoverageState& m_state;
+    int m_target;
+    std::vector<CoverageSighting>* m_sightings;
+    std::vector<CoverageView>* m_views;
+    double m_from_s = 0;
+    double m_end_s = 0;
+    std::span<Near> m_near;
+    std::array<Near, 16> m_few;
+    std::vector<Near> m_many; ///< all of them where there is no room for them in `m_few`
+};
+
+bool CoverageModel::fly(CoverageState& state, const CoverageLeg& leg,
+                        std::vector<CoverageSighting>* sightings,
+                        std::vector<CoverageView>* views) const
+{
+    if (atEnd(state) || (!leg.isHold() && inView(state, leg.iceberg)))
+        return false;
+    const double from_s = state.time_s;
+    const TangentTurn turn = leg.isHold() ? holdTurn(state, leg) : turnOf(state, leg);
+    Flight flight(*this, state, leg.iceberg, sightings, views);
+    const double stay_m = leg.isHold() ? 0 : m_speed_mps * leg.stay_s;
+    const bool isLine =
+        !flight.turn(turn.turn_rad, turn.end) && (!leg.isHold() || turn.length_m > 0);
+    if (isLine || stay_m > 0)
+        flight.lookAhead((isLine ? turn.length_m : 0) + stay_m);
+    if (isLine)
+        flight.straight(turn.length_m);
+    if (stay_m > 0 && !atEnd(state))
+        flight.stay(stay_m);
+    if (!m_isAlone)
+        passOthers(state);
+    return state.time_s - from_s > kShortest_s;
+}
+
+} // namespace berg

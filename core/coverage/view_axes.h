@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/tracking/view_window.h"
+#include "core/vehicle/tangent_turn.h"
+
+namespace berg {
+
+/** Axes of the view at one instant. */
+struct ViewAxes
+{
+    Point origin_m;
+    Point x;
+
+    [[nodiscard]] Point coordinates(const Point& p_m) const
+    {
+        const Point d_m = p_m - origin_m;
+        return {x.dot(d_m), cross(x, d_m)};
+    }
+};
+
+inline ViewAxes axesOf(const ViewWindow& window, const Pose& uav)
+{
+    return {.origin_m = uav.position_m, .x = window.turns() ? uav.ahead : Point(0, 1)};
+}
+
+} // namespace berg
