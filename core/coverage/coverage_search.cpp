@@ -74,11 +74,14 @@ void CoverageSearch::anneal(const CoverageCooling& cooling, std::int64_t untilWo
         const double left = static_cast<double>(cooling.end - m_work) /
                             static_cast<double>(cooling.end - cooling.begin);
         m_candidate = m_now.legs;
-        const std::size_t from = m_moves.change(m_candidate);
+        std::size_t from = m_moves.change(m_candidate);
         // Metropolis: the chance is drawn first, so that the flight can end when it is missed.
         const double worse_m2s =
             -cooling.hottest_m2s * (left * left + kCool) * std::log(1 - m_moves.uniform());
         ++m_work;
+        for (const std::size_t all = std::min(m_candidate.size(), m_now.legs.size());
+             from < all && m_candidate[from] == m_now.legs[from]; ++from)
+            m_work += workOfLeg(); // as before: not flown again
         if (!flyTail(from, m_now.total_m2s + worse_m2s))
             continue;
         accept(from);
@@ -143,7 +146,7 @@ bool CoverageSearch::addToTail(const CoverageState& before, const CoverageLeg& l
     } else {
         m_tail.states[k] = before;
     }
-    m_work += kWorkOfLeg + m_model.placeCount();
+    m_work += workOfLeg();
     CoverageState& state = m_tail.states[k];
     if (!m_model.fly(state, leg))
         return false;

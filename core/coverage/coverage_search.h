@@ -92,6 +92,7 @@ private:
     {
         return leg == 0 ? m_start : m_now.states[leg - 1];
     }
+    [[nodiscard]] std::int64_t workOfLeg() const { return kWorkOfLeg + m_model.placeCount(); }
     bool flyTail(std::size_t from, double limit_m2s);
     bool addToTail(const CoverageState& before, const CoverageLeg& leg);
     void tell(const CoverageResult& better);
