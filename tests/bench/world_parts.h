@@ -14,6 +14,7 @@
 namespace berg::bench {
 
 void observer(int scenarios);
+void observerFrom(std::int64_t firstSeed, int scenarios);
 void filter(int scenarios);
 void lost(int scenarios);
 void wind(int scenarios);
