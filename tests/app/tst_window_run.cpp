@@ -61,6 +61,18 @@ void saveBrief(const QString& file)
     saveScenario(scenario, file.toStdString());
 }
 
+/** As soon as it is shown; keeps the texts of its buttons. */
+void closeNextDialog(QStringList& texts)
+{
+    texts.clear();
+    QTimer::singleShot(0, qApp, [&texts] {
+        QWidget* dialog = QApplication::activeModalWidget();
+        for (const QAbstractButton* button : dialog->findChildren<QAbstractButton*>())
+            texts << button->text();
+        dialog->close();
+    });
+}
+
 } // namespace
 
 /** The program with a window, from its command line to its end. */
@@ -145,26 +157,11 @@ private slots:
     void everyAnswerOnUnsavedWorkHasAKey()
     {
         QStringList texts;
-        QTimer::singleShot(0, this, [&] {
-            for (const QAbstractButton* button :
-                 QApplication::activeModalWidget()->findChildren<QAbstractButton*>())
-                texts << button->text();
-            QApplication::activeModalWidget()->close();
-        });
+        closeNextDialog(texts);
         QCOMPARE(DialogInteraction().askUnsaved(nullptr, {.name = u"Name"_s}),
                  Interaction::Unsaved::Cancel);
         QVERIFY(texts.contains(u"&Discard"_s));
-    }
-
-    void everyAnswerOnAnUnsavedRunHasAKey()
-    {
-        QStringList texts;
-        QTimer::singleShot(0, this, [&] {
-            for (const QAbstractButton* button :
-                 QApplication::activeModalWidget()->findChildren<QAbstractButton*>())
-                texts << button->text();
-            QApplication::activeModalWidget()->close();
-        });
+        closeNextDialog(texts);
         QCOMPARE(DialogInteraction().askUnsavedRun(nullptr, true), Interaction::Unsaved::Cancel);
         QVERIFY(texts.contains(u"&Save run..."_s) && texts.contains(u"&Discard"_s));
     }
