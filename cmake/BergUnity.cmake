@@ -1,7 +1,7 @@
 # berg_unity(target): compiles the sources of the target several at a time, where BERGWATCH_UNITY asks
 # for it: headers take most of a compiler's time. Sources whose own names would meet (helpers in
 # anonymous namespaces) never share a unit, so nobody has to invent names for the build's sake.
-set(berg_unit_size 10 CACHE STRING "Sources compiled at a time with BERGWATCH_UNITY")
+set(berg_unit_size 20 CACHE STRING "Sources compiled at a time with BERGWATCH_UNITY")
 mark_as_advanced(berg_unit_size)
 
 # Names that `source` defines at the left margin, in or out of anonymous namespaces: one too many
