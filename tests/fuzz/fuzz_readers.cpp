@@ -26,6 +26,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -291,12 +292,15 @@ int feedMap(const std::string& path)
 
 int feedMany(const Options& options)
 {
-    constexpr double kLongest_s = 2; // of one input, sanitizers included
+    constexpr double kLongest_s = 20; // 80 ms as a rule: longer is without end
     Corpus corpus;
+    std::set<std::filesystem::path> files; // in an order that is not the file system's
     for (const std::string& folder : options.folders)
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
             if (entry.is_regular_file())
-                corpus.add(entry.path());
+                files.insert(entry.path());
+    for (const std::filesystem::path& file : files)
+        corpus.add(file);
     if (corpus.texts.empty())
         fail("no files to mutate");
     corpus.addOthers();
