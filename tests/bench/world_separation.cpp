@@ -23,7 +23,7 @@ Scenario inOneLayer(std::int64_t seed, int uavs)
     return scenario;
 }
 
-Row rowOf(const test::FleetFlight& flight, double separation_m)
+Row rowOf(const test::FleetOutcome& flight, double separation_m)
 {
     return {flight.zeta_m2s,
             static_cast<double>(flight.visits),
@@ -42,7 +42,7 @@ public:
     void fly(Scenario scenario)
     {
         const double separation_m = scenario.separation_m;
-        const test::FleetFlight apart = test::flownFleet(scenario);
+        const test::FleetOutcome apart = test::flownFleet(scenario);
         m_apart.push_back(rowOf(apart, separation_m));
         std::vector<double>& waits_s = m_waits_s[scenario.uavs.size()];
         waits_s.insert(waits_s.end(), apart.waits_s.begin(), apart.waits_s.end());

@@ -107,7 +107,7 @@ private:
 };
 
 /** What came of a fleet's flight. */
-struct FleetFlight
+struct FleetOutcome
 {
     double least_m = 1e9;
     bool isInside = true;
@@ -121,9 +121,9 @@ struct FleetFlight
     std::vector<double> waits_s; ///< by landing: later than foreseen when it was sent home
 };
 
-inline FleetFlight flownFleet(const Scenario& s)
+inline FleetOutcome flownFleet(const Scenario& s)
 {
-    FleetFlight flight;
+    FleetOutcome flight;
     Mission mission(s, {.workLimit = 3'000, .record = false});
     std::vector<double> since_s(s.uavs.size());
     std::vector<int> visits(s.uavs.size());

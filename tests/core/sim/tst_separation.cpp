@@ -61,7 +61,7 @@ private slots:
             if (s.uavs.size() < 2 || hasErrors(validate(s)))
                 continue;
             --left;
-            const FleetFlight flight = flownFleet(s);
+            const FleetOutcome flight = flownFleet(s);
             QVERIFY2(flight.least_m >= s.separation_m,
                      qPrintable(QString("case %1: %2 m").arg(seed).arg(flight.least_m)));
             QVERIFY2(flight.isInside, qPrintable(QString("case %1: outside").arg(seed)));
@@ -82,7 +82,7 @@ private slots:
     void noneIsKeptFromHome()
     {
         QFETCH(int, seed);
-        const FleetFlight flight = flownFleet(FleetCase(seed).scenario());
+        const FleetOutcome flight = flownFleet(FleetCase(seed).scenario());
         QVERIFY(flight.landings > 5);
         QCOMPARE(flight.spent, 0);
     }
