@@ -20,7 +20,7 @@ if(BERGWATCH_WERROR)
 endif()
 if(BERGWATCH_SANITIZE) # what reading at a wrong address is, the address sanitizer knows by itself
   target_compile_options(berg_options INTERFACE -fsanitize=${BERGWATCH_SANITIZE}
-                                                -fno-sanitize=alignment,null,object-size
+                                                -fno-sanitize=alignment,null,object-size,pointer-overflow
                                                 -fno-omit-frame-pointer -fno-sanitize-recover=all
                                                 $<$<BOOL:$<TARGET_PROPERTY:BERG_IS_TEST>>:-fno-sanitize=undefined>)
   target_link_options(berg_options INTERFACE -fsanitize=${BERGWATCH_SANITIZE})
