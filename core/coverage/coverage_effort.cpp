@@ -1,21 +1,67 @@
 #include "core/coverage/coverage_effort.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace berg {
 
 namespace {
 
-/** Up to this is judged as a whole; of longer runs a part, and what it leaves. */
-constexpr double kWhole_s = 1000;
 constexpr CoverageHorizon kPart{.length_s = 800, .rest_s = 25};
+/** A run that is not so many times as long is judged as a whole: what is left would be short. */
+constexpr double kWhole = 1.25;
+/** What a horizon holds where looks pay: so often every iceberg, or so many legs. */
+constexpr double kRoundsAhead = 2;
+constexpr double kMostLegsAhead = 40;
+
+/** Between the estimates now: of the tree of least length (Prim). Cost: icebergs squared. */
+double spanningTree_m(const FlightPicture& picture)
+{
+    struct Outside
+    {
+        Point place_m;
+        double away_m = std::numeric_limits<double>::infinity(); ///< from the tree
+    };
+    std::vector<Outside> outside;
+    for (const Track& track : picture.tracks)
+        outside.push_back({track.estimate_m(picture.time_s)});
+    double sum_m = 0;
+    while (!outside.empty()) {
+        const auto next = std::ranges::min_element(outside, {}, &Outside::away_m);
+        const Point place_m = next->place_m;
+        sum_m += std::isfinite(next->away_m) ? next->away_m : 0;
+        *next = outside.back();
+        outside.pop_back();
+        for (Outside& other : outside)
+            other.away_m = std::min(other.away_m, (other.place_m - place_m).norm());
+    }
+    return sum_m;
+}
+
+/** The longer the ways between icebergs, the farther ahead an order has to be judged. */
+double part_s(const FlightPicture& picture, std::size_t uavs)
+{
+    constexpr double kTourOfTree = 1.25; // of points that are spread evenly
+    if (picture.observer.model == ObserverModel::Simple)
+        return kPart.length_s;
+    const auto icebergs = static_cast<double>(picture.tracks.size());
+    const double leg_s =
+        kTourOfTree * spanningTree_m(picture) / picture.motion.airspeed_mps / icebergs;
+    const double legs = kRoundsAhead * icebergs / static_cast<double>(uavs);
+    return std::max(kPart.length_s, leg_s * std::min(legs, kMostLegsAhead));
+}
 
 } // namespace
 
-CoverageHorizon horizonOf(const FlightPicture& picture)
+CoverageHorizon horizonOf(std::span<const FlightPicture> pictures)
 {
-    const double left_s = picture.until_s - picture.time_s;
-    return left_s <= kWhole_s ? CoverageHorizon{.length_s = left_s} : kPart;
+    const double until_s = std::ranges::max(pictures, {}, &FlightPicture::until_s).until_s;
+    const double left_s = until_s - pictures.front().time_s;
+    const double length_s = part_s(pictures.front(), pictures.size());
+    return left_s <= kWhole * length_s
+               ? CoverageHorizon{.length_s = left_s}
+               : CoverageHorizon{.length_s = length_s, .rest_s = kPart.rest_s};
 }
 
 bool isWeighted(const FlightPicture& picture)

@@ -31,8 +31,12 @@ inline constexpr double kHeatOfSetback = 10;
 /** Rounds of a tour: more than a horizon holds, as a rule; greedy legs follow. */
 inline constexpr int kRounds = 20;
 
-/** Up to the end of the run, or of a long one a part. */
-[[nodiscard]] CoverageHorizon horizonOf(const FlightPicture& picture);
+/**
+ * Up to the end of the run of the UAV that flies longest, or of a long one a part: 800 s, and where
+ * looks pay as long as two visits to each iceberg take, 40 legs at most. `pictures`: one a UAV, of
+ * the same tracks, an iceberg at least.
+ */
+[[nodiscard]] CoverageHorizon horizonOf(std::span<const FlightPicture> pictures);
 
 [[nodiscard]] bool isWeighted(const FlightPicture& picture);
 

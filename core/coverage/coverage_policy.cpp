@@ -82,10 +82,7 @@ std::vector<FlightPicture> ownPictures(const PlanRequest& request)
 std::vector<CoverageModel> modelsOf(std::span<const FlightPicture> pictures,
                                     std::optional<double> rest_s = std::nullopt)
 {
-    FlightPicture longest{.time_s = pictures.front().time_s};
-    for (const FlightPicture& picture : pictures)
-        longest.until_s = std::max(longest.until_s, picture.until_s);
-    CoverageHorizon horizon = horizonOf(longest);
+    CoverageHorizon horizon = horizonOf(pictures);
     horizon.rest_s = rest_s.value_or(horizon.rest_s);
     std::vector<CoverageModel> models;
     for (const FlightPicture& picture : pictures) {

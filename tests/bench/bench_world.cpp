@@ -1,7 +1,7 @@
 // What the parts of the world as it is come to, each part flown with and without it: the same
 // scenarios with the same noise, and the differences pair by pair.
 //
-// Use: bench_world PART [scenarios], and of the part observer also [first seed]
+// Use: bench_world PART [scenarios], and of the part observer also [first seed [regime]]
 
 #include "tests/bench/world_parts.h"
 
@@ -42,7 +42,7 @@ int main(int argc, char** argv)
     const std::string_view wanted = argc > 1 ? argv[1] : "";
     const int scenarios = argc > 2 ? std::atoi(argv[2]) : 50;
     if (wanted == "observer" && argc > 3) {
-        bench::observerFrom(std::atoll(argv[3]), scenarios);
+        bench::observerFrom(std::atoll(argv[3]), scenarios, argc > 4 ? argv[4] : "");
         return 0;
     }
     for (const Part& part : kParts)
@@ -50,7 +50,7 @@ int main(int argc, char** argv)
             part.run(scenarios);
             return 0;
         }
-    std::printf("bench_world PART [scenarios [first seed, of observer]]; the parts are");
+    std::printf("bench_world PART [scenarios [first seed [regime], of observer]]; the parts are");
     for (const Part& part : kParts)
         std::printf(" %.*s", static_cast<int>(part.name.size()), part.name.data());
     std::printf("\n");

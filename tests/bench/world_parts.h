@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
 #include <vector>
 
 // One function for each part of the world as it is: flies scenarios 1 ... `scenarios` with and
@@ -14,7 +15,8 @@
 namespace berg::bench {
 
 void observer(int scenarios);
-void observerFrom(std::int64_t firstSeed, int scenarios);
+/** `only`: the name of a regime; empty: all. */
+void observerFrom(std::int64_t firstSeed, int scenarios, std::string_view only);
 void filter(int scenarios);
 void lost(int scenarios);
 void wind(int scenarios);

@@ -132,16 +132,18 @@ void print(const Regime& regime, const std::vector<Field>& fields)
 
 void observer(int scenarios)
 {
-    observerFrom(kFirstSeed, scenarios);
+    observerFrom(kFirstSeed, scenarios, {});
 }
 
-void observerFrom(std::int64_t firstSeed, int scenarios)
+void observerFrom(std::int64_t firstSeed, int scenarios, std::string_view only)
 {
     std::printf("Change of zeta against visitation at tau = 1 in %%, mean over fields and 95 %% "
                 "interval\n%-20s %13s %13s %13s %13s  %s\n%-20s %56s %6s %6s %6s %6s %6s %7s %6s\n",
                 "", "tau 0.5", "latency", "tour", "coverage", "coverage against the best of them",
                 "", "", "mean", "median", "better", "worst", "worst", "flown/", "plans");
     for (const Regime& regime : kRegimes) {
+        if (!only.empty() && only != regime.name)
+            continue;
         std::vector<Field> fields;
         for (std::int64_t seed = firstSeed; seed < firstSeed + scenarios; ++seed)
             fields.push_back(fieldOf(scenarioOf(regime, seed)));

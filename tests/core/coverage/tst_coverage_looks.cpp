@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 using namespace berg;
 using test::addIceberg;
@@ -414,6 +415,32 @@ private slots:
         QVERIFY(model.sigma_m2(waiting, 0) < 3);
         QVERIFY(model.fly(waiting, holdOf(150, 1)));
         QVERIFY(std::abs(model.total_m2s(waiting) / total_m2s - 1) < 1e-9);
+    }
+
+    /** Where ways are long a plan is judged farther ahead: a round at least takes part in it. */
+    void farIcebergsAreJudgedByTwoRounds()
+    {
+        Scenario square = emptySea(8 * 3600);
+        for (const auto& [x_m, y_m] : {std::pair(0, 0), {9000, 0}, {9000, 9000}, {0, 9000}})
+            addIceberg(square, x_m, y_m);
+        const double speed_mps = square.uavs[0].spec.airspeed_mps;
+        const auto length_s = [](const Scenario& scenario, std::size_t uavs = 1) {
+            const FlightPicture picture = *planRequest(Simulation(scenario)).uavs[0].picture;
+            return horizonOf(std::vector<FlightPicture>(uavs, picture)).length_s;
+        };
+        QCOMPARE(length_s(square), 800.0); // one look tells all: as ever
+        square = measured(square, 0.1);
+        const double two_s = 2 * 1.25 * 27000 / speed_mps; // three sides, each way a quarter more
+        QVERIFY(two_s > 1600);
+        QCOMPARE(length_s(square), two_s);
+        QCOMPARE(length_s(square, 2), two_s / 2);
+        square.duration_s = 3600; // not much longer: as a whole
+        QCOMPARE(length_s(square), 3600.0);
+        QCOMPARE(length_s(measured(randomScenario(1, {.icebergs = 4}), 0.1)), 1000.0);
+        Scenario row = measured(emptySea(24 * 3600), 0);
+        for (int i = 0; i < 50; ++i)
+            addIceberg(row, 3000.0 * i, 0);
+        QCOMPARE(length_s(row), 40 * 1.25 * 3000 * 49 / 50 / speed_mps);
     }
 
     /** The same flight, whatever the planner is asked in between. */
