@@ -24,7 +24,7 @@ struct SweptEdge
 /**
  * Whether `meets(a, b)` holds for two edges. Asks only of those that overlap along one axis, the
  * one on which edges are shorter: about n log n calls for outlines of n short edges, n^2 / 2 at
- * worst.
+ * worst. Coordinates are finite.
  */
 template <class Meets>
 [[nodiscard]] bool anyMeet(std::vector<SweptEdge> edges, const Meets& meets)

@@ -122,13 +122,17 @@ bool pack(const std::string& entryName, SpoolFile& text, SpoolFile& packed)
     const Source target(zip_source_function_create(&serve, &packed, nullptr), &zip_source_free);
     require(target != nullptr, "libzip has no memory");
     Archive archive = archiveOf(target, ZIP_CREATE | ZIP_TRUNCATE);
-    zip_source_t* const entry =
-        archive == nullptr ? nullptr : zip_source_function(archive.get(), &serve, &text);
-    if (entry == nullptr)
+    if (archive == nullptr)
         return false;
-    const zip_int64_t at = zip_file_add(archive.get(), entryName.c_str(), entry, ZIP_FL_ENC_UTF_8);
+    Source entry(zip_source_function(archive.get(), &serve, &text), &zip_source_free);
+    const zip_int64_t at = entry == nullptr ? -1
+                                            : zip_file_add(archive.get(), entryName.c_str(),
+                                                           entry.get(), ZIP_FL_ENC_UTF_8);
+    if (at < 0)
+        return false;
+    static_cast<void>(entry.release()); // it is the archive's
     const auto index = static_cast<zip_uint64_t>(at);
-    if (at < 0 || zip_set_file_compression(archive.get(), index, ZIP_CM_DEFLATE, kBest) != 0 ||
+    if (zip_set_file_compression(archive.get(), index, ZIP_CM_DEFLATE, kBest) != 0 ||
         zip_file_set_dostime(archive.get(), index, 0, kFirstDay, 0) != 0 ||
         zip_close(archive.get()) != 0)
         return false;

@@ -1,6 +1,7 @@
 #include "core/base/random.h"
 #include "core/io/export/track_points.h"
 #include "core/io/text/spool.h"
+#include "core/io/text/zip_file.h"
 #include "tests/support/expect_error.h"
 
 #include <QScopeGuard>
@@ -108,6 +109,18 @@ private slots:
         }));
         QCOMPARE(copy.front().time_s, expected.front().time_s);
         QCOMPARE(copy.back().crossTrack_m, expected.back().crossTrack_m);
+    }
+
+    /** An entry that libzip refuses leaves nothing behind, which the sanitizers look for. */
+    void refusedEntriesAreFreed()
+    {
+        const auto write = [](const TextSink& put) { put("text"); };
+        std::string zip;
+        const auto keep = [&zip](std::string_view piece) { zip += piece; };
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, writeZip("\xff.kml", write, keep));
+        QVERIFY(zip.empty());
+        writeZip("\xc3\xb8.kml", write, keep);
+        QVERIFY(isZip(zip));
     }
 };
 
