@@ -73,6 +73,8 @@ UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<i
         request.available.push_back(
             simulation.available(uav, i) &&
             !simulation.trigger().isTargetOfUnplanned(i, simulation.fleet()));
+        if (world.body(i).assignedUav == uav)
+            request.assigned.push_back(i);
         places_m.push_back(observer.estimate_m(i));
         picture.tracks.push_back(observer.track(i));
         picture.weights.push_back(priority(observer, i));

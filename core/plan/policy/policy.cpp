@@ -258,22 +258,24 @@ private:
         return orders;
     }
 
-    /** Available to this UAV, to no other one, and not in the order of one that is not asked. */
+    /** Available to this UAV, to no other one, and not in the order of one that is not asked; of
+     * those that were assigned since, that order is out of date. */
     [[nodiscard]] std::vector<int> keptFor(const PlanRequest& request, const UavRequest& uav) const
     {
         std::vector<int> kept;
         std::ranges::copy_if(request.ids, std::back_inserter(kept), [&](int id) {
+            const auto isOthers = [&](const UavRequest& other) {
+                return other.uav != uav.uav && isAvailable(request, other, id);
+            };
+            const auto isInOrderOfAbsent = [&](const auto& rest) {
+                return std::ranges::find(request.uavs, rest.first, &UavRequest::uav) ==
+                           request.uavs.end() &&
+                       std::ranges::find(rest.second, id) != rest.second.end();
+            };
             return isAvailable(request, uav, id) &&
-                   std::ranges::none_of(request.uavs,
-                                        [&](const UavRequest& other) {
-                                            return other.uav != uav.uav &&
-                                                   isAvailable(request, other, id);
-                                        }) &&
-                   std::ranges::none_of(m_rests, [&](const auto& rest) {
-                       return std::ranges::find(request.uavs, rest.first, &UavRequest::uav) ==
-                                  request.uavs.end() &&
-                              std::ranges::find(rest.second, id) != rest.second.end();
-                   });
+                   (std::ranges::find(uav.assigned, id) != uav.assigned.end() ||
+                    (std::ranges::none_of(request.uavs, isOthers) &&
+                     std::ranges::none_of(m_rests, isInOrderOfAbsent)));
         });
         return kept;
     }

@@ -31,8 +31,9 @@ struct UavRequest
     /** N x N as `TvpProblem::distance_m`, row and column 0 the UAV; in one unit for all UAVs:
      * flight time times `PlanRequest::speed_mps`. */
     Eigen::MatrixXd distance_m;
-    std::vector<bool> available; ///< N-1: may be planned for this UAV, i.e. neither in view nor
-                                 ///< just reached nor another UAV's
+    std::vector<bool> available;    ///< N-1: may be planned for this UAV, i.e. neither in view nor
+                                    ///< just reached nor another UAV's
+    std::vector<int> assigned = {}; ///< ids of those that are kept for this UAV alone
     /** For policies that predict the flight itself; the others do without. */
     std::shared_ptr<const FlightPicture> picture;
     /** What remains of its last answer (available ids), the warm start; the planner's part. */

@@ -25,6 +25,13 @@ private slots:
         QVERIFY(losses > 10);
         QVERIFY(sorties > 20);
     }
+
+    /** Its kept route had the iceberg with a UAV that was on its way home: plans every second. */
+    void assignedIcebergsAreFlownTo()
+    {
+        const FleetFaults faults = faultsOf(777014);
+        QVERIFY2(!faults.any(), qPrintable(QString::fromStdString(faults.first)));
+    }
 };
 
 QTEST_APPLESS_MAIN(TestRandomFleets)

@@ -53,6 +53,28 @@ private:
     }
 
 private slots:
+    /** What was assigned to it is flown to although one that is on its way home had it. */
+    void assignedIcebergsAreNotWaitedFor()
+    {
+        const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
+        const PlanRequest all =
+            fleetRequestOf({{0, 0}, {9000, 0}, {0, 9000}}, {{1, {500, 0}, 5},
+                                                            {2, {1000, 0}, 5},
+                                                            {3, {9500, 0}, 5},
+                                                            {4, {500, 9000}, 5},
+                                                            {5, {900, 9000}, 5}});
+        QCOMPARE(path->plan(all, {}).uavs[0].order, (Ids{1, 2}));
+        PlanRequest others = all;
+        others.uavs.erase(others.uavs.begin());
+        others.uavs[0].available = {false, true, false, false, false};
+        others.uavs[1].available = {false, false, false, true, true};
+        QVERIFY(path->plan(others, {}).uavs[0].order.empty()); // the first one comes back to it
+        others.uavs[0].assigned = {2};
+        const PlanAnswer answer = path->plan(others, {});
+        QCOMPARE(answer.uavs[0].order, Ids{2});
+        QCOMPARE(answer.uavs[1].order, (Ids{4, 5}));
+    }
+
     /** What appears to one UAV alone, its part being flown, need not wait for the others' parts. */
     void aUavWhosePartIsFlownHasWhatIsKeptForIt()
     {
