@@ -1,4 +1,5 @@
 #include "core/scenario/presets.h"
+#include "tests/support/ids.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
@@ -13,8 +14,8 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
+using test::Ids;
 using test::WindowFixture;
-using Ids = std::vector<std::string>;
 
 namespace {
 

@@ -1,16 +1,17 @@
 #include "core/scenario/presets.h"
 #include "tests/support/monkey.h"
 #include "tests/support/panel_test.h"
+#include "tests/support/patience.h"
 
 using namespace berg;
 using namespace Qt::StringLiterals;
+using test::kPatience_ms;
 using test::Monkey;
 using test::MonkeyWindow;
 
 namespace {
 
-constexpr int kPatience_ms = 60000; ///< that only a slow machine needs
-constexpr int kBurst = 50;          ///< actions between two looks at everything
+constexpr int kBurst = 50; ///< actions between two looks at everything
 
 /** What must hold after every action; empty: all does. */
 QString faultNow(MonkeyWindow& w)
@@ -222,4 +223,5 @@ int main(int argc, char** argv)
     TestMonkey test;
     return QTest::qExec(&test, argc, argv);
 }
+
 #include "tst_monkey.moc"

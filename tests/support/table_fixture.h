@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/support/ids.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
 #include "widgets/panels/icebergs/iceberg_table_model.h"
@@ -8,8 +9,6 @@
 #include <QUndoStack>
 
 namespace berg::test {
-
-using Ids = std::vector<std::string>;
 
 constexpr int col(IcebergColumn column)
 {

@@ -4,6 +4,7 @@
 #include "core/base/solving_guard.h"
 #include "tests/support/fake_interaction.h"
 #include "tests/support/panel_test.h"
+#include "tests/support/patience.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 
@@ -61,7 +62,6 @@ public:
     template <class Condition>
     [[nodiscard]] bool until(const Condition& condition)
     {
-        constexpr int kPatience_ms = 240000; // under sanitizers on a busy machine
         return QTest::qWaitFor(condition, kPatience_ms);
     }
     [[nodiscard]] bool until(RunPhase phase)

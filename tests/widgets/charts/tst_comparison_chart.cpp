@@ -17,11 +17,11 @@ QPointF viewOf(const FigureView& chart, double time_s, double zeta_m2s)
     return toQt(chart.drawing().at({time_s, zeta_m2s}));
 }
 
-struct Fixture
+struct ComparisonChartFixture
 {
     ComparisonChart chart{Theme::light()};
 
-    explicit Fixture(const RunComparison& comparison)
+    explicit ComparisonChartFixture(const RunComparison& comparison)
     {
         chart.setLocale(QLocale::c());
         chart.resize(600, 300);
@@ -66,7 +66,7 @@ private slots:
     /** With the arrow keys, and as a table. */
     void valuesAreRead()
     {
-        Fixture f(test::comparisonOf({0, 40, 80, 100}, {0, 50, 100, 120}));
+        ComparisonChartFixture f(test::comparisonOf({0, 40, 80, 100}, {0, 50, 100, 120}));
         f.chart.setFocus();
         QTest::keyClick(&f.chart, Qt::Key_End);
         QCOMPARE(f.chart.accessibleDescription(),
@@ -89,7 +89,7 @@ private slots:
 
     void linesEndWithTheirNames()
     {
-        Fixture f(test::comparisonOf({0, 40, 80, 100}, {0, 50, 100, 120}));
+        ComparisonChartFixture f(test::comparisonOf({0, 40, 80, 100}, {0, 50, 100, 120}));
         QCOMPARE(f.chart.drawing().labels.size(), std::size_t{2});
         const DrawnLabel& reference = f.chart.drawing().labels[0];
         const DrawnLabel& other = f.chart.drawing().labels[1];
@@ -114,7 +114,8 @@ private slots:
     void aShorterRunIsNamedInThePlot()
     {
         QFETCH(double, zeta_m2s);
-        Fixture f(test::comparisonOf({0, 20, 40, 60, 80, 100}, {0, zeta_m2s / 2, zeta_m2s}));
+        ComparisonChartFixture f(
+            test::comparisonOf({0, 20, 40, 60, 80, 100}, {0, zeta_m2s / 2, zeta_m2s}));
         QVERIFY(f.chart.drawing().labels[0].of.place == LabelPlace::Margin);
         const DrawnLabel& label = f.chart.drawing().labels[1];
         QVERIFY(label.of.place == LabelPlace::Free);
@@ -153,7 +154,7 @@ private slots:
         const RunComparison comparison =
             test::comparisonOf({reference.begin(), reference.end()}, {other.begin(), other.end()});
         QCOMPARE(verdictText(comparison, QLocale::c()), text);
-        Fixture f(comparison);
+        ComparisonChartFixture f(comparison);
         QCOMPARE(QString::fromStdString(f.chart.drawing().rightTitle), text);
         QCOMPARE(f.chart.accessibleDescription(), text);
     }
@@ -161,7 +162,8 @@ private slots:
     /** Plain where the reference has less, hatched where the other one has, nothing beyond. */
     void differenceIsShaded()
     {
-        Fixture f(test::comparisonOf({0, 20, 100, 180, 200, 220}, {0, 80, 100, 120, 140}));
+        ComparisonChartFixture f(
+            test::comparisonOf({0, 20, 100, 180, 200, 220}, {0, 80, 100, 120, 140}));
         // The lines cross at 2 s and part until 4 s, the end of the shorter run.
         QVERIFY(f.count(kPlainShade, 0.3, 1.8) > 500);
         QCOMPARE(f.count(kHatch, 0.3, 1.8), 0);
@@ -174,14 +176,14 @@ private slots:
 
     void equalRunsHaveNoShade()
     {
-        Fixture f(test::comparisonOf({0, 50, 100}, {0, 50, 100}));
+        ComparisonChartFixture f(test::comparisonOf({0, 50, 100}, {0, 50, 100}));
         QCOMPARE(f.count(kPlainShade, 0.1, 2), 0);
         QCOMPARE(f.count(kHatch, 0.1, 2), 0);
     }
 
     void cursorIsAtItsTime()
     {
-        Fixture f(test::comparisonOf({0, 50, 100, 150}, {0, 60, 120, 170}));
+        ComparisonChartFixture f(test::comparisonOf({0, 50, 100, 150}, {0, 60, 120, 170}));
         const auto atCursor = [&] {
             return f.image().pixelColor(viewOf(f.chart, 1, 140).toPoint()).rgb();
         };
@@ -207,7 +209,7 @@ private slots:
         QFETCH(QSize, size);
         QFETCH(bool, titled);
         const test::LongerTexts longer;
-        Fixture f(test::comparisonOf({0, 50, 100, 150}, {0, 60, 120, 170}));
+        ComparisonChartFixture f(test::comparisonOf({0, 50, 100, 150}, {0, 60, 120, 170}));
         f.chart.setTitleShown(titled);
         f.chart.resize(size);
         f.chart.setTheme(Theme::dark());
@@ -226,13 +228,13 @@ private slots:
             reference.push_back(k);
             other.push_back(1.1 * k);
         }
-        Fixture f(test::comparisonOf(reference, other));
+        ComparisonChartFixture f(test::comparisonOf(reference, other));
         QVERIFY(f.count(kPlainShade, 50000, 99000) > 500);
     }
 
     void longVerdictsAreShortened()
     {
-        Fixture f(test::comparisonOf({0, 50, 100}, {0, 60, 120}));
+        ComparisonChartFixture f(test::comparisonOf({0, 50, 100}, {0, 60, 120}));
         f.chart.resize(260, 200);
         QVERIFY(!f.image().isNull()); // a hidden widget is laid out when it is drawn
         QCOMPARE(QString::fromStdString(f.chart.drawing().rightTitle), u"τ 1.00 ahead by 20.0 %"_s);

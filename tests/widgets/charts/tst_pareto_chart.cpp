@@ -19,9 +19,9 @@ std::vector<QPointF> pointsOf(const FigureView& chart)
     return points;
 }
 
-struct Fixture
+struct ParetoChartFixture
 {
-    explicit Fixture(const Theme& theme = Theme::light(), const QSize& size = {420, 250})
+    explicit ParetoChartFixture(const Theme& theme = Theme::light(), const QSize& size = {420, 250})
         : chart(theme)
     {
         chart.resize(size);
@@ -70,7 +70,7 @@ private slots:
     void plansAreInsideAndInOrder()
     {
         QFETCH(QSize, size);
-        const Fixture f(Theme::light(), size);
+        const ParetoChartFixture f(Theme::light(), size);
         const std::vector<QPointF> points = pointsOf(f.chart);
         QCOMPARE(points.size(), 4U);
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -85,7 +85,7 @@ private slots:
 
     void aSinglePlanIsInTheMiddle()
     {
-        Fixture f;
+        ParetoChartFixture f;
         f.chart.setCurve(test::curveThrough({5}));
         const std::vector<QPointF> points = pointsOf(f.chart);
         QCOMPARE(points.size(), 1U);
@@ -103,7 +103,7 @@ private slots:
     {
         QFETCH(bool, isDark);
         const Theme theme = isDark ? Theme::dark() : Theme::light();
-        Fixture f(theme);
+        ParetoChartFixture f(theme);
         QImage image = f.chart.grab().toImage();
         QCOMPARE(image.pixelColor(1, 1).rgb(), theme.chart.rgb());
         std::vector<QPointF> points = pointsOf(f.chart);
@@ -117,7 +117,7 @@ private slots:
 
     void unprovenPlansAreHollow()
     {
-        Fixture f;
+        ParetoChartFixture f;
         TauCurve curve = test::curveThrough({0.5, 0.6, 2, 5});
         curve.intervals[3].proven = false;
         f.chart.setCurve(curve);
@@ -127,7 +127,7 @@ private slots:
 
     void clickChoosesAPlan()
     {
-        Fixture f;
+        ParetoChartFixture f;
         QSignalSpy spy(&f.chart, &ParetoChart::tauChosen);
         QTest::mouseClick(&f.chart, Qt::LeftButton, {}, pointsOf(f.chart)[3].toPoint());
         QCOMPARE(spy.count(), 1);
@@ -138,7 +138,7 @@ private slots:
 
     void keysGoAlongTheFront()
     {
-        Fixture f;
+        ParetoChartFixture f;
         QSignalSpy spy(&f.chart, &ParetoChart::tauChosen);
         QTest::keyClick(&f.chart, Qt::Key_Left); // shorter
         COMPARE_NEAR(spy.last()[0].toDouble(), 3.5, 1e-12);
@@ -148,7 +148,7 @@ private slots:
 
     void tellsOfThePlanBelowThePointer()
     {
-        Fixture f;
+        ParetoChartFixture f;
         f.chart.setLocale(QLocale(QLocale::English));
         const QString present = f.chart.accessibleDescription();
         QTest::mouseMove(&f.chart, pointsOf(f.chart)[0].toPoint());
@@ -160,7 +160,7 @@ private slots:
 
     void emptyChartsSayWhy()
     {
-        Fixture f;
+        ParetoChartFixture f;
         f.chart.setCurve({});
         const QString computing = f.chart.accessibleDescription();
         QVERIFY(!computing.isEmpty());
@@ -176,7 +176,7 @@ private slots:
 
     void withoutTitleThePlotIsHigher()
     {
-        Fixture f;
+        ParetoChartFixture f;
         const std::vector<QPointF> before = pointsOf(f.chart);
         f.chart.setTitleShown(false);
         const std::vector<QPointF> after = pointsOf(f.chart);

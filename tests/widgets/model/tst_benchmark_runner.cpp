@@ -1,4 +1,5 @@
 #include "tests/support/panel_test.h"
+#include "tests/support/patience.h"
 #include "widgets/model/benchmark_runner.h"
 
 #include <QSignalSpy>
@@ -7,10 +8,10 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
+using test::kPatience_ms;
 
 namespace {
 
-constexpr int kPatience_ms = 30000; // against a slow machine; nothing is measured
 constexpr BenchmarkSolver kExact{.backend = Backend::Exact};
 constexpr BenchmarkSolver kHeuristic{.backend = Backend::Heuristic};
 

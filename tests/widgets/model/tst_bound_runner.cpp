@@ -1,6 +1,7 @@
 #include "core/scenario/presets.h"
 #include "tests/support/fleet_flight.h"
 #include "tests/support/panel_test.h"
+#include "tests/support/patience.h"
 #include "widgets/model/bound_runner.h"
 
 #include <QSignalSpy>
@@ -10,10 +11,10 @@
 #include <functional>
 
 using namespace berg;
+using test::kPatience_ms;
 
 namespace {
 
-constexpr int kPatience_ms = 60'000; // against a slow machine; nothing is measured
 constexpr std::int64_t kLittleWork = 50'000'000;
 
 Scenario smallField()

@@ -4,16 +4,16 @@
 #include "core/sim/simulation.h"
 #include "tests/support/fleet_flight.h"
 #include "tests/support/panel_test.h"
+#include "tests/support/patience.h"
 #include "widgets/model/curve_runner.h"
 
 #include <QPointer>
 #include <QSignalSpy>
 
 using namespace berg;
+using test::kPatience_ms;
 
 namespace {
-
-constexpr int kPatience_ms = 30000; // against a slow machine; nothing is measured
 
 TauCurve expectedCurve(const Scenario& scenario)
 {

@@ -45,7 +45,7 @@ struct Flight
 };
 
 /** The same flight without a window, until `time_s`. */
-Mission flown(const Scenario& scenario, double time_s)
+Mission flownAlone(const Scenario& scenario, double time_s)
 {
     Mission mission(scenario);
     mission.advance(std::min(time_s, 150.0));
@@ -70,7 +70,7 @@ private slots:
         for (const double time_s : {10.0, 123.4, 0.0, 299.9, 150.0, 149.9}) {
             f.workspace.seek(time_s);
             QVERIFY(f.untilShown(time_s));
-            const Mission then = flown(scenario, time_s);
+            const Mission then = flownAlone(scenario, time_s);
             const MissionSnapshot& shown = f.record().shown();
             QVERIFY(shown.world == then.simulation().state());
             QVERIFY(shown.metrics == then.metrics());
@@ -182,7 +182,7 @@ private slots:
         QVERIFY(!f.record().instant.has_value());
         f.workspace.pause();
         QVERIFY(f.until([&] { return f.record().now.phase == RunPhase::Paused; }));
-        Mission mission = flown(f.workspace.document().scenario(), 150);
+        Mission mission = flownAlone(f.workspace.document().scenario(), 150);
         mission.advance(f.record().now.time_s);
         QVERIFY(f.record().now.world == mission.simulation().state());
     }

@@ -1,6 +1,7 @@
 #include "core/io/export/export_content.h"
 #include "core/scenario/presets.h"
 #include "tests/support/file_texts.h"
+#include "tests/support/patience.h"
 #include "widgets/model/flight_record.h"
 #include "widgets/model/mission_runner.h"
 
@@ -10,10 +11,9 @@
 #include <atomic>
 
 using namespace berg;
+using test::kPatience_ms;
 
 namespace {
-
-constexpr int kPatience_ms = 30000; // against a slow machine; nothing is measured
 
 /** Takes snapshots into a record until one satisfies `wanted`. */
 template <class Wanted>

@@ -2,15 +2,15 @@
 #include "core/scenario/presets.h"
 #include "core/sim/policy_forecast.h"
 #include "tests/support/panel_test.h"
+#include "tests/support/patience.h"
 #include "widgets/model/policy_forecasts.h"
 
 #include <QSignalSpy>
 
 using namespace berg;
+using test::kPatience_ms;
 
 namespace {
-
-constexpr int kPatience_ms = 240'000; // against a slow machine; nothing is measured
 
 /** Few icebergs and a short flight: every policy in a moment. */
 Scenario shortFlight(int seed)

@@ -1,6 +1,7 @@
 #include "core/base/solving_guard.h"
 #include "tests/support/comparison_builder.h"
 #include "tests/support/panel_test.h"
+#include "tests/support/patience.h"
 #include "widgets/map/picture/comparison_track.h"
 #include "widgets/model/run_list.h"
 
@@ -12,8 +13,6 @@ using namespace test;
 using namespace Qt::StringLiterals;
 
 namespace {
-
-constexpr int kPatience_ms = 30000; // against a slow machine; nothing is measured
 
 /** Many icebergs, small steps and many hours: no end within the patience of a test. */
 Scenario endlessScenario()

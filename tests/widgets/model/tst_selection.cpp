@@ -1,3 +1,4 @@
+#include "tests/support/ids.h"
 #include "tests/support/scenario_builder.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/model/selection.h"
@@ -6,8 +7,7 @@
 #include <QtTest>
 
 using namespace berg;
-using Ids = std::vector<std::string>;
-
+using test::Ids;
 class TestSelection : public QObject
 {
     Q_OBJECT

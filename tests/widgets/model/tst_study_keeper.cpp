@@ -1,6 +1,7 @@
 #include "core/io/study/study_json.h"
 #include "core/io/text/atomic_file.h"
 #include "tests/support/panel_test.h"
+#include "tests/support/patience.h"
 #include "tests/support/study_builder.h"
 #include "widgets/model/study_keeper.h"
 
@@ -9,10 +10,9 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
+using test::kPatience_ms;
 
 namespace {
-
-constexpr int kPatience_ms = 60000;
 
 /** A runner and who keeps its study, as one window has them. */
 struct Window

@@ -2,6 +2,7 @@
 #include "core/io/study/study_json.h"
 #include "core/io/text/atomic_file.h"
 #include "tests/support/panel_test.h"
+#include "tests/support/patience.h"
 #include "tests/support/study_builder.h"
 #include "widgets/model/study_estimate.h"
 #include "widgets/model/study_files.h"
@@ -13,10 +14,9 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
+using test::kPatience_ms;
 
 namespace {
-
-constexpr int kPatience_ms = 60000; // against a slow machine; nothing is measured
 
 /** As the core does it, on another thread. */
 Study flownByCore(const StudySpec& spec)
@@ -30,7 +30,7 @@ Study flownByCore(const StudySpec& spec)
         .get();
 }
 
-struct Fixture
+struct StudyRunnerFixture
 {
     StudyRunner runner;
     QSignalSpy finished{&runner, &StudyRunner::finished};
@@ -60,7 +60,7 @@ private slots:
     {
         const StudySpec spec = test::quickStudy();
         const Study expected = flownByCore(spec);
-        Fixture f;
+        StudyRunnerFixture f;
         f.runner.start(spec);
         QVERIFY(f.runner.isRunning());
         QCOMPARE(f.runner.count(), std::size_t{16});
@@ -75,7 +75,7 @@ private slots:
 
     void resultsComeWhileItFlies()
     {
-        Fixture f;
+        StudyRunnerFixture f;
         f.runner.start(test::endlessStudy());
         QVERIFY(!f.runner.timeLeft_s());
         QVERIFY(f.someAreFlown());
@@ -89,7 +89,7 @@ private slots:
     void cancelKeepsAndCarryOnEnds()
     {
         StudySpec spec = test::quickStudy(4000);
-        Fixture f;
+        StudyRunnerFixture f;
         f.runner.start(spec);
         QVERIFY(f.someAreFlown());
         f.runner.cancel();
@@ -116,7 +116,7 @@ private slots:
 
     void newestStartWins()
     {
-        Fixture f;
+        StudyRunnerFixture f;
         f.runner.start(test::endlessStudy());
         f.runner.start(test::quickStudy());
         QVERIFY(f.ends());
@@ -126,7 +126,7 @@ private slots:
 
     void anotherReferenceIsComparedWith()
     {
-        Fixture f;
+        StudyRunnerFixture f;
         f.runner.start(test::quickStudy());
         QVERIFY(f.ends());
         f.runner.setReference(3);
@@ -143,7 +143,7 @@ private slots:
     {
         StudySpec spec = test::quickStudy();
         spec.scenarios.front().duration_s = -1;
-        Fixture f;
+        StudyRunnerFixture f;
         f.runner.start(spec);
         QVERIFY(f.ends());
         QVERIFY(!f.finished.front().front().toString().isEmpty());

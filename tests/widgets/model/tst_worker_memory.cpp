@@ -3,6 +3,7 @@
 
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
+#include "tests/support/patience.h"
 #include "tests/support/study_builder.h"
 #include "widgets/model/benchmark_runner.h"
 #include "widgets/model/curve_runner.h"
@@ -61,10 +62,9 @@ void operator delete(void* piece, std::size_t) noexcept
 
 using namespace berg;
 using namespace Qt::StringLiterals;
+using test::kPatience_ms;
 
 namespace {
-
-constexpr int kPatience_ms = 60000; // against a slow machine; nothing is measured
 
 /** Lets the allocations of other threads fail one after the other, each in a run of `act`. */
 template <class Act>

@@ -1,4 +1,6 @@
 #include "core/scenario/presets.h"
+#include "tests/support/ids.h"
+#include "tests/support/patience.h"
 #include "widgets/model/workspace.h"
 
 #include <QSignalSpy>
@@ -7,11 +9,10 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-using Ids = std::vector<std::string>;
+using test::Ids;
+using test::kPatience_ms;
 
 namespace {
-
-constexpr int kPatience_ms = 30000; // against a slow machine; nothing is measured
 
 Scenario small(std::int64_t seed = 41)
 {

@@ -35,7 +35,7 @@ std::vector<MapPose> posesOf(const Mission& mission)
 }
 
 /** Ten minutes among icebergs close by, so that there is much turning. */
-Mission flown(double interval_s)
+Mission tenMinutes(double interval_s)
 {
     Scenario scenario = randomScenario(11, {.icebergs = 8});
     scenario.duration_s = 600;
@@ -129,8 +129,8 @@ private slots:
         QFETCH(double, interval_s);
         QFETCH(double, slack_px);
         const SensorSpec sensor{.fov_m = {500, 300}, .shape = static_cast<FovShape>(shape)};
-        const std::vector<MapPose> steps = posesOf(flown(0.2));
-        const std::vector<MapPose> poses = posesOf(flown(interval_s));
+        const std::vector<MapPose> steps = posesOf(tenMinutes(0.2));
+        const std::vector<MapPose> poses = posesOf(tenMinutes(interval_s));
         const SweptLook look = seek(steps[steps.size() / 2].position_m, scale_pxpm);
         SweptMask mask;
         const QImage& image = mask.updated({{poses, sensor}}, look);
@@ -154,7 +154,7 @@ private slots:
 
     void overlapsAreNotDarker()
     {
-        const std::vector<MapPose> poses = posesOf(flown(1));
+        const std::vector<MapPose> poses = posesOf(tenMinutes(1));
         SweptMask mask;
         const QImage& image = mask.updated({{poses}}, seek(poses.front().position_m, 0.1));
         const QRgb tint = qPremultiply(kTint.rgba());
@@ -171,7 +171,7 @@ private slots:
     /** Grown sample by sample, with an instant between two of them at its end now and then. */
     void growingIsPaintingAnew()
     {
-        const std::vector<MapPose> poses = posesOf(flown(1));
+        const std::vector<MapPose> poses = posesOf(tenMinutes(1));
         const SweptLook look = seek(poses.front().position_m, 0.1);
         SweptMask grown;
         for (std::size_t count = 2; count <= poses.size(); ++count) {
@@ -194,7 +194,7 @@ private slots:
     /** Looking back there is only what was seen until then, and nothing of what came after. */
     void backInTimeThereIsLess()
     {
-        const std::vector<MapPose> poses = posesOf(flown(1));
+        const std::vector<MapPose> poses = posesOf(tenMinutes(1));
         const SweptLook look = seek(poses.front().position_m, 0.1);
         SweptMask mask;
         static_cast<void>(mask.updated({{poses}}, look));
@@ -207,7 +207,7 @@ private slots:
 
     void anotherLookIsPaintedAnew()
     {
-        const std::vector<MapPose> poses = posesOf(flown(1));
+        const std::vector<MapPose> poses = posesOf(tenMinutes(1));
         SweptLook look = seek(poses.front().position_m, 0.1);
         SensorSpec sensor;
         SweptMask mask;
@@ -233,7 +233,7 @@ private slots:
     /** A little at a time comes to the same as all at once. */
     void paintedInParts()
     {
-        const std::vector<MapPose> poses = posesOf(flown(1));
+        const std::vector<MapPose> poses = posesOf(tenMinutes(1));
         const SweptLook look = seek(poses.front().position_m, 0.1);
         SweptMask mask;
         QVERIFY(!mask.advance({{poses}}, look, 0));
@@ -319,7 +319,7 @@ private slots:
 
     void farFromTheMapNothingIsPainted()
     {
-        const std::vector<MapPose> poses = posesOf(flown(1));
+        const std::vector<MapPose> poses = posesOf(tenMinutes(1));
         const SweptLook look = seek({500e3, 500e3}, 10);
         SweptMask mask;
         const QImage& image = mask.updated({{poses}}, look);

@@ -16,7 +16,7 @@ namespace {
 const QLocale kLocale(QLocale::English);
 
 /** Five icebergs, the last appearing at 100 s, flown for `time_s`. */
-Mission flown(double time_s)
+Mission fiveIcebergs(double time_s)
 {
     FieldSpec field;
     field.icebergs = 5;
@@ -58,7 +58,7 @@ class TestMissionPicture : public QObject
 private slots:
     void pictureShowsThePresent()
     {
-        const Mission mission = flown(300);
+        const Mission mission = fiveIcebergs(300);
         const MapPicture picture = missionPicture(recordOf(mission), kLocale);
         QCOMPARE(picture.title, u"Test field"_s);
         QCOMPARE(picture.icebergs.size(), std::size_t{5});
@@ -81,7 +81,7 @@ private slots:
 
     void wholeTrackIsShown()
     {
-        const Mission mission = flown(300);
+        const Mission mission = fiveIcebergs(300);
         const MapPicture picture = missionPicture(recordOf(mission), kLocale);
         QCOMPARE(picture.routes[0].track.size(), mission.recorder().samples().size());
         COMPARE_NEAR(picture.routes[0].track.front().time_s, 0, 0);
@@ -90,7 +90,7 @@ private slots:
 
     void planIsTheOneInForce()
     {
-        const Mission mission = flown(300);
+        const Mission mission = fiveIcebergs(300);
         const MapPicture picture = missionPicture(recordOf(mission), kLocale);
         QCOMPARE(picture.routes[0].plan, mission.plans().back().order);
         const std::set<int> once(picture.routes[0].plan.begin(), picture.routes[0].plan.end());
@@ -99,7 +99,7 @@ private slots:
 
     void icebergsToComeAreNotShown()
     {
-        const Mission mission = flown(50);
+        const Mission mission = fiveIcebergs(50);
         const MapPicture picture = missionPicture(recordOf(mission), kLocale);
         QCOMPARE(picture.icebergs.size(), std::size_t{4});
         for (const int index : picture.routes[0].plan)
@@ -199,7 +199,7 @@ private slots:
 
     void zetaChartEndsAtTheMetrics()
     {
-        const Mission mission = flown(300);
+        const Mission mission = fiveIcebergs(300);
         const TimeChartContent content = zetaContent(recordOf(mission), kLocale);
         QCOMPARE(content.lines.size(), std::size_t{2});
         const TimeLine& zeta = content.lines[0];
@@ -213,7 +213,7 @@ private slots:
     /** With an asset, beside the sum that makes zeta; the bound stays the last line. */
     void weightedSumIsShownWithAnAsset()
     {
-        FlightRecord record = recordOf(flown(300));
+        FlightRecord record = recordOf(fiveIcebergs(300));
         ZetaBound bound{.zeta_m2s = 1, .curve = {{.time_s = 0}, {.time_s = 300, .zeta_m2s = 1}}};
         record.bound = {.zeta_m2s = 1, .share = 1, .whole = std::make_shared<ZetaBound>(bound)};
         QCOMPARE(zetaContent(record, kLocale).lines.size(), std::size_t{3});
@@ -232,7 +232,7 @@ private slots:
 
     void oneFormerlyUncertainIcebergDoesNotSetTheScale()
     {
-        Scenario scenario = flown(0).scenario();
+        Scenario scenario = fiveIcebergs(0).scenario();
         for (Iceberg& iceberg : scenario.icebergs) {
             iceberg.sigma0_m2 = 4;
             iceberg.appears_s = 0;
@@ -257,7 +257,7 @@ private slots:
 
     void sigmaChartHasALineForEachIceberg()
     {
-        const Mission mission = flown(300);
+        const Mission mission = fiveIcebergs(300);
         const TimeChartContent content = sigmaContent(recordOf(mission), kLocale);
         QCOMPARE(content.lines.size(), std::size_t{5});
         QCOMPARE(content.lines[0].label, u"Big one"_s);

@@ -1,11 +1,12 @@
 #include "core/base/geometry.h"
+#include "tests/support/ids.h"
 #include "tests/support/map_fixture.h"
 
 #include <QSignalSpy>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-using Ids = std::vector<std::string>;
+using test::Ids;
 
 namespace {
 

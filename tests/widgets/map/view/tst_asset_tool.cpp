@@ -1,4 +1,5 @@
 #include "core/scenario/validate.h"
+#include "tests/support/ids.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/panel_test.h"
 #include "widgets/panels/fields/number_field.h"
@@ -11,7 +12,7 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-using Ids = std::vector<std::string>;
+using test::Ids;
 
 namespace {
 

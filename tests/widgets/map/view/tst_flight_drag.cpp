@@ -1,4 +1,5 @@
 #include "tests/support/approx.h"
+#include "tests/support/ids.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/panel_test.h"
 #include "widgets/map/paint/wind_panel.h"
@@ -9,7 +10,6 @@
 using namespace berg;
 using namespace berg::test;
 using namespace Qt::StringLiterals;
-using Ids = std::vector<std::string>;
 
 namespace {
 

@@ -1,5 +1,6 @@
 #include "core/io/files/iceberg_json.h"
 #include "core/scenario/validate.h"
+#include "tests/support/ids.h"
 #include "tests/support/map_fixture.h"
 #include "widgets/model/iceberg_clipboard.h"
 #include "widgets/model/scenario_edits.h"
@@ -9,7 +10,7 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-using Ids = std::vector<std::string>;
+using test::Ids;
 
 namespace {
 

@@ -2,6 +2,7 @@
 #include "core/scenario/validate.h"
 #include "tests/support/approx.h"
 #include "tests/support/fleet_maps.h"
+#include "tests/support/ids.h"
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/map/view/map_handles.h"
 #include "widgets/model/scenario_edits.h"
@@ -12,7 +13,6 @@
 using namespace berg;
 using namespace berg::test;
 using namespace Qt::StringLiterals;
-using Ids = std::vector<std::string>;
 
 namespace {
 

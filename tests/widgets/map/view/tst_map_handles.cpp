@@ -1,5 +1,6 @@
 #include "core/base/angles.h"
 #include "tests/support/approx.h"
+#include "tests/support/ids.h"
 #include "tests/support/map_fixture.h"
 #include "widgets/map/view/map_handles.h"
 
@@ -7,7 +8,7 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-using Ids = std::vector<std::string>;
+using test::Ids;
 
 namespace {
 

@@ -1,5 +1,6 @@
 #include "core/scenario/presets.h"
 #include "tests/support/approx.h"
+#include "tests/support/ids.h"
 #include "tests/support/map_fixture.h"
 
 #include <QContextMenuEvent>
@@ -7,7 +8,7 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-using Ids = std::vector<std::string>;
+using test::Ids;
 
 namespace {
 

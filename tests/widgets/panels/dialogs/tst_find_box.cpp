@@ -15,7 +15,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-struct Fixture
+struct FindBoxFixture
 {
     QWidget map;
     FindBox box{&map};
@@ -34,7 +34,7 @@ struct Fixture
     QSignalSpy favouriteChanged{&box, &FindBox::favouriteChanged};
     QSignalSpy closed{&box, &FindBox::closed};
 
-    explicit Fixture(bool mayMove = true, bool asksWhere = false)
+    explicit FindBoxFixture(bool mayMove = true, bool asksWhere = false)
     {
         map.setLocale(QLocale::c());
         map.resize(900, 600);
@@ -79,7 +79,7 @@ private slots:
 
     void goesToACoordinate()
     {
-        Fixture f;
+        FindBoxFixture f;
         f.type(u"46 45 N 48 46.8 W"_s);
         QCOMPARE(f.placeChosen.count(), 1);
         const auto at = f.placeChosen.front().front().value<LatLon>();
@@ -91,7 +91,7 @@ private slots:
 
     void choosesWhatIsListed()
     {
-        Fixture f;
+        FindBoxFixture f;
         f.type(u"berg-3"_s);
         QCOMPARE(f.objectChosen.front().front().value<std::string>(), "berg-3");
         f.open();
@@ -109,7 +109,7 @@ private slots:
 
     void explains()
     {
-        Fixture f;
+        FindBoxFixture f;
         f.type(u"46 45 N"_s);
         QCOMPARE(f.placeChosen.count(), 0);
         QVERIFY(f.reason.isVisible());
@@ -120,7 +120,7 @@ private slots:
 
     void offersToMove()
     {
-        Fixture f;
+        FindBoxFixture f;
         f.type(u"Longyearbyen"_s);
         QCOMPARE(f.placeChosen.count(), 0);
         QVERIFY(f.reason.text().contains(u"km"_s));
@@ -132,7 +132,7 @@ private slots:
 
     void doesNotOfferToMoveInFlight()
     {
-        Fixture f(false);
+        FindBoxFixture f(false);
         f.type(u"Longyearbyen"_s);
         QVERIFY(f.reason.isVisible());
         QVERIFY(f.move.isHidden());
@@ -140,7 +140,7 @@ private slots:
 
     void offersANewScenarioThere()
     {
-        Fixture f;
+        FindBoxFixture f;
         QTest::keyClicks(&f.field, u"berg-1"_s);
         QVERIFY(f.fresh.isHidden());
         f.field.selectAll();
@@ -153,7 +153,7 @@ private slots:
 
     void asksWhere()
     {
-        Fixture f(true, true);
+        FindBoxFixture f(true, true);
         QVERIFY(f.field.placeholderText().contains(u"Where"_s));
         QTest::keyClicks(&f.field, u"berg"_s);
         for (int row = 0; row < f.list.count(); ++row)
@@ -166,7 +166,7 @@ private slots:
 
     void favouritesAreListedAtOnce()
     {
-        Fixture f;
+        FindBoxFixture f;
         QVERIFY(f.list.isHidden());
         QTest::keyClicks(&f.field, u"hibernia"_s);
         QVERIFY(!f.star.isChecked());
@@ -184,7 +184,7 @@ private slots:
 
     void escapeCloses()
     {
-        Fixture f;
+        FindBoxFixture f;
         QTest::keyClick(&f.field, Qt::Key_Escape);
         QVERIFY(f.box.isHidden());
         QCOMPARE(f.closed.count(), 1);

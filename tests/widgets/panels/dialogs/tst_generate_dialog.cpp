@@ -28,9 +28,10 @@ Scenario withArea()
     return scenario;
 }
 
-struct Fixture
+struct GenerateDialogFixture
 {
-    explicit Fixture(const Scenario& scenario = test::emptySea()) : dialog(scenario, kView)
+    explicit GenerateDialogFixture(const Scenario& scenario = test::emptySea())
+        : dialog(scenario, kView)
     {
         dialog.show();
     }
@@ -66,7 +67,7 @@ private slots:
 
     void aNumberIsTypedAtOnce()
     {
-        Fixture f;
+        GenerateDialogFixture f;
         QSpinBox& number = f.spin(u"generateNumber"_s);
         number.setFocus();
         QTest::keyClicks(&number, u"50"_s);
@@ -75,7 +76,7 @@ private slots:
 
     void drawsInTheViewAtFirst()
     {
-        Fixture f;
+        GenerateDialogFixture f;
         QCOMPARE(f.dialog.count(), 25);
         QVERIFY(!hasErrors(validate(f.dialog.result())));
         for (const Iceberg& iceberg : f.icebergs()) {
@@ -87,14 +88,14 @@ private slots:
 
     void keepsToTheAreaWhereThereIsOne()
     {
-        Fixture f(withArea());
+        GenerateDialogFixture f(withArea());
         for (const Iceberg& iceberg : f.icebergs())
             QVERIFY(insidePolygon(withArea().area_m, iceberg.position_m));
     }
 
     void rectangleLiesInTheMiddleOfTheView()
     {
-        Fixture f;
+        GenerateDialogFixture f;
         QVERIFY(!f.number(u"generateWidth"_s).isEnabled());
         f.choose(u"generatePlace"_s, u"Rectangle in the middle of the map"_s);
         f.number(u"generateWidth"_s).setValue(2);
@@ -108,7 +109,7 @@ private slots:
 
     void everyChangeDrawsAnew()
     {
-        Fixture f;
+        GenerateDialogFixture f;
         QSignalSpy drawn(&f.dialog, &GenerateDialog::drawn);
         f.spin(u"generateNumber"_s).setValue(7);
         QCOMPARE(f.dialog.count(), 7);
@@ -128,7 +129,7 @@ private slots:
 
     void diceThrowAnotherField()
     {
-        Fixture f;
+        GenerateDialogFixture f;
         const Scenario first = f.dialog.result();
         auto& dice = test::child<QPushButton>(f.dialog, u"generateDice"_s);
         for (int i = 0; i < 3 && f.spin(u"generateSeed"_s).value() == 1; ++i)
@@ -140,7 +141,7 @@ private slots:
 
     void addsOrReplaces()
     {
-        Fixture f(randomScenario(3));
+        GenerateDialogFixture f(randomScenario(3));
         f.spin(u"generateNumber"_s).setValue(5);
         QCOMPARE(f.icebergs().size(), std::size_t{17});
         QCOMPARE(f.state(), u"The scenario then holds 17 icebergs."_s);
@@ -151,7 +152,7 @@ private slots:
 
     void faultsAreSaidAndNothingIsDrawn()
     {
-        Fixture f(randomScenario(3));
+        GenerateDialogFixture f(randomScenario(3));
         f.number(u"generateSpacing"_s).setValue(9000);
         QCOMPARE(f.dialog.count(), 0);
         QVERIFY(f.dialog.result() == randomScenario(3));
@@ -174,7 +175,7 @@ private slots:
     {
         setShownUnits({.distance = DistanceUnit::Nautical, .speed = SpeedUnit::Knots});
         {
-            Fixture f;
+            GenerateDialogFixture f;
             f.choose(u"generatePlace"_s, u"Rectangle in the middle of the map"_s);
             f.number(u"generateWidth"_s).setValue(10);
             f.number(u"generateSpeedMin"_s).setValue(3);
@@ -192,7 +193,7 @@ private slots:
 
     void emptyRectangleIsRefused()
     {
-        Fixture f;
+        GenerateDialogFixture f;
         f.choose(u"generatePlace"_s, u"Rectangle in the middle of the map"_s);
         f.number(u"generateWidth"_s).setValue(0);
         QVERIFY(!f.ok().isEnabled());

@@ -12,7 +12,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-FlightRecord flown(double until_s, double tau = 1)
+FlightRecord recordUntil(double until_s, double tau = 1)
 {
     Scenario scenario = randomScenario(6, {.icebergs = 7});
     scenario.duration_s = 400;
@@ -40,7 +40,7 @@ private slots:
 
     void everyEventHasItsRow()
     {
-        const FlightRecord record = flown(400);
+        const FlightRecord record = recordUntil(400);
         EventModel model{QLocale::c()};
         const QAbstractItemModelTester tester(&model);
         model.setHistory(record.history, record.now.icebergs, record.scenario.uavs);
@@ -69,7 +69,7 @@ private slots:
      */
     void endsOfHoldsAreLeftOut()
     {
-        FlightRecord record = flown(400);
+        FlightRecord record = recordUntil(400);
         MissionHistory& history = record.history;
         const auto add = [&](double time_s, int iceberg, PlanReason reason) {
             history.events.push_back({.time_s = time_s, .iceberg = iceberg, .uav = 0});
@@ -118,8 +118,8 @@ private slots:
         EventModel model{QLocale::c()};
         const QAbstractItemModelTester tester(&model);
         std::uint64_t rewrites = 0;
-        for (FlightRecord record :
-             {flown(100), flown(250), flown(250), flown(400, 3), flown(60), FlightRecord()}) {
+        for (FlightRecord record : {recordUntil(100), recordUntil(250), recordUntil(250),
+                                    recordUntil(400, 3), recordUntil(60), FlightRecord()}) {
             record.history.rewrites = ++rewrites; // each is another run
             model.setHistory(record.history, record.now.icebergs, record.scenario.uavs);
             EventModel fresh{QLocale::c()};
@@ -133,7 +133,7 @@ private slots:
 
     void whatIsAheadIsMarked()
     {
-        const FlightRecord record = flown(400);
+        const FlightRecord record = recordUntil(400);
         EventModel model{QLocale::c()};
         model.setHistory(record.history, record.now.icebergs, record.scenario.uavs);
         QSignalSpy changed(&model, &EventModel::dataChanged);
@@ -149,7 +149,7 @@ private slots:
         EventPanel panel;
         panel.resize(500, 300);
         panel.show();
-        FlightRecord record = flown(400);
+        FlightRecord record = recordUntil(400);
         panel.showRecord(record);
         auto& table = test::child<QTableView>(panel, u"eventTable"_s);
         QSignalSpy chosen(&panel, &EventPanel::timeChosen);

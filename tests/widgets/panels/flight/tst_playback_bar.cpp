@@ -16,7 +16,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-struct Fixture
+struct PlaybackBarFixture
 {
     PlaybackBar bar;
     QToolButton& play = test::child<QToolButton>(bar, u"playButton"_s);
@@ -30,7 +30,7 @@ struct Fixture
     QSignalSpy timeEdited{&bar, &PlaybackBar::timeEdited};
     QSignalSpy rateEdited{&bar, &PlaybackBar::rateEdited};
 
-    Fixture()
+    PlaybackBarFixture()
     {
         bar.resize(600, bar.sizeHint().height());
         bar.show();
@@ -79,7 +79,7 @@ private slots:
         QFETCH(bool, play);
         QFETCH(bool, step);
         QFETCH(bool, reset);
-        Fixture f;
+        PlaybackBarFixture f;
         f.bar.showState(phase, 0, 1000);
         QCOMPARE(f.play.isEnabled(), play);
         QCOMPARE(f.step.isEnabled(), step);
@@ -89,7 +89,7 @@ private slots:
 
     void eachButtonAsksOnce()
     {
-        Fixture f;
+        PlaybackBarFixture f;
         f.bar.showState(RunPhase::Paused, 10, 1000);
         f.play.click();
         QCOMPARE(f.played.count(), 1);
@@ -107,7 +107,7 @@ private slots:
 
     void rateIsToldByTheUserOnly()
     {
-        Fixture f;
+        PlaybackBarFixture f;
         QCOMPARE(f.bar.rate(), 10.0);
         f.bar.setRate(50);
         QCOMPARE(f.bar.rate(), 50.0);
@@ -133,14 +133,14 @@ private slots:
     {
         QFETCH(double, asked);
         QFETCH(double, chosen);
-        Fixture f;
+        PlaybackBarFixture f;
         f.bar.setRate(asked);
         QCOMPARE(f.bar.rate(), chosen);
     }
 
     void timeAndProgress()
     {
-        Fixture f;
+        PlaybackBarFixture f;
         const auto& time = test::child<QLineEdit>(f.bar, u"timeField"_s);
         const auto& length = test::child<QLabel>(f.bar, u"runLength"_s);
         const auto& line = test::child<RunTimeLine>(f.bar, u"timeLine"_s);
@@ -160,7 +160,7 @@ private slots:
 
     void typedTimeIsToldOnce()
     {
-        Fixture f;
+        PlaybackBarFixture f;
         f.bar.showState(RunPhase::Paused, 201, 1000, 500);
         auto& time = test::child<QLineEdit>(f.bar, u"timeField"_s);
         f.bar.editTime();
@@ -179,7 +179,7 @@ private slots:
 
     void ratesStepAndStopAtTheEnds()
     {
-        Fixture f;
+        PlaybackBarFixture f;
         f.bar.setRate(500);
         f.bar.stepRate(+1);
         QCOMPARE(f.bar.rate(), 1000.0);
@@ -193,7 +193,7 @@ private slots:
     void barLeavesTheMapNarrow()
     {
         const test::LongerTexts longer;
-        Fixture f;
+        PlaybackBarFixture f;
         f.bar.showState(RunPhase::Flying, 201, 1000);
         constexpr int kNarrowMap_px = 340; // below that the map itself is of no use
         QVERIFY2(f.bar.minimumSizeHint().width() <= kNarrowMap_px,

@@ -10,12 +10,12 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /** 1000 s of which 600 are flown and 300 are shown, 1012 px wide: one pixel a second. */
-struct Fixture
+struct RunTimeLineFixture
 {
     RunTimeLine line;
     QSignalSpy scrubbed{&line, &RunTimeLine::scrubbed};
 
-    Fixture()
+    RunTimeLineFixture()
     {
         line.resize(1012, line.sizeHint().height());
         line.show();
@@ -36,7 +36,7 @@ private slots:
 
     void showingTellsNobody()
     {
-        Fixture f;
+        RunTimeLineFixture f;
         f.line.showTime(100, 700, 1000);
         QCOMPARE(f.scrubbed.count(), 0);
         QCOMPARE(f.line.value(), 100'000);
@@ -45,7 +45,7 @@ private slots:
 
     void pointOfNoReturnIsAPost()
     {
-        Fixture f;
+        RunTimeLineFixture f;
         const auto colourAt = [&](int time_s) {
             return f.line.grab().toImage().pixelColor(f.at(time_s).x(), 8);
         };
@@ -58,7 +58,7 @@ private slots:
 
     void pressAndDrag()
     {
-        Fixture f;
+        RunTimeLineFixture f;
         QTest::mousePress(&f.line, Qt::LeftButton, {}, f.at(200));
         QCOMPARE(f.scrubbed.count(), 1);
         QVERIFY(std::abs(f.last() - 200) < 0.51); // half a pixel
@@ -72,7 +72,7 @@ private slots:
 
     void notBeyondWhatWasFlown()
     {
-        Fixture f;
+        RunTimeLineFixture f;
         QTest::mouseClick(&f.line, Qt::LeftButton, {}, f.at(900));
         QCOMPARE(f.last(), 600.0);
         QTest::mouseClick(&f.line, Qt::LeftButton, {}, QPoint(0, 5));
@@ -94,7 +94,7 @@ private slots:
     {
         QFETCH(Qt::Key, key);
         QFETCH(double, time_s);
-        Fixture f;
+        RunTimeLineFixture f;
         QTest::keyClick(&f.line, key);
         QCOMPARE(f.scrubbed.count(), 1);
         QCOMPARE(f.last(), time_s);
@@ -102,7 +102,7 @@ private slots:
 
     void marksAreThoseWorthATick()
     {
-        Fixture f;
+        RunTimeLineFixture f;
         f.line.setMarks({{1, EventKind::Planned, u"a"_s},
                          {2, EventKind::Reached, u"b"_s},
                          {3, EventKind::Sighted, u"c"_s},
@@ -115,7 +115,7 @@ private slots:
 
     void flownAndShownDiffer()
     {
-        Fixture f;
+        RunTimeLineFixture f;
         const QImage image = f.line.grab().toImage();
         const auto colour = [&](int time_s) { return image.pixelColor(f.at(time_s)); };
         QVERIFY(colour(100) != colour(450)); // behind the handle, flown

@@ -1,5 +1,6 @@
 #include "core/base/geodesy.h"
 #include "core/scenario/presets.h"
+#include "tests/support/ids.h"
 #include "tests/support/mission_builder.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
@@ -22,7 +23,7 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-using Ids = std::vector<std::string>;
+using test::Ids;
 
 namespace {
 
@@ -40,7 +41,7 @@ FlightRecord flying(const Mission& mission)
     return record;
 }
 
-struct Fixture
+struct IcebergTableFixture
 {
     ScenarioDocument document;
     Selection selection;
@@ -50,7 +51,7 @@ struct Fixture
     QSignalSpy hovered{&panel, &IcebergTable::hovered};
     QSignalSpy chosen{&panel, &IcebergTable::chosen};
 
-    explicit Fixture(const Scenario& scenario = test::fourIcebergs())
+    explicit IcebergTableFixture(const Scenario& scenario = test::fourIcebergs())
     {
         document.reset(scenario);
         panel.resize(900, 260);
@@ -112,7 +113,7 @@ private slots:
 
     void clickSelectsEverywhere()
     {
-        Fixture f;
+        IcebergTableFixture f;
         f.click(1, IcebergColumn::East);
         QCOMPARE(f.selection.ids(), Ids{"berg-2"});
         f.click(3, IcebergColumn::East, Qt::ControlModifier);
@@ -125,7 +126,7 @@ private slots:
 
     void selectionElsewhereSelectsRows()
     {
-        Fixture f;
+        IcebergTableFixture f;
         f.selection.set({"berg-4", "berg-1"});
         QCOMPARE(f.selectedRows(), (std::vector<int>{0, 3}));
         QCOMPARE(f.selection.ids(), (Ids{"berg-4", "berg-1"})); // not turned round
@@ -136,7 +137,7 @@ private slots:
 
     void rowSelectedElsewhereIsScrolledTo()
     {
-        Fixture f(manyIcebergs(200));
+        IcebergTableFixture f(manyIcebergs(200));
         QVERIFY(!f.table.viewport()->rect().contains(f.pixelOf(150)));
         f.selection.set({f.icebergs()[150].id});
         QVERIFY(f.table.viewport()->rect().contains(f.pixelOf(150)));
@@ -144,7 +145,7 @@ private slots:
 
     void pointingTells()
     {
-        Fixture f;
+        IcebergTableFixture f;
         QTest::mouseMove(f.table.viewport(), f.pixelOf(2));
         QCOMPARE(f.hovered.size(), 1);
         QCOMPARE(f.hovered.back().front().value<std::string>(), "berg-3");
@@ -155,7 +156,7 @@ private slots:
 
     void typingEditsACell()
     {
-        Fixture f;
+        IcebergTableFixture f;
         f.click(1, IcebergColumn::Sigma0);
         QTest::keyClicks(&f.table, u"7"_s);
         QTest::keyClicks(&f.editor(), u".25"_s);
@@ -167,7 +168,7 @@ private slots:
 
     void returnEditsTheName()
     {
-        Fixture f;
+        IcebergTableFixture f;
         f.click(0, IcebergColumn::Name);
         QTest::keyClick(&f.table, Qt::Key_Return);
         QTest::keyClicks(&f.editor(), u"Storis"_s);
@@ -179,7 +180,8 @@ private slots:
     /** The field shows fewer digits than the number has. */
     void lookingIntoACellChangesNothing()
     {
-        Fixture f(test::changed([](Scenario& s) { s.icebergs[0].position_m.x() = 1.0 / 3; }));
+        IcebergTableFixture f(
+            test::changed([](Scenario& s) { s.icebergs[0].position_m.x() = 1.0 / 3; }));
         f.click(0, IcebergColumn::East);
         QTest::keyClick(&f.table, Qt::Key_Return);
         QTest::keyClick(&f.editor(), Qt::Key_Return);
@@ -190,7 +192,7 @@ private slots:
 
     void escapeLeavesTheCellAsItWas()
     {
-        Fixture f;
+        IcebergTableFixture f;
         f.click(0, IcebergColumn::North);
         QTest::keyClicks(&f.table, u"9"_s);
         QTest::keyClick(&f.editor(), Qt::Key_Escape);
@@ -201,7 +203,7 @@ private slots:
     void pointIsADecimalSignEverywhere()
     {
         QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
-        Fixture f;
+        IcebergTableFixture f;
         f.click(0, IcebergColumn::Sigma0);
         QTest::keyClicks(&f.table, u"1"_s);
         QTest::keyClicks(&f.editor(), u".5"_s);
@@ -212,7 +214,7 @@ private slots:
 
     void controlReturnSetsAllRowsSelected()
     {
-        Fixture f;
+        IcebergTableFixture f;
         f.click(0, IcebergColumn::Growth);
         f.click(2, IcebergColumn::Growth, Qt::ControlModifier);
         QTest::keyClicks(&f.table, u"2"_s);
@@ -227,7 +229,7 @@ private slots:
     /** Without typing: what the current cell has, in all its digits. */
     void controlReturnCopiesTheCurrentCell()
     {
-        Fixture f(test::changed([](Scenario& s) { s.icebergs[2].q_m2ps = 1e-8 / 3; }));
+        IcebergTableFixture f(test::changed([](Scenario& s) { s.icebergs[2].q_m2ps = 1e-8 / 3; }));
         f.click(0, IcebergColumn::Growth);
         f.click(2, IcebergColumn::Growth, Qt::ControlModifier);
         QTest::keyClick(&f.table, Qt::Key_Return);
@@ -237,7 +239,7 @@ private slots:
 
     void finishTypingTakesWhatIsTyped()
     {
-        Fixture f;
+        IcebergTableFixture f;
         f.click(0, IcebergColumn::Appears);
         QTest::keyClicks(&f.table, u"4"_s);
         f.panel.finishTyping();
@@ -246,7 +248,7 @@ private slots:
 
     void latitudeIsTypedInAnyForm()
     {
-        Fixture f;
+        IcebergTableFixture f;
         const LocalFrame frame(f.document.scenario().origin);
         const double before_deg = frame.toGeographic(f.icebergs()[1].position_m).longitude_deg;
         f.click(1, IcebergColumn::Latitude);
@@ -268,7 +270,7 @@ private slots:
 
     void pastesAtTheCurrentCell()
     {
-        Fixture f;
+        IcebergTableFixture f;
         f.click(3, IcebergColumn::East);
         QApplication::clipboard()->setText(u"10\t20\n30\t40\n"_s);
         QTest::keyClick(&f.table, Qt::Key_V, Qt::ControlModifier);
@@ -284,7 +286,7 @@ private slots:
 
     void refusedPasteSaysWhy()
     {
-        Fixture f;
+        IcebergTableFixture f;
         f.click(0, IcebergColumn::East);
         QApplication::clipboard()->setText(u"10\t20\n30\tfar"_s);
         QTest::keyClick(&f.table, Qt::Key_V, Qt::ControlModifier);
@@ -297,7 +299,7 @@ private slots:
 
     void pastesNothingFromAnEmptyClipboard()
     {
-        Fixture f;
+        IcebergTableFixture f;
         QApplication::clipboard()->clear();
         f.click(0, IcebergColumn::East);
         QTest::keyClick(&f.table, Qt::Key_V, Qt::ControlModifier);
@@ -307,7 +309,7 @@ private slots:
 
     void pastesIntoAnEmptyScenario()
     {
-        Fixture f(test::emptySea());
+        IcebergTableFixture f(test::emptySea());
         auto& empty = test::child<QLabel>(f.panel, u"icebergsEmpty"_s);
         QVERIFY(empty.isVisible());
         QVERIFY(empty.text().contains(u"Ctrl+V"_s));
@@ -322,7 +324,7 @@ private slots:
     /** Only the columns shown. */
     void copiesTheRowsSelected()
     {
-        Fixture f;
+        IcebergTableFixture f;
         f.panel.setHiddenColumns({u"speed"_s, u"direction"_s, u"growth"_s, u"observed"_s,
                                   u"latitude"_s, u"longitude"_s});
         f.selection.set({"berg-1"});
@@ -334,7 +336,7 @@ private slots:
 
     void flightIsForReading()
     {
-        Fixture f;
+        IcebergTableFixture f;
         const Scenario before = f.document.scenario();
         f.panel.showRecord(flying(test::flown(before, 30)));
         f.click(1, IcebergColumn::East);
@@ -355,7 +357,7 @@ private slots:
 
     void choosingInFlightTells()
     {
-        Fixture f;
+        IcebergTableFixture f;
         f.panel.showRecord(flying(test::flown(test::fourIcebergs(), 30)));
         f.click(2, IcebergColumn::Name);
         QTest::mouseDClick(f.table.viewport(), Qt::LeftButton, {}, f.pixelOf(2));
@@ -372,7 +374,7 @@ private slots:
     {
         Mission mission(manyIcebergs(500));
         mission.advance(20);
-        Fixture f(mission.scenario());
+        IcebergTableFixture f(mission.scenario());
         f.panel.showRecord(flying(mission));
         f.table.sortByColumn(static_cast<int>(IcebergColumn::Sigma), Qt::DescendingOrder);
         const Ids chosen{f.icebergs()[7].id, f.icebergs()[300].id};
@@ -402,9 +404,9 @@ private slots:
 
     void filterIsThereForMany()
     {
-        Fixture few;
+        IcebergTableFixture few;
         QVERIFY(!test::child<QLineEdit>(few.panel, u"icebergFilter"_s).isVisible());
-        Fixture f(manyIcebergs(40));
+        IcebergTableFixture f(manyIcebergs(40));
         auto& filter = test::child<QLineEdit>(f.panel, u"icebergFilter"_s);
         QVERIFY(filter.isVisible());
         const std::string id = f.icebergs()[17].id;
@@ -422,7 +424,7 @@ private slots:
 
     void columnsAreChosenInTheHeader()
     {
-        Fixture f;
+        IcebergTableFixture f;
         QSignalSpy changed(&f.panel, &IcebergTable::hiddenColumnsChanged);
         emit f.table.horizontalHeader()->customContextMenuRequested({5, 5});
         auto& menu = test::child<QMenu>(f.panel, u"icebergColumnMenu"_s);
@@ -436,7 +438,7 @@ private slots:
 
     void cellsHaveAMenu()
     {
-        Fixture f;
+        IcebergTableFixture f;
         emit f.table.customContextMenuRequested(f.pixelOf(2, IcebergColumn::Latitude));
         auto& menu = test::child<QMenu>(f.panel, u"icebergCellMenu"_s);
         const QString shown = f.at(2, IcebergColumn::Latitude).data().toString();
@@ -453,7 +455,7 @@ private slots:
 
     void readsAloud()
     {
-        const Fixture f;
+        const IcebergTableFixture f;
         QVERIFY(!f.table.accessibleName().isEmpty());
         QVERIFY(!f.table.accessibleDescription().isEmpty());
     }

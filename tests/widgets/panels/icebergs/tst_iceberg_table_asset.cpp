@@ -11,7 +11,7 @@ using namespace berg;
 using namespace Qt::StringLiterals;
 using berg::test::col;
 using berg::test::Ids;
-using Fixture = berg::test::TableFixture;
+using test::TableFixture;
 
 namespace {
 
@@ -49,7 +49,7 @@ FlightRecord recordAt(const Mission& mission, double time_s)
     return record;
 }
 
-bool hasAssetColumns(const Fixture& f)
+bool hasAssetColumns(const TableFixture& f)
 {
     const auto isThere = [&](IcebergColumn column) { return f.model.hasColumn(col(column)); };
     return std::all_of(kAssetColumns.begin(), kAssetColumns.end(), isThere);
@@ -67,7 +67,7 @@ private slots:
 
     void columnsAreThereWithAnAsset()
     {
-        Fixture f(withAsset());
+        TableFixture f(withAsset());
         QVERIFY(hasAssetColumns(f));
         const QSignalSpy changed(&f.model, &IcebergTableModel::columnsChanged);
         f.document.edit(u"Remove"_s, [](Scenario& scenario) { scenario.asset.reset(); });
@@ -85,7 +85,7 @@ private slots:
 
     void editorShowsTheApproachFromTheStart()
     {
-        const Fixture f(withAsset());
+        const TableFixture f(withAsset());
         const auto row = [&](int i) {
             return QStringList{f.cell(i, IcebergColumn::AssetDistance),
                                f.cell(i, IcebergColumn::AssetTime)};
@@ -105,7 +105,7 @@ private slots:
     /** The current carries the icebergs, not the platform. */
     void currentCounts()
     {
-        Fixture f(withAsset());
+        TableFixture f(withAsset());
         f.document.edit(u"Current"_s, [](Scenario& s) { s.current_mps = {0, -0.5}; });
         QCOMPARE(f.cell(2, IcebergColumn::AssetDistance), u"700"_s); // 2500 m less 3600 s of it
     }
@@ -122,7 +122,7 @@ private slots:
         QFETCH(double, time_s);
         const Mission mission = test::flown(withAsset());
         const Simulation then = instantAt(mission, time_s).simulation;
-        Fixture f(withAsset());
+        TableFixture f(withAsset());
         f.model.showRecord(recordAt(mission, time_s));
         for (int i = 0; i < 4; ++i) {
             const ClosestApproach expected =
@@ -136,7 +136,7 @@ private slots:
 
     void sortsByBoth()
     {
-        Fixture f(withAsset());
+        TableFixture f(withAsset());
         f.model.sort(col(IcebergColumn::AssetDistance), Qt::AscendingOrder);
         QCOMPARE(f.shown(), (Ids{"berg-1", "berg-3", "berg-2", "berg-4"}));
         f.model.sort(col(IcebergColumn::AssetTime), Qt::DescendingOrder);
@@ -146,7 +146,7 @@ private slots:
     /** By sign and words: berg-1 crosses the ring of 1200 m after (1000 + sqrt(...)) / 0.5 s. */
     void alarmIsMarkedAndSaid()
     {
-        const Fixture f(withAsset());
+        const TableFixture f(withAsset());
         const QModelIndex coming = f.model.index(0, col(IcebergColumn::Name));
         const QModelIndex other = f.model.index(2, col(IcebergColumn::Name));
         QVERIFY(coming.data(IcebergTableModel::AlarmRole).toBool());
@@ -160,7 +160,7 @@ private slots:
 
     void columnsAreNotEdited()
     {
-        Fixture f(withAsset());
+        TableFixture f(withAsset());
         const QModelIndex cell = f.model.index(0, col(IcebergColumn::AssetDistance));
         QVERIFY(!cell.flags().testFlag(Qt::ItemIsEditable));
         QVERIFY(!f.put(0, IcebergColumn::AssetDistance, 5));
@@ -181,7 +181,7 @@ private slots:
     /** Copied with their titles and pasted again they change nothing. */
     void copiedColumnsArePassedOver()
     {
-        Fixture f(withAsset());
+        TableFixture f(withAsset());
         const std::vector<int> columns{col(IcebergColumn::Name), col(IcebergColumn::AssetDistance),
                                        col(IcebergColumn::AssetTime), col(IcebergColumn::East)};
         const QString text = f.model.copied(f.allRows(), columns);
@@ -220,7 +220,7 @@ private slots:
             world.uavs[0].search.emplace();
             world.uavs[0].search->iceberg = 1;
         }
-        Fixture f(withAsset());
+        TableFixture f(withAsset());
         f.model.showRecord(record);
         QCOMPARE(f.cell(1, IcebergColumn::State), state);
         QCOMPARE(f.cell(1, IcebergColumn::Sigma) == u"–"_s, hasLeft);

@@ -10,8 +10,7 @@ using namespace Qt::StringLiterals;
 using berg::test::col;
 using berg::test::Ids;
 using berg::test::kEditorColumns;
-using Fixture = berg::test::TableFixture;
-
+using test::TableFixture;
 /** Edits in the table before take-off. */
 class TestIcebergTableEdits : public QObject
 {
@@ -46,7 +45,7 @@ private slots:
         QFETCH(IcebergColumn, column);
         QFETCH(QVariant, value);
         QFETCH(QString, undoText);
-        Fixture f;
+        TableFixture f;
         QVERIFY(f.put(0, column, value));
         QCOMPARE(f.document.undoStack()->count(), 1);
         QCOMPARE(f.undoText(), undoText);
@@ -64,7 +63,7 @@ private slots:
 
     void editsKeepToTheLimits()
     {
-        Fixture f;
+        TableFixture f;
         f.put(0, IcebergColumn::East, 1e9);
         QCOMPARE(f.icebergs()[0].position_m.x(), kLargestCoordinate_m);
         f.put(0, IcebergColumn::Sigma0, -4);
@@ -78,7 +77,7 @@ private slots:
 
     void oneStepSetsManyRows()
     {
-        Fixture f;
+        TableFixture f;
         QVERIFY(f.model.setAll({0, 2, 3}, IcebergColumn::Growth, 0.5));
         QCOMPARE(f.document.undoStack()->count(), 1);
         QCOMPARE(f.icebergs()[0].q_m2ps, 0.5);
@@ -93,7 +92,7 @@ private slots:
     void driftAsComponents()
     {
         const test::UnitsInUse units(test::kComponents);
-        Fixture f;
+        TableFixture f;
         QCOMPARE(f.cell(0, IcebergColumn::DriftEast), u"0.30"_s);
         QCOMPARE(f.cell(2, IcebergColumn::DriftNorth), u"0.00"_s);
         for (const IcebergColumn column : {IcebergColumn::DriftEast, IcebergColumn::DriftNorth})
@@ -105,7 +104,7 @@ private slots:
 
     void pasteIsOneUndoStep()
     {
-        Fixture f;
+        TableFixture f;
         f.model.sort(col(IcebergColumn::East), Qt::DescendingOrder); // berg-4, 2, 1, 3
         const PasteOutcome outcome =
             f.model.paste(u"1\n2\n3\n4\n5"_s, 1, col(IcebergColumn::Sigma0), kEditorColumns);
@@ -125,7 +124,7 @@ private slots:
     /** A number changed in a copy counts, though the angles beside it are as they were copied. */
     void changedCellOfACopyCounts()
     {
-        Fixture f;
+        TableFixture f;
         QString text = f.model.copied(f.allRows(), kEditorColumns);
         text.replace(u"berg-1\t2000\t"_s, u"berg-1\t2500\t"_s);
         const PasteOutcome outcome = f.model.paste(text, 0, 0, kEditorColumns);
@@ -143,7 +142,7 @@ private slots:
             s.icebergs[0].position_m = Point(1.0 / 3, 5.0 / 7);
             s.icebergs[1].position_m = Point(-1e-9 / 7, 0);
         });
-        Fixture f(scenario);
+        TableFixture f(scenario);
         const QString all = f.model.copied(f.allRows(), kEditorColumns);
         const QString angles = f.model.copied(
             f.allRows(), {col(IcebergColumn::Latitude), col(IcebergColumn::Longitude)});
@@ -162,7 +161,7 @@ private slots:
     /** An angle is shown to 2 m: typed as it is shown it moves nothing, of several only others. */
     void angleAsShownMovesNothing()
     {
-        Fixture f;
+        TableFixture f;
         for (const IcebergColumn column : {IcebergColumn::Latitude, IcebergColumn::Longitude})
             QVERIFY(f.put(0, column, f.cell(0, column)));
         QCOMPARE(f.document.scenario(), test::fourIcebergs());
@@ -176,7 +175,7 @@ private slots:
     void wholePlaceIsForOneOnly()
     {
         for (const QString& text : {u"47.1 N 48.2 W"_s, u"Hibernia"_s}) {
-            Fixture f;
+            TableFixture f;
             QSignalSpy edits(&f.model, &IcebergTableModel::edited);
             QVERIFY(!f.model.setAll({0, 1}, IcebergColumn::Latitude, text));
             QVERIFY(edits.back()[0].toString().startsWith(u"Type one angle:"_s));
@@ -188,7 +187,7 @@ private slots:
 
     void brokenCellChangesNothing()
     {
-        Fixture f;
+        TableFixture f;
         const PasteOutcome outcome = f.model.paste(u"1\t2\n3\tfar\n5\t6\n7\t8\n9\t10"_s, 0,
                                                    col(IcebergColumn::East), kEditorColumns);
         QVERIFY(outcome.fault.contains(u"far"_s));
@@ -215,7 +214,7 @@ private slots:
             s.icebergs[1].velocity_mps = Point(-0.1, 1.0 / 7);
             s.icebergs[3].appears_s = 12345678.9;
         });
-        Fixture f(scenario, locale);
+        TableFixture f(scenario, locale);
         const QString text = f.model.copied(f.allRows(), kEditorColumns);
         QCOMPARE(text.count(u'\n'), 6); // titles, four icebergs, and a name of two lines
         // In whatever column the cursor is: titles come along.

@@ -13,7 +13,7 @@ using namespace Qt::StringLiterals;
 using berg::test::col;
 using berg::test::Ids;
 using berg::test::kEditorColumns;
-using Fixture = berg::test::TableFixture;
+using test::TableFixture;
 
 namespace {
 
@@ -43,7 +43,7 @@ private slots:
 
     void editorShowsTheScenario()
     {
-        const Fixture f;
+        const TableFixture f;
         QCOMPARE(f.model.rowCount(), 4);
         QCOMPARE(f.cell(0, IcebergColumn::Name), u"berg-1"_s);
         QCOMPARE(f.cell(2, IcebergColumn::Name), u"Isbjerg Å"_s);
@@ -61,7 +61,7 @@ private slots:
 
     void columnsOfEditorAndFlight()
     {
-        Fixture f;
+        TableFixture f;
         for (int column = 0; column < f.model.columnCount(); ++column)
             QCOMPARE(f.model.hasColumn(column),
                      std::count(kEditorColumns.begin(), kEditorColumns.end(), column) == 1);
@@ -88,7 +88,7 @@ private slots:
         const Mission mission = test::flown(fourOneLater());
         const FlightRecord record = recordAt(mission, time_s);
         const MissionSnapshot& shown = record.shown();
-        Fixture f(fourOneLater());
+        TableFixture f(fourOneLater());
         f.model.showRecord(record);
         QCOMPARE(f.model.rowCount(), 4);
         int planned = 0;
@@ -135,7 +135,7 @@ private slots:
         scenario.uavs.push_back({.id = "uav-2", .name = "East", .position_m = Point(5000, 3000)});
         const FlightRecord record = recordAt(test::flown(scenario, 5), 5);
         const std::vector<IcebergTableRow> rows = flightRows(record);
-        Fixture f(scenario);
+        TableFixture f(scenario);
         const auto hasUavs = [&f] { return f.model.hasColumn(test::col(IcebergColumn::Uav)); };
         QVERIFY(!hasUavs()); // there is no plan before take-off
         f.model.showRecord(record);
@@ -164,7 +164,7 @@ private slots:
     {
         const Mission mission = test::flown(fourOneLater());
         const FlightRecord whole = recordOf(mission);
-        Fixture f(fourOneLater());
+        TableFixture f(fourOneLater());
         int seenBefore = 0;
         for (const std::size_t sample : {std::size_t{40}, std::size_t{200}, std::size_t{380}}) {
             const double time_s = whole.history.samples[sample].time_s;
@@ -189,7 +189,7 @@ private slots:
     void statesAreWords()
     {
         const FlightRecord record = recordAt(test::flown(test::fourIcebergs(), 20), 20);
-        Fixture f;
+        TableFixture f;
         f.model.showRecord(record);
         const std::vector<int>& order = record.shown().plan->order;
         QVERIFY(order.size() >= 3);
@@ -200,7 +200,7 @@ private slots:
 
     void nothingIsPlannedAfterTheEnd()
     {
-        Fixture f;
+        TableFixture f;
         Scenario scenario = test::fourIcebergs();
         scenario.duration_s = 60;
         f.model.showRecord(recordAt(test::flown(scenario, 60), 60));
@@ -211,7 +211,7 @@ private slots:
 
     void flightIsForReading()
     {
-        Fixture f;
+        TableFixture f;
         f.model.showRecord(recordAt(test::flown(test::fourIcebergs(), 20), 20));
         for (int column = 0; column < f.model.columnCount(); ++column)
             QVERIFY(!f.model.index(0, column).flags().testFlag(Qt::ItemIsEditable));
@@ -252,7 +252,7 @@ private slots:
         QFETCH(IcebergColumn, column);
         QFETCH(Qt::SortOrder, order);
         QFETCH(Ids, ids);
-        Fixture f;
+        TableFixture f;
         f.model.sort(col(column), order);
         QCOMPARE(f.shown(), ids);
         f.model.sort(-1, order);
@@ -264,7 +264,7 @@ private slots:
         Scenario scenario = test::emptySea();
         for (int i = 1; i <= 12; ++i)
             test::addIceberg(scenario, 0, 0);
-        Fixture f(scenario);
+        TableFixture f(scenario);
         f.model.sort(col(IcebergColumn::Name), Qt::DescendingOrder);
         QCOMPARE(f.shown().front(), "berg-12");
         QCOMPARE(f.shown().back(), "berg-1");
@@ -272,7 +272,7 @@ private slots:
 
     void rowsKeepTheirIcebergsWhenSortedAnew()
     {
-        Fixture f;
+        TableFixture f;
         f.model.sort(col(IcebergColumn::East), Qt::AscendingOrder);
         const QPersistentModelIndex third = f.model.index(2, 0);
         QCOMPARE(f.model.rowAt(third.row()).id, "berg-2");
@@ -285,7 +285,7 @@ private slots:
 
     void filters()
     {
-        Fixture f;
+        TableFixture f;
         f.model.setFilter(u"isb"_s);
         QCOMPARE(f.shown(), Ids{"berg-3"});
         f.model.setFilter(u"BERG-"_s);
@@ -300,7 +300,7 @@ private slots:
 
     void copiesTheFlightInSeconds()
     {
-        Fixture f;
+        TableFixture f;
         const FlightRecord record = recordAt(test::flown(test::fourIcebergs(), 90.3), 90.3);
         f.model.showRecord(record);
         const QString text = f.model.copied(
@@ -316,7 +316,7 @@ private slots:
     /** A flight that goes on neither begins the table anew nor tells of rows that stand still. */
     void tellsOfWhatHasChanged()
     {
-        Fixture f;
+        TableFixture f;
         Mission mission(test::fourIcebergs());
         mission.advance(50);
         f.model.showRecord(recordAt(mission, 50));
@@ -339,7 +339,7 @@ private slots:
         added.position_m = Point(100, 200);
         mission.intervene({.appears = added});
         mission.advance(40);
-        Fixture f;
+        TableFixture f;
         f.model.showRecord(recordAt(mission, 40));
         QCOMPARE(f.model.rowCount(), 5);
         QCOMPARE(*f.model.rowAt(f.model.rowOf("new")).value(IcebergColumn::Unseen) <= 10.0, true);

@@ -13,9 +13,9 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /** A panel over two icebergs that nothing is wrong with. */
-struct Fixture
+struct CheckPanelFixture
 {
-    Fixture()
+    CheckPanelFixture()
     {
         Scenario scenario = test::emptySea();
         test::addIceberg(scenario, 1000, 0).name = "Big";
@@ -46,7 +46,7 @@ private slots:
 
     void nothingToMend()
     {
-        Fixture f;
+        CheckPanelFixture f;
         QVERIFY(test::child<QWidget>(f.panel, u"checksEmpty"_s).isVisible());
         QVERIFY(!f.list().isVisible());
         f.change([](Scenario& s) { s.icebergs[0].velocity_mps = {3, 0}; });
@@ -58,7 +58,7 @@ private slots:
     /** After those of the scenario that are as bad, and until the next plan is told. */
     void findingsAboutThePlanAreListed()
     {
-        Fixture f;
+        CheckPanelFixture f;
         QSignalSpy changed(&f.panel, &CheckPanel::changed);
         f.change([](Scenario& s) { s.icebergs[0].velocity_mps = {3, 0}; }); // hint
         f.panel.setPlanIssues({Issue{
@@ -73,7 +73,7 @@ private slots:
 
     void worstComesFirst()
     {
-        Fixture f;
+        CheckPanelFixture f;
         f.change([](Scenario& s) {
             s.icebergs[0].velocity_mps = {3, 0};     // hint
             s.icebergs[1].position_m = {100'000, 0}; // warning
@@ -92,7 +92,7 @@ private slots:
 
     void namesAreKeptUpToDate()
     {
-        Fixture f;
+        CheckPanelFixture f;
         f.change([](Scenario& s) { s.icebergs[0].velocity_mps = {3, 0}; });
         f.change([](Scenario& s) { s.icebergs[0].name = "Bigger"; });
         QVERIFY(f.line(0).startsWith(u"Bigger: "));
@@ -100,7 +100,7 @@ private slots:
 
     void choosesByMouseAndKey()
     {
-        Fixture f;
+        CheckPanelFixture f;
         f.change([](Scenario& s) {
             s.icebergs[0].velocity_mps = {3, 0};
             s.icebergs[1].velocity_mps = {3, 0};
@@ -122,7 +122,7 @@ private slots:
     /** A list that says the same after an edit keeps the line one is at. */
     void standsStill()
     {
-        Fixture f;
+        CheckPanelFixture f;
         f.change([](Scenario& s) {
             s.icebergs[0].velocity_mps = {3, 0};
             s.icebergs[1].velocity_mps = {3, 0};
@@ -136,7 +136,7 @@ private slots:
 
     void linesWrapInANarrowDock()
     {
-        Fixture f;
+        CheckPanelFixture f;
         f.change([](Scenario& s) { s.icebergs[1].position_m = {100'000, 0}; });
         const QRect line = f.list().visualItemRect(f.list().item(0));
         QVERIFY(line.width() <= f.list().viewport()->width());

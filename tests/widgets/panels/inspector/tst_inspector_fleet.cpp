@@ -1,3 +1,4 @@
+#include "tests/support/ids.h"
 #include "tests/support/mission_builder.h"
 #include "tests/support/panel_test.h"
 #include "widgets/model/scenario_edits.h"
@@ -13,7 +14,7 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-using Ids = std::vector<std::string>;
+using test::Ids;
 
 namespace {
 
@@ -28,13 +29,13 @@ Scenario threeUavs()
     return scenario;
 }
 
-struct Fixture
+struct FleetInspectorFixture
 {
     ScenarioDocument document;
     Selection selection;
     InspectorPanel panel{document, selection};
 
-    explicit Fixture(const Scenario& scenario = threeUavs())
+    explicit FleetInspectorFixture(const Scenario& scenario = threeUavs())
     {
         document.reset(scenario);
         panel.setLocale(QLocale::c());
@@ -70,7 +71,7 @@ private slots:
         Scenario scenario = threeUavs();
         for (std::size_t k = 0; k < 3; ++k)
             scenario.uavs[k].spec.altitude_m = 120 + 10 * static_cast<double>(k);
-        Fixture f(scenario);
+        FleetInspectorFixture f(scenario);
         QVERIFY(f.isShown(u"scenarioLayers"_s));
         test::child<QPushButton>(f.panel, u"scenarioLayers"_s).click();
         QCOMPARE(f.scenario().uavs[0].spec.altitude_m, 120.0);
@@ -86,7 +87,7 @@ private slots:
 
     void theSelectedOneIsEdited()
     {
-        Fixture f;
+        FleetInspectorFixture f;
         f.selection.set({"uav-2"});
         test::enter(test::child<NumberField>(f.panel, u"uavAltitude"_s), u"300"_s);
         QCOMPARE(f.scenario().uavs[1].spec.altitude_m, 300.0);
@@ -101,7 +102,7 @@ private slots:
 
     void theChipHasItsColour()
     {
-        Fixture f;
+        FleetInspectorFixture f;
         QVERIFY(!f.isShown(u"inspectorChip"_s));
         f.selection.set({"uav-2"});
         QVERIFY(f.isShown(u"inspectorChip"_s));
@@ -110,14 +111,14 @@ private slots:
         QCOMPARE(f.chipColour(), uavColour(Theme::dark(), 1));
         f.selection.set({"uav-2", "uav-3"});
         QVERIFY(!f.isShown(u"inspectorChip"_s));
-        Fixture one(test::fourIcebergs());
+        FleetInspectorFixture one(test::fourIcebergs());
         one.selection.set({"uav-1"});
         QCOMPARE(one.chipColour(), Theme::light().uav);
     }
 
     void renamingRenamesWhatRefersToIt()
     {
-        Fixture f;
+        FleetInspectorFixture f;
         f.selection.set({"uav-3"});
         test::enter(test::child<QLineEdit>(f.panel, u"uavId"_s), u"north"_s);
         QCOMPARE(f.scenario().uavs[2].id, std::string("north"));
@@ -129,7 +130,7 @@ private slots:
 
     void idsAreThereOnce()
     {
-        Fixture f;
+        FleetInspectorFixture f;
         f.selection.set({"uav-3"});
         auto& line = test::child<QLineEdit>(f.panel, u"uavId"_s);
         for (const QString& id : {u"uav-1"_s, u"berg-1"_s, QString()}) {
@@ -148,7 +149,7 @@ private slots:
 
     void icebergsAreKeptForAUav()
     {
-        Fixture f;
+        FleetInspectorFixture f;
         f.selection.set({"berg-1"});
         QVERIFY(f.isShown(u"icebergUav"_s));
         QCOMPARE(f.visitor().count(), 4);
@@ -168,7 +169,7 @@ private slots:
 
     void optionsFollowTheScenario()
     {
-        Fixture f;
+        FleetInspectorFixture f;
         f.selection.set({"berg-2"});
         f.document.edit(u"Delete UAV"_s,
                         [](Scenario& s) { removeObjects(s, std::vector<std::string>{"uav-2"}); });
@@ -181,7 +182,7 @@ private slots:
 
     void separationIsEditedWhereItMatters()
     {
-        Fixture f;
+        FleetInspectorFixture f;
         QVERIFY(f.isShown(u"scenarioSeparation"_s));
         auto& field = test::child<NumberField>(f.panel, u"scenarioSeparation"_s);
         test::enter(field, u"350"_s);
@@ -189,13 +190,13 @@ private slots:
         test::enter(field, u"0"_s);
         QCOMPARE(f.scenario().separation_m, 0.0);
         QCOMPARE(field.text(), u"not kept apart"_s);
-        Fixture one(test::fourIcebergs());
+        FleetInspectorFixture one(test::fourIcebergs());
         QVERIFY(!one.isShown(u"scenarioSeparation"_s));
     }
 
     void nothingIsEditedInFlight()
     {
-        Fixture f;
+        FleetInspectorFixture f;
         f.selection.set({"berg-2"});
         f.panel.setLocked(true);
         QVERIFY(!f.visitor().isEnabled());

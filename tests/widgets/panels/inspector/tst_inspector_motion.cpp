@@ -4,9 +4,8 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
+using test::InspectorFixture;
 using test::threeIcebergs;
-using Fixture = test::InspectorFixture;
-
 /** Places, drift, wind and current in the inspector. */
 class TestInspectorMotion : public QObject
 {
@@ -17,7 +16,7 @@ private slots:
 
     void placeIsTypedAsAngles()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         const LocalFrame frame(f.document.scenario().origin);
         const LatLon before = frame.toGeographic(f.iceberg(0).position_m);
@@ -38,7 +37,7 @@ private slots:
 
     void latitudeOfSeveralIsSetTogether()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1", "berg-3"});
         QCOMPARE(f.line(u"icebergLatitude"_s).text(), QString());
         QCOMPARE(f.line(u"icebergLatitude"_s).placeholderText(), u"mixed"_s);
@@ -54,7 +53,7 @@ private slots:
     /** A whole place would put several on one point. */
     void wholePlaceIsForOneOnly()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1", "berg-3"});
         const Scenario before = f.document.scenario();
         test::enter(f.line(u"icebergLatitude"_s), u"47.1 N 48.2 W"_s);
@@ -84,7 +83,7 @@ private slots:
     {
         QFETCH(QString, typed);
         QFETCH(QString, reason);
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         QLineEdit& line = f.line(u"icebergLatitude"_s);
         const QString before = line.text();
@@ -101,7 +100,7 @@ private slots:
 
     void driftIsSpeedAndDirection()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         // 3-4-5 triangle; towards atan(0.3 / 0.4) = 36.9 degrees from north.
         QCOMPARE(f.number(u"icebergVelocitySpeed"_s).value(), 0.5);
@@ -124,7 +123,7 @@ private slots:
     /** One that was stopped goes on where it went. */
     void speedThroughZeroKeepsTheDirection()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         test::enter(f.number(u"icebergVelocityDirection"_s), u"90"_s);
         test::enter(f.number(u"icebergVelocitySpeed"_s), u"0"_s);
@@ -147,7 +146,7 @@ private slots:
     void driftIsComponentsWhereTheUserWants()
     {
         const test::UnitsInUse units(test::kComponents);
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         QCOMPARE(f.label(u"icebergDrift"_s).text(), u"0.50 m/s towards 037°"_s);
         test::enter(f.number(u"icebergVelocityEast"_s), u"-1.5"_s);
@@ -158,7 +157,7 @@ private slots:
     /** Wind is named by where it comes from, current by where it goes. */
     void windIsFromCurrentTowards()
     {
-        Fixture f;
+        InspectorFixture f;
         test::enter(f.number(u"scenarioWindSpeed"_s), u"8"_s);
         test::enter(f.number(u"scenarioWindDirection"_s), u"270"_s);
         QCOMPARE(f.document.scenario().wind_mps, Point(8, 0));
@@ -176,7 +175,7 @@ private slots:
         const test::UnitsInUse units(test::kComponents);
         Scenario scenario = threeIcebergs();
         scenario.wind_mps = Point(0, 20);
-        Fixture f(scenario);
+        InspectorFixture f(scenario);
         NumberField& east = f.number(u"scenarioWindEast"_s);
         // sqrt(22^2 - 20^2) = 9.165, and strictly slower in steps of 0.01.
         QCOMPARE(east.maximum(), 9.16);

@@ -9,8 +9,8 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
+using test::InspectorFixture;
 using test::threeIcebergs;
-using Fixture = test::InspectorFixture;
 
 namespace {
 
@@ -39,7 +39,7 @@ private slots:
 
     void showsTheSelectionWithoutEditing()
     {
-        Fixture f;
+        InspectorFixture f;
         QCOMPARE(f.label(u"inspectorTitle"_s).text(), u"Scenario"_s);
         QCOMPARE(f.number(u"scenarioDuration"_s).value(), 1000.0);
         f.selection.set({"berg-1"});
@@ -56,7 +56,7 @@ private slots:
 
     void derivedValuesAreWrittenOut()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         QCOMPARE(f.label(u"icebergDeviation"_s).text(), u"standard deviation 2.24 m"_s);
         // 2000 m north of 47 N: 2000 / 111175 degrees of the meridian there are 1.079 minutes.
@@ -66,7 +66,7 @@ private slots:
 
     void typingEditsOnce()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         QSignalSpy changed(&f.document, &ScenarioDocument::scenarioChanged);
         test::enter(f.number(u"icebergEast"_s), u"1234.5"_s);
@@ -81,7 +81,7 @@ private slots:
 
     void spinningOneFieldIsOneStep()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         NumberField& east = f.number(u"icebergEast"_s);
         east.setFocus();
@@ -99,7 +99,7 @@ private slots:
 
     void anotherFieldIsAnotherStep()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         f.number(u"icebergEast"_s).stepUp();
         f.number(u"icebergNorth"_s).stepUp();
@@ -108,7 +108,7 @@ private slots:
 
     void mixedValuesAreEmptyAndSetAll()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1", "berg-2"});
         QCOMPARE(f.label(u"inspectorTitle"_s).text(), u"2 icebergs"_s);
         QVERIFY(!f.line(u"icebergId"_s).isVisible());
@@ -134,7 +134,7 @@ private slots:
         for (std::size_t i = 0; i < 3; ++i)
             scenario.icebergs[i].velocity_mps =
                 Point(0.31 - 0.17 * double(i), 0.07 + 0.1 * double(i));
-        Fixture f(scenario);
+        InspectorFixture f(scenario);
         f.selection.set({"berg-1", "berg-2", "berg-3"});
         NumberField& speed = f.number(u"icebergVelocitySpeed"_s);
         NumberField& towards = f.number(u"icebergVelocityDirection"_s);
@@ -151,7 +151,7 @@ private slots:
     void mixedTakesTheHiddenNumberToo()
     {
         // 1000 is what the first of the two has: typing it changes the second all the same.
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1", "berg-2"});
         test::enter(f.number(u"icebergEast"_s), u"1000"_s);
         QCOMPARE(f.iceberg(1).position_m.x(), 1000.0);
@@ -160,7 +160,7 @@ private slots:
 
     void leavingAMixedFieldChangesNothing()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1", "berg-2"});
         NumberField& east = f.number(u"icebergEast"_s);
         east.setFocus();
@@ -174,7 +174,7 @@ private slots:
     {
         Scenario scenario = threeIcebergs();
         scenario.icebergs[0].name = "Tabular";
-        Fixture f(scenario);
+        InspectorFixture f(scenario);
         f.selection.set({"berg-1", "berg-2"});
         QLineEdit& name = f.line(u"icebergName"_s);
         QVERIFY(name.text().isEmpty());
@@ -189,7 +189,7 @@ private slots:
 
     void idCanBeChanged()
     {
-        Fixture f;
+        InspectorFixture f;
         connect(&f.document, &ScenarioDocument::scenarioChanged, &f.selection,
                 [&f] { f.selection.keepExisting(f.document.scenario()); });
         f.selection.set({"berg-2"});
@@ -212,7 +212,7 @@ private slots:
     void idThatCannotBeIsRefused()
     {
         QFETCH(QString, id);
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         QLineEdit& line = f.line(u"icebergId"_s);
         line.setFocus();
@@ -233,7 +233,7 @@ private slots:
 
     void typingBelongsToWhatWasSelected()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         NumberField& east = f.number(u"icebergEast"_s);
         east.setFocus();
@@ -247,7 +247,7 @@ private slots:
 
     void finishTypingTakesWhatIsTyped()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         NumberField& radius = f.number(u"icebergRadius"_s);
         radius.setFocus();
@@ -263,7 +263,7 @@ private slots:
     {
         Scenario scenario = threeIcebergs();
         scenario.uavs.front().heading_deg = 357;
-        Fixture f(scenario);
+        InspectorFixture f(scenario);
         f.selection.set({"uav-1"});
         NumberField& heading = f.number(u"uavHeading"_s);
         heading.stepUp();
@@ -275,7 +275,7 @@ private slots:
 
     void lockedCanBeReadOnly()
     {
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1"});
         f.panel.setLocked(true);
         QVERIFY(f.label(u"inspectorLock"_s).isVisible());
@@ -298,7 +298,7 @@ private slots:
 
     void scenarioTextsAndFlag()
     {
-        Fixture f;
+        InspectorFixture f;
         auto& notes = test::child<QPlainTextEdit>(f.panel, u"scenarioNotes"_s);
         notes.setFocus();
         QTest::keyClicks(&notes, u"calm"_s);
@@ -321,7 +321,7 @@ private slots:
         scenario.wind_mps = Point(3, 4); // a direction is there only with a speed
         scenario.current_mps = Point(0.1, 0);
         scenario.operation = Operation{};
-        Fixture f(scenario);
+        InspectorFixture f(scenario);
         if (!id.isEmpty())
             f.selection.set({id.toStdString()});
         NumberField& field = f.number(key);
@@ -337,7 +337,7 @@ private slots:
     {
         Scenario scenario = threeIcebergs();
         scenario.icebergs[1].appears_s = 5000;
-        Fixture f(scenario);
+        InspectorFixture f(scenario);
         QLabel& issues = f.label(u"inspectorIssues"_s);
         f.selection.set({"berg-1"});
         QVERIFY(!issues.isVisible());
@@ -362,7 +362,7 @@ private slots:
     void longTextsFitTheDock()
     {
         const test::LongerTexts longer;
-        Fixture f;
+        InspectorFixture f;
         f.selection.set({"berg-1", "berg-2"});
         auto& page = test::child<QWidget>(f.panel, u"inspectorScroll"_s);
         for (const QLabel* label : page.findChildren<QLabel*>())
@@ -379,7 +379,7 @@ private slots:
     void everyInputIsNamed()
     {
         QFETCH(QString, key);
-        const Fixture f;
+        const InspectorFixture f;
         const NumberField& field = f.number(key);
         QVERIFY(!field.accessibleName().isEmpty());
         QVERIFY(!field.toolTip().isEmpty());

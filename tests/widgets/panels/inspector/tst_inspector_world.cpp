@@ -14,13 +14,13 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-struct Fixture
+struct WorldInspectorFixture
 {
     ScenarioDocument document;
     Selection selection;
     InspectorPanel panel{document, selection};
 
-    explicit Fixture(const Scenario& scenario = test::fourIcebergs())
+    explicit WorldInspectorFixture(const Scenario& scenario = test::fourIcebergs())
     {
         document.reset(scenario);
         panel.setLocale(QLocale::c());
@@ -64,7 +64,7 @@ private slots:
 
     void operationIsSwitchedOnAndEdited()
     {
-        Fixture f;
+        WorldInspectorFixture f;
         QVERIFY(!f.isShown(u"operation_reaction_s"_s));
         test::child<QCheckBox>(f.panel, u"scenarioOperation"_s).click();
         QVERIFY(f.scenario().operation == Operation{});
@@ -84,7 +84,7 @@ private slots:
         scenario.airspace = {
             {.name = "far", .kind = {}, .corners_m = far_m},
             {.name = "near", .kind = "R", .corners_m = near_m, .floor_m = 10, .ceiling_m = 900}};
-        Fixture f(scenario);
+        WorldInspectorFixture f(scenario);
         test::child<QPushButton>(f.panel, u"airspaceClose"_s).click();
         QCOMPARE(f.scenario().airspace.size(), std::size_t{1});
         QCOMPARE(f.scenario().airspace[0].name, std::string("far"));
@@ -101,7 +101,7 @@ private slots:
     /** What came while another tab was shown has its room when this one is. */
     void rowsThatCameUnseenHaveRoom()
     {
-        Fixture f;
+        WorldInspectorFixture f;
         f.panel.hide();
         const std::vector<Point> near_m{{2000, 2000}, {2400, 2000}, {2400, 2300}};
         f.document.edit(u"Airspace"_s, [&](Scenario& scenario) {
@@ -119,7 +119,7 @@ private slots:
 
     void observerIsEditedWhereItMatters()
     {
-        Fixture f;
+        WorldInspectorFixture f;
         for (const QString& row : kFilterRows)
             QVERIFY2(!f.isShown(row), qPrintable(row));
         f.choose(u"observerModel"_s, 1);
@@ -144,7 +144,7 @@ private slots:
 
     void weatherAndGroundStationAreEdited()
     {
-        Fixture f;
+        WorldInspectorFixture f;
         f.type(u"scenarioGusts"_s, u"12"_s);
         f.type(u"scenarioTemperature"_s, u"-3.5"_s);
         f.type(u"scenarioDewPoint"_s, u"-4"_s);
@@ -171,7 +171,7 @@ private slots:
 
     void reserveAndLimitsOfAUavAreEdited()
     {
-        Fixture f;
+        WorldInspectorFixture f;
         f.selection.set({f.scenario().uavs[0].id});
         QVERIFY(!f.isShown(u"uavReserve"_s)); // of an endurance only
         f.type(u"uavEndurance"_s, u"3600"_s);
@@ -194,7 +194,7 @@ private slots:
     /** A look is never shorter than a time step, whichever of them is edited. */
     void looksAreNoShorterThanSteps()
     {
-        Fixture f;
+        WorldInspectorFixture f;
         f.choose(u"observerModel"_s, 1);
         const double step_s = f.scenario().dt_s;
         QCOMPARE(test::child<NumberField>(f.panel, u"observerInterval"_s).minimum(), step_s);
@@ -206,7 +206,7 @@ private slots:
 
     void driftErrorIsThereWithTheFilter()
     {
-        Fixture f;
+        WorldInspectorFixture f;
         f.selection.set({"berg-1", "berg-2"});
         QVERIFY(!f.isShown(u"icebergVelocitySd"_s));
         f.document.edit(u"Filter"_s, [](Scenario& s) { s.observer.model = ObserverModel::Kalman; });
@@ -225,7 +225,7 @@ private slots:
 
     void homeIsThereWithEndurance()
     {
-        Fixture f;
+        WorldInspectorFixture f;
         f.selection.set({"uav-1"});
         const QStringList rows{u"uavHomeEast"_s, u"uavHomeNorth"_s, u"uavTurnaround"_s};
         for (const QString& row : rows)
@@ -252,7 +252,7 @@ private slots:
 
     void fenceBelongsToTheArea()
     {
-        Fixture f;
+        WorldInspectorFixture f;
         f.selection.set({kAreaKey});
         auto& fence = test::child<QCheckBox>(f.panel, u"areaFence"_s);
         QVERIFY(fence.isVisibleTo(&f.panel) && !fence.isChecked());
@@ -266,7 +266,7 @@ private slots:
 
     void noFlyAreaHasHeights()
     {
-        Fixture f;
+        WorldInspectorFixture f;
         f.document.edit(u"Areas"_s, [](Scenario& s) {
             for (const double x_m : {9000.0, 9900.0})
                 s.noFly.push_back({.corners_m = {{x_m, 0}, {x_m + 500, 0}, {x_m, 500}}});
@@ -290,7 +290,7 @@ private slots:
 
     void standOffBelongsToTheAsset()
     {
-        Fixture f;
+        WorldInspectorFixture f;
         f.document.edit(u"Asset"_s, [](Scenario& s) {
             s.asset = Asset{.name = "Rig", .position_m = {9000, 9000}};
         });
@@ -307,7 +307,7 @@ private slots:
 
     void severalAtOnce()
     {
-        Fixture f;
+        WorldInspectorFixture f;
         test::child<QCheckBox>(f.panel, u"scenarioClusters"_s).click();
         QVERIFY(f.scenario().clusters);
         f.undoAll();

@@ -11,7 +11,6 @@
 using namespace berg;
 using namespace Qt::StringLiterals;
 using namespace berg::test;
-using Fixture = PlanPanelFixture;
 
 namespace {
 
@@ -82,7 +81,7 @@ private slots:
 
     void cellsHaveWordsAndUnits()
     {
-        Fixture f;
+        PlanPanelFixture f;
         const PlanRow row{.id = "berg-7",
                           .name = u"Tabular"_s,
                           .leg_m = 1852,
@@ -111,7 +110,7 @@ private slots:
 
     void summaryTellsLengthEndAndZeta()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.resize(600, 240);
         const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
         QVERIFY(summary.text().isEmpty());
@@ -130,7 +129,7 @@ private slots:
     /** Of several UAVs the least margin and the longest time without contact. */
     void summaryTellsMarginsAndContact()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.resize(600, 300);
         const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
         f.panel.showSorties(
@@ -142,7 +141,7 @@ private slots:
 
     void summaryTellsWhatAChangeCosts()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.resize(600, 240);
         const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
         f.panel.showPlan(visiting({"a", "b"}));
@@ -168,7 +167,7 @@ private slots:
 
     void outlookOfAPartSaysUntilWhen()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan(visiting({"a"}));
         f.panel.showOutlook(
             PlanOutlook{.zeta_m2s = 84423, .isInFlight = true, .until_s = 800, .isAimed = true});
@@ -180,7 +179,7 @@ private slots:
 
     void summaryTellsWhatNoFlightBeats()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.resize(600, 240);
         f.panel.showPlan(visiting({"a"}));
         PlanOutlook outlook{
@@ -199,7 +198,7 @@ private slots:
     /** A plan with aim points may end before all are seen: no cell is empty or invented. */
     void icebergsThatThePlanDoesNotSee()
     {
-        Fixture f;
+        PlanPanelFixture f;
         std::vector<PlanRow> rows = rowsOf({"a", "b"});
         const QString arrival = PlanModel::arrivalText(rows[0].arrival_s);
         rows[1].isSeen = false;
@@ -219,7 +218,7 @@ private slots:
 
     void longSummaryIsInTheToolTip()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.resize(150, 240);
         f.panel.showPlan(visiting({"a"}));
         f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423, .isInFlight = true});
@@ -231,7 +230,7 @@ private slots:
 
     void furtherColumnNeedsRoom()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan(visiting({"a"}));
         f.panel.resize(500, 240);
         QVERIFY(!f.table.isColumnHidden(PlanModel::Sigma));
@@ -246,7 +245,7 @@ private slots:
     /** The chance of being in view is there when an iceberg may be missed. */
     void chanceIsToldWhenItMatters()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.resize(600, 240);
         std::vector<PlanRow> rows{{.id = "a", .leg_m = 10, .chance = 0.9951},
                                   {.id = "b", .leg_m = 10}};
@@ -287,7 +286,7 @@ private slots:
 
     void onlyChangedRowsAreRedrawn()
     {
-        Fixture f;
+        PlanPanelFixture f;
         std::vector<PlanRow> rows = rowsOf({"a", "b", "c"});
         f.panel.showPlan(planOf(rows));
         QSignalSpy reset(&f.model, &QAbstractItemModel::modelReset);
@@ -304,7 +303,7 @@ private slots:
 
     void chosenRowFollowsItsIceberg()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan(visiting({"a", "b", "c"}));
         QTest::mouseClick(f.table.viewport(), Qt::LeftButton, {}, f.centre(2));
         QCOMPARE(f.activated.count(), 1);
@@ -320,7 +319,7 @@ private slots:
 
     void scrollPositionStays()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan(visiting(manyIds()));
         QTest::mouseClick(f.table.viewport(), Qt::LeftButton, {}, f.centre(0));
         QScrollBar* bar = f.table.verticalScrollBar();
@@ -336,7 +335,7 @@ private slots:
 
     void keysWalkAndReturnActivates()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan(visiting({"a", "b", "c"}));
         f.table.setCurrentIndex(f.model.index(0, 0));
         QTest::keyClick(&f.table, Qt::Key_Down);
@@ -351,7 +350,7 @@ private slots:
 
     void pointerTellsWhichIceberg()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan(visiting({"a", "b"}));
         QTest::mouseMove(f.table.viewport(), f.centre(1));
         QTRY_COMPARE(f.hovered.count(), 1);
@@ -364,7 +363,7 @@ private slots:
 
     void highlightMarksOneRow()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan(visiting({"a", "b"}));
         f.panel.setHighlight("b");
         QVERIFY(!f.model.index(0, 0).data(PlanModel::HighlightRole).toBool());
@@ -376,7 +375,7 @@ private slots:
 
     void emptyPlanSaysWhy()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan({});
         QVERIFY(test::child<QLabel>(f.panel, u"planEmpty"_s).isVisible());
         f.panel.showPlan(visiting({"a"}));
@@ -386,7 +385,7 @@ private slots:
     /** By the mouse for the row below it, by the menu key for the current one. */
     void menuIsForItsRow()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan(twoUavSections());
         QSignalSpy menu(&f.panel, &PlanPanel::menuRequested);
         QContextMenuEvent click(QContextMenuEvent::Mouse, f.centre(2), {7, 8});
@@ -405,7 +404,7 @@ private slots:
     void columnsFitTheDock()
     {
         const test::LongerTexts longer;
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan(visiting(manyIds()));
         int width_px = 0;
         for (int column = 0; column < PlanModel::ColumnCount; ++column)

@@ -13,7 +13,6 @@
 using namespace berg;
 using namespace Qt::StringLiterals;
 using namespace berg::test;
-using Fixture = PlanPanelFixture;
 
 /** The plan panel with several UAVs. */
 class TestPlanPanelFleet : public QObject
@@ -54,7 +53,7 @@ private slots:
 
     void severalUavsHaveALineEach()
     {
-        Fixture f;
+        PlanPanelFixture f;
         const QAbstractItemModelTester tester(&f.model);
         f.panel.resize(600, 240);
         f.panel.showPlan(twoUavSections());
@@ -89,7 +88,7 @@ private slots:
     {
         QFETCH(FlightMode, mode);
         QFETCH(QString, why);
-        Fixture f;
+        PlanPanelFixture f;
         std::vector<PlanSection> sections = twoUavSections();
         sections[0].rows.clear();
         sections[0].isPlanned = false;
@@ -130,7 +129,7 @@ private slots:
 
     void keptIcebergsHaveAPin()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan(twoUavSections());
         const QModelIndex kept = f.model.index(4, PlanModel::Name);
         QVERIFY(kept.data(PlanModel::KeptRole).toBool());
@@ -147,7 +146,7 @@ private slots:
     /** Events as the platform sends them while an iceberg is dragged. */
     void icebergIsDraggedToAUav()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan(twoUavSections());
         QVERIFY(!f.model.flags(f.model.index(0, 0)).testFlag(Qt::ItemIsDragEnabled));
         QVERIFY(f.model.flags(f.model.index(1, 0)).testFlag(Qt::ItemIsDragEnabled));
@@ -177,7 +176,7 @@ private slots:
 
     void oneUavHasNothingToDrag()
     {
-        Fixture f;
+        PlanPanelFixture f;
         f.panel.showPlan(visiting({"a", "b"}));
         QVERIFY(!f.model.flags(f.model.index(0, 0)).testFlag(Qt::ItemIsDragEnabled));
         QVERIFY(!f.model.flags(f.model.index(0, 0)).testFlag(Qt::ItemIsDropEnabled));

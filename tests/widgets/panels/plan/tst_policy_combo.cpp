@@ -32,13 +32,13 @@ PolicyForecastList forecasts()
     return list;
 }
 
-struct Fixture
+struct PolicyComboFixture
 {
     TradeoffPanel panel;
     PolicyCombo& combo = *panel.findChild<PolicyCombo*>(u"policyCombo"_s);
     QLabel& line = test::child<QLabel>(panel, u"policyForecast"_s);
 
-    Fixture()
+    PolicyComboFixture()
     {
         panel.setLocale(QLocale::c());
         panel.resize(test::kDock_px, 360);
@@ -74,7 +74,7 @@ private slots:
 
     void offersSayWhatTheyComeTo()
     {
-        Fixture f;
+        PolicyComboFixture f;
         f.panel.showForecasts(forecasts());
         QCOMPARE(f.figure(PolicyKind::Visitation), u"ζ 71\u202f230 m² s"_s);
         QCOMPARE(f.remark(PolicyKind::Visitation), u"chosen"_s);
@@ -93,7 +93,7 @@ private slots:
     /** Once all were flown in drawn worlds: what is lower without noise need not be lower then. */
     void meanAndRangeOfDrawnWorlds()
     {
-        Fixture f;
+        PolicyComboFixture f;
         PolicyForecastList list = forecasts();
         for (auto& [policy, forecast] : list)
             for (int flight = 0; flight < 20; ++flight) // means of 49 500 and 80 000
@@ -125,7 +125,7 @@ private slots:
     /** Ranges are shown of those that were flown; with one left out none is recommended. */
     void rangesWhenOnePolicyIsTooSlow()
     {
-        Fixture f;
+        PolicyComboFixture f;
         PolicyForecastList list = forecasts();
         for (auto& [policy, forecast] : list) {
             forecast.drawn_m2s.assign(20, 80000);
@@ -145,7 +145,7 @@ private slots:
     /** One that was not predicted has no part in it. */
     void drawnWorldsOfThoseThatAreKnown()
     {
-        Fixture f;
+        PolicyComboFixture f;
         PolicyForecastList list = forecasts();
         for (auto& [policy, forecast] : list)
             forecast.drawn_m2s.assign(20, 80000);
@@ -157,7 +157,7 @@ private slots:
 
     void setAgainstTheOneChosen()
     {
-        Fixture f;
+        PolicyComboFixture f;
         f.panel.showForecasts(forecasts());
         f.panel.showSettings({.policy = PolicyKind::Coverage});
         QCOMPARE(f.remark(PolicyKind::Coverage), u"chosen"_s);
@@ -173,7 +173,7 @@ private slots:
     /** Which is lowest is not told before all are known. */
     void whileForecastsAreMade()
     {
-        Fixture f;
+        PolicyComboFixture f;
         QVERIFY(f.line.text().isEmpty());
         PolicyForecastList list = forecasts();
         list[PolicyKind::Coverage] = {.state = ForecastState::Computing, .share = 0.434};
@@ -191,7 +191,7 @@ private slots:
 
     void limitsAndReasonsAreTold()
     {
-        Fixture f;
+        PolicyComboFixture f;
         PolicyForecastList list = forecasts();
         list[PolicyKind::Coverage] = {.state = ForecastState::TooLong};
         list[PolicyKind::Latency] = {.state = ForecastState::Impossible,
@@ -210,7 +210,7 @@ private slots:
     /** In flight they are those of before take-off, and look it. */
     void inFlight()
     {
-        Fixture f;
+        PolicyComboFixture f;
         f.panel.showForecasts(forecasts());
         QVERIFY(f.offer(PolicyKind::Tour, PolicyDelegate::PresentRole).toBool());
         f.panel.setInFlight(true);
@@ -223,7 +223,7 @@ private slots:
     /** The list is wider than the dock, so that sentences are read, and on the screen. */
     void listHasRoomForItsTexts()
     {
-        Fixture f;
+        PolicyComboFixture f;
         f.panel.showForecasts(forecasts());
         f.panel.move(f.panel.screen()->availableGeometry().right() - test::kDock_px, 10);
         f.combo.showPopup();
@@ -242,7 +242,7 @@ private slots:
     void longTextsFitTheDock()
     {
         const test::LongerTexts longer;
-        Fixture f;
+        PolicyComboFixture f;
         f.panel.showForecasts(forecasts());
         QVERIFY(f.panel.minimumSizeHint().width() <= test::kDock_px);
     }

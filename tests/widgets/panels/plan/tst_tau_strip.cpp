@@ -32,9 +32,9 @@ public:
 };
 
 /** A slider with the strip below it, indented by different margins. */
-struct Fixture
+struct TauStripFixture
 {
-    explicit Fixture(int width_px = 300)
+    explicit TauStripFixture(int width_px = 300)
     {
         window.resize(width_px, 60);
         auto* column = new QVBoxLayout(&window);
@@ -100,7 +100,7 @@ private slots:
     void mapsTauAsTheSliderDoes()
     {
         QFETCH(int, width_px);
-        const Fixture f(width_px);
+        const TauStripFixture f(width_px);
         for (const int position : {0, 50, 250, 499, 500}) {
             f.slider->setValue(position);
             const double middle_px = f.slider->handle().center().x() + f.slider->x();
@@ -131,7 +131,7 @@ private slots:
     {
         QFETCH(bool, isDark);
         const Theme theme = isDark ? Theme::dark() : Theme::light();
-        const Fixture f;
+        const TauStripFixture f;
         f.strip->setTheme(theme);
         f.strip->setTau(1);
         QCOMPARE(f.colourAt(1).rgb(), theme.plan.rgb());
@@ -147,14 +147,14 @@ private slots:
     /** An interval of a pixel is still to be seen when it is the present plan's. */
     void narrowPlansAreVisible()
     {
-        const Fixture f;
+        const TauStripFixture f;
         f.strip->setTau(0.51);
         QCOMPARE(f.colourAt(0.51).rgb(), Theme::light().plan.rgb());
     }
 
     void unprovenStretchesAreHatched()
     {
-        const Fixture f;
+        const TauStripFixture f;
         f.strip->setTau(0.1);
         QCOMPARE(coloursAlong(*f.strip, 2.2, 4.8), 1);
         TauCurve partial = test::curveThrough({0.5, 2, 5});
@@ -182,7 +182,7 @@ private slots:
     {
         QFETCH(double, clicked);
         QFETCH(double, chosen);
-        const Fixture f;
+        const TauStripFixture f;
         QSignalSpy spy(f.strip, &TauStrip::tauChosen);
         QTest::mouseClick(f.strip, Qt::LeftButton, {}, f.at(clicked));
         QCOMPARE(spy.count(), 1);
@@ -193,7 +193,7 @@ private slots:
 
     void clickOnNothingDoesNothing()
     {
-        const Fixture f;
+        const TauStripFixture f;
         QSignalSpy spy(f.strip, &TauStrip::tauChosen);
         f.strip->setCurve({});
         QTest::mouseClick(f.strip, Qt::LeftButton, {}, f.at(1));
@@ -204,7 +204,7 @@ private slots:
 
     void keysGoFromPlanToPlan()
     {
-        const Fixture f;
+        const TauStripFixture f;
         f.strip->setTau(0.1);
         QObject::connect(f.strip, &TauStrip::tauChosen, f.strip, &TauStrip::setTau);
         QSignalSpy spy(f.strip, &TauStrip::tauChosen);
@@ -229,7 +229,7 @@ private slots:
     /** From a tau beyond the strip the last plan of the strip comes first. */
     void plansBeforeATauBeyond()
     {
-        const Fixture f;
+        const TauStripFixture f;
         f.strip->setTau(20);
         QVERIFY(!f.strip->nextPlan());
         COMPARE_NEAR(f.strip->previousPlan().value_or(0), 3.5, 1e-12);
@@ -237,7 +237,7 @@ private slots:
 
     void tellsOfTheIntervalBelowThePointer()
     {
-        const Fixture f;
+        const TauStripFixture f;
         f.strip->setLocale(QLocale(QLocale::English));
         QCOMPARE(toolTipAt(*f.strip, 1), u"τ 0.52 to 2.00: 24.0 km, proven optimal"_s);
         TauCurve partial = test::curveThrough({0.5, 2, 5});
@@ -250,7 +250,7 @@ private slots:
 
     void isReadAloud()
     {
-        const Fixture f;
+        const TauStripFixture f;
         f.strip->setTau(1);
         QVERIFY(!f.strip->accessibleName().isEmpty());
         QVERIFY(f.strip->accessibleDescription().contains(u'4'));

@@ -17,7 +17,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /** The panel on screen, its inputs and a spy on each intent. */
-struct Fixture
+struct TradeoffFixture
 {
     TradeoffPanel panel;
     QSlider& slider = test::child<QSlider>(panel, u"tauSlider"_s);
@@ -31,7 +31,7 @@ struct Fixture
     QSignalSpy backendEdited{&panel, &TradeoffPanel::backendEdited};
     QSignalSpy routeEdited{&panel, &TradeoffPanel::routeEdited};
 
-    Fixture()
+    TradeoffFixture()
     {
         panel.resize(test::kDock_px, 360);
         panel.show();
@@ -90,7 +90,7 @@ private slots:
 
     void showingSettingsTellsNobody()
     {
-        Fixture f;
+        TradeoffFixture f;
         f.panel.showSettings({.policy = PolicyKind::Tour,
                               .tau = 2.345,
                               .route = Route::Closed,
@@ -107,7 +107,7 @@ private slots:
 
     void sliderTellsTheDecimalNumberOnce()
     {
-        Fixture f;
+        TradeoffFixture f;
         f.slider.setSliderDown(true);
         f.slider.setValue(130);
         QCOMPARE(f.tauEdited.count(), 1);
@@ -121,7 +121,7 @@ private slots:
 
     void dragIsNotPulledBackByAnOlderPicture()
     {
-        Fixture f;
+        TradeoffFixture f;
         f.slider.setSliderDown(true);
         f.slider.setValue(200);
         f.panel.showSettings({.tau = 1.0});
@@ -134,7 +134,7 @@ private slots:
 
     void pressOnTheGrooveJumpsThere()
     {
-        Fixture f;
+        TradeoffFixture f;
         const QPoint at(f.slider.width() * 8 / 10, f.slider.height() / 2);
         QTest::mousePress(&f.slider, Qt::LeftButton, {}, at);
         // The handle is some 15 px wide on some 280 px: tau 4 within what it covers.
@@ -159,7 +159,7 @@ private slots:
     {
         QFETCH(int, key);
         QFETCH(double, tau);
-        Fixture f;
+        TradeoffFixture f;
         QTest::keyClick(&f.slider, static_cast<Qt::Key>(key));
         QCOMPARE(f.tauEdited.count(), 1);
         QCOMPARE(f.tauEdited.front().front().toDouble(), tau);
@@ -168,7 +168,7 @@ private slots:
 
     void typedValueBeyondTheSliderPinsIt()
     {
-        Fixture f;
+        TradeoffFixture f;
         test::enter(f.field, u"12.5"_s);
         QCOMPARE(f.tauEdited.count(), 1);
         QCOMPARE(f.tauEdited.front().front().toDouble(), 12.5);
@@ -181,7 +181,7 @@ private slots:
 
     void equalSettingsLeaveTypingAlone()
     {
-        Fixture f;
+        TradeoffFixture f;
         f.field.setFocus();
         QTest::keyClick(&f.field, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(&f.field, u"3."_s);
@@ -192,7 +192,7 @@ private slots:
 
     void choicesAreToldOnce()
     {
-        Fixture f;
+        TradeoffFixture f;
         QTest::keyClick(&f.policy, Qt::Key_Down);
         QCOMPARE(f.policyEdited.count(), 1);
         QCOMPARE(f.policyEdited.front().front().value<PolicyKind>(), PolicyKind::Latency);
@@ -209,7 +209,7 @@ private slots:
 
     void everyPolicyIsOfferedAndExplained()
     {
-        Fixture f;
+        TradeoffFixture f;
         QCOMPARE(f.policy.count(), static_cast<int>(std::size(kPolicyNames)));
         QSet<QString> sentences;
         for (int row = 0; row < f.policy.count(); ++row)
@@ -227,7 +227,7 @@ private slots:
 
     void solversThatThisBuildLacksCannotBeChosen()
     {
-        const Fixture f;
+        const TradeoffFixture f;
         const auto* model = qobject_cast<QStandardItemModel*>(f.solver.model());
         for (int row = 0; row < f.solver.count(); ++row) {
             bool there = true;
@@ -243,7 +243,7 @@ private slots:
 
     void flightLocksSolverAndRoute()
     {
-        Fixture f;
+        TradeoffFixture f;
         const QString before = f.solver.toolTip();
         f.panel.setInFlight(true);
         QVERIFY(f.slider.isEnabled() && f.field.isEnabled() && f.policy.isEnabled());
@@ -270,7 +270,7 @@ private slots:
         QFETCH(PolicyKind, policy);
         QFETCH(bool, tau);
         QFETCH(bool, solver);
-        Fixture f;
+        TradeoffFixture f;
         f.panel.showSettings({.policy = policy});
         QCOMPARE(f.slider.isEnabled(), tau);
         QCOMPARE(f.field.isEnabled(), tau);
@@ -350,7 +350,7 @@ private slots:
 
     void solverDetailsAreInTheToolTip()
     {
-        Fixture f;
+        TradeoffFixture f;
         f.panel.showPlan({.plan = provenPlan()});
         QCOMPARE(f.text(u"planState"_s), u"Proven optimal, under 0.1 s (exact)"_s);
         const QString details = test::child<QLabel>(f.panel, u"planState"_s).toolTip();
@@ -360,7 +360,7 @@ private slots:
 
     void figuresFollowTheObjective()
     {
-        Fixture f;
+        TradeoffFixture f;
         f.panel.setLocale(QLocale::c());
         f.panel.showPlan({.plan = provenPlan()});
         QCOMPARE(f.text(u"planDistance"_s), u"14.2 km"_s);
@@ -371,7 +371,7 @@ private slots:
 
     void whatTheSolverMinimisesIsFolded()
     {
-        Fixture f;
+        TradeoffFixture f;
         f.panel.show();
         auto& objective = test::child<QLabel>(f.panel, u"planObjective"_s);
         auto& details = test::child<QToolButton>(f.panel, u"planDetails"_s);
@@ -404,14 +404,14 @@ private slots:
     void longTextsFitTheDock()
     {
         const test::LongerTexts longer;
-        Fixture f;
+        TradeoffFixture f;
         f.panel.showPlan({.plan = goodPlan(0.008)});
         QVERIFY(f.panel.minimumSizeHint().width() <= test::kDock_px);
     }
 
     void everyInputIsNamed()
     {
-        const Fixture f;
+        const TradeoffFixture f;
         for (const QWidget* input : std::initializer_list<const QWidget*>{
                  &f.slider, &f.field, &f.policy, &f.solver, &f.route}) {
             QVERIFY(!input->accessibleName().isEmpty());

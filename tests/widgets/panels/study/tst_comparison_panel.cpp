@@ -2,6 +2,7 @@
 #include "tests/support/comparison_builder.h"
 #include "tests/support/fleet_flight.h"
 #include "tests/support/panel_test.h"
+#include "tests/support/patience.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/study/comparison_panel.h"
 #include "widgets/panels/study/comparison_tables.h"
@@ -18,14 +19,13 @@
 #include <QToolButton>
 
 using namespace berg;
+using test::kPatience_ms;
 using test::policy;
 using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kPatience_ms = 30000; // against a slow machine; nothing is measured
-
-struct Fixture
+struct ComparisonPanelFixture
 {
     RunList list;
     ComparisonPanel panel{list};
@@ -42,7 +42,7 @@ struct Fixture
     QLabel& empty = test::child<QLabel>(panel, u"comparisonEmpty"_s);
     QSignalSpy finished{&list, &RunList::finished};
 
-    explicit Fixture(const QSize& size = {480, 300})
+    explicit ComparisonPanelFixture(const QSize& size = {480, 300})
     {
         panel.setLocale(QLocale::c());
         panel.resize(size);
@@ -75,7 +75,7 @@ private slots:
 
     void emptyPanelTeaches()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         QVERIFY(f.empty.isVisible());
         QVERIFY(!f.figures.isVisible());
         QVERIFY(!f.tour.isEnabled() && !f.fly.isEnabled() && !f.remove.isEnabled());
@@ -95,7 +95,7 @@ private slots:
         const FlightRecord expected =
             test::flownRecord(test::shortScenario(), policy(PolicyKind::Tour));
         const ForbidSolving onThisThread;
-        Fixture f;
+        ComparisonPanelFixture f;
         f.list.add(first);
         QVERIFY(f.tour.isVisible());
         f.tour.click();
@@ -117,7 +117,7 @@ private slots:
     /** Without a run of this scenario both are flown. */
     void bothAreFlownFromAScenario()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         f.add(PolicyKind::Nearest, 60, 9); // another world
         Scenario scenario = test::shortScenario();
         scenario.planner = policy(PolicyKind::Uncertainty);
@@ -133,7 +133,7 @@ private slots:
 
     void anyTauIsFlown()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         f.add(PolicyKind::Nearest);
         test::enter(f.tau, u"2.5"_s);
         f.fly.click();
@@ -143,7 +143,7 @@ private slots:
 
     void theTourIsNotComparedWithItself()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         f.add(PolicyKind::Tour);
         QVERIFY(!f.tour.isEnabled());
         QVERIFY(f.fly.isEnabled());
@@ -156,7 +156,7 @@ private slots:
 
     void cancelComesBack()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         Scenario scenario = randomScenario(4, {.icebergs = 60, .size_m = {40000, 40000}});
         scenario.duration_s = 500000;
         f.panel.setScenario(scenario);
@@ -171,7 +171,7 @@ private slots:
 
     void failuresAreTold()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         f.list.open(u"/nowhere/a.bergrun"_s);
         QVERIFY(f.ends());
         QVERIFY(f.state.isVisible());
@@ -185,7 +185,7 @@ private slots:
     /** Runs of fleets of different sizes are told apart by how many UAVs there are. */
     void namesSayHowManyUavsThereAre()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         f.add(PolicyKind::Nearest, 60);
         QCOMPARE(f.runs.item(0, RunName)->text(), u"Nearest first, to 01:00"_s);
         f.list.add(test::flownRecord(test::withUavs(test::shortScenario(), 2),
@@ -196,7 +196,7 @@ private slots:
 
     void namesSayOfWhichScenarioTheyAre()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         f.add(PolicyKind::Nearest, 60);
         Scenario other = test::shortScenario(4);
         other.name = "Elsewhere";
@@ -206,7 +206,7 @@ private slots:
 
     void clicksAndKeysChoose()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         f.add(PolicyKind::Nearest, 60);
         f.add(PolicyKind::Uncertainty, 60);
         f.add(PolicyKind::Path, 60);
@@ -231,7 +231,7 @@ private slots:
 
     void tablesHoldTheFigures()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         f.add(PolicyKind::Nearest);
         QVERIFY(f.figures.item(0, 2)->text().isEmpty()); // nothing to compare with
         f.add(PolicyKind::Uncertainty, 200);
@@ -275,7 +275,7 @@ private slots:
     /** What the keys do, with a pointer; a name that was given stays until it is taken away. */
     void menuOfARun()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         f.add(PolicyKind::Nearest, 60);
         f.add(PolicyKind::Uncertainty, 60);
         f.add(PolicyKind::Path, 60);
@@ -308,7 +308,7 @@ private slots:
 
     void openAsksTheOwner()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         QSignalSpy asked(&f.panel, &ComparisonPanel::openRunRequested);
         test::child<QToolButton>(f.panel, u"openComparedRun"_s).click();
         QCOMPARE(asked.count(), 1);
@@ -328,7 +328,7 @@ private slots:
         QFETCH(QSize, size);
         QFETCH(bool, besideEachOther);
         const test::LongerTexts longer;
-        Fixture f(size);
+        ComparisonPanelFixture f(size);
         f.add(PolicyKind::Nearest, 60);
         f.add(PolicyKind::Uncertainty, 60);
         QVERIFY2(f.panel.minimumSizeHint().width() <= size.width() &&
@@ -354,7 +354,7 @@ private slots:
 
     void themesReachEverything()
     {
-        Fixture f;
+        ComparisonPanelFixture f;
         f.add(PolicyKind::Nearest, 60);
         f.panel.setTheme(Theme::dark());
         const QRect cell = f.runs.visualItemRect(f.runs.item(0, RunReference));

@@ -1,4 +1,5 @@
 #include "tests/support/panel_test.h"
+#include "tests/support/patience.h"
 #include "widgets/charts/solve_time_chart.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/study/solve_time_panel.h"
@@ -11,12 +12,11 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
+using test::kPatience_ms;
 
 namespace {
 
-constexpr int kPatience_ms = 30000; // against a slow machine; nothing is measured
-
-struct Fixture
+struct SolveTimePanelFixture
 {
     BenchmarkRunner runner;
     SolveTimePanel panel{runner};
@@ -31,7 +31,7 @@ struct Fixture
     QSignalSpy finished{&runner, &BenchmarkRunner::finished};
     QSignalSpy saved{&panel, &SolveTimePanel::saveRequested};
 
-    Fixture()
+    SolveTimePanelFixture()
     {
         QObject::connect(&panel, &SolveTimePanel::startRequested, &panel, &SolveTimePanel::start);
         panel.resize(820, 560);
@@ -64,7 +64,7 @@ private slots:
 
     void settingsBecomeTheSpec()
     {
-        Fixture f;
+        SolveTimePanelFixture f;
         f.choose(u"heuristic"_s);
         f.largest.setValue(15);
         f.repeat.setValue(7);
@@ -80,7 +80,7 @@ private slots:
 
     void everySolverOfThisBuildIsOffered()
     {
-        const Fixture f;
+        const SolveTimePanelFixture f;
         for (const BenchmarkSolver& solver : benchmarkSolvers()) {
             const auto& box = test::child<QCheckBox>(
                 f.panel, QString::fromStdString(nameOf(kBenchmarkSolverNames, solver)));
@@ -91,7 +91,7 @@ private slots:
 
     void measuresAndShows()
     {
-        Fixture f;
+        SolveTimePanelFixture f;
         f.choose(u"exact"_s);
         f.largest.setValue(8);
         f.repeat.setValue(2);
@@ -112,7 +112,7 @@ private slots:
 
     void settingsAreLockedWhileItRuns()
     {
-        Fixture f;
+        SolveTimePanelFixture f;
         f.startForLong();
         QVERIFY(!f.largest.isEnabled() && !f.repeat.isEnabled() && !f.budget.isEnabled());
         QVERIFY(!f.save.isEnabled());
@@ -122,7 +122,7 @@ private slots:
 
     void cancelKeepsTheTable()
     {
-        Fixture f;
+        SolveTimePanelFixture f;
         f.startForLong();
         QTRY_VERIFY_WITH_TIMEOUT(!f.runner.rows().empty(), kPatience_ms);
         f.start.click();
@@ -137,7 +137,7 @@ private slots:
 
     void withoutSolverThereIsNothingToStart()
     {
-        Fixture f;
+        SolveTimePanelFixture f;
         f.choose(u"none"_s);
         QVERIFY(!f.start.isEnabled());
         QVERIFY(!f.start.toolTip().isEmpty());
@@ -147,7 +147,7 @@ private slots:
 
     void themeReachesTheChart()
     {
-        Fixture f;
+        SolveTimePanelFixture f;
         const Theme dark = Theme::dark();
         f.panel.setTheme(dark);
         QCOMPARE(f.chart.grab().toImage().pixelColor(0, 0).rgb(), dark.chart.rgb());
@@ -156,7 +156,7 @@ private slots:
     void longTextsFitASmallWindow()
     {
         const test::LongerTexts longer;
-        Fixture f;
+        SolveTimePanelFixture f;
         constexpr int kNarrow_px = 900;
         QVERIFY2(f.panel.minimumSizeHint().width() <= kNarrow_px,
                  QByteArray::number(f.panel.minimumSizeHint().width()).constData());

@@ -1,6 +1,7 @@
 #include "core/base/solving_guard.h"
 #include "core/study/paper_figures.h"
 #include "tests/support/panel_test.h"
+#include "tests/support/patience.h"
 #include "tests/support/study_builder.h"
 #include "widgets/charts/study_chart.h"
 #include "widgets/panels/fields/number_field.h"
@@ -28,19 +29,18 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
+using test::kPatience_ms;
 
 namespace {
 
-constexpr int kPatience_ms = 60000; // against a slow machine; nothing is measured
-
-struct Fixture
+struct StudyPanelFixture
 {
     StudyRunner runner;
     StudyPanel panel{runner};
     QSignalSpy finished{&runner, &StudyRunner::finished};
     ForbidSolving onThisThread;
 
-    explicit Fixture(const Scenario& scenario = test::quickScenario())
+    explicit StudyPanelFixture(const Scenario& scenario = test::quickScenario())
     {
         QObject::connect(&panel, &StudyPanel::startRequested, &panel, &StudyPanel::start);
         panel.setLocale(QLocale::c());
@@ -96,7 +96,7 @@ private slots:
 
     void fieldsBecomeTheSpec()
     {
-        Fixture f;
+        StudyPanelFixture f;
         f.setNumber(u"studyTauFrom"_s, u"0.5"_s);
         f.setNumber(u"studyTauTo"_s, u"1.5"_s);
         f.setNumber(u"studyTauStep"_s, u"0.5"_s);
@@ -140,7 +140,7 @@ private slots:
 
     void specComesBackIntoTheFields()
     {
-        Fixture f;
+        StudyPanelFixture f;
         StudySpec spec = figure4(test::quickScenario());
         auto& setup = test::child<StudySetup>(f.panel, {});
         setup.showSpec(spec);
@@ -157,7 +157,7 @@ private slots:
 
     void whatCannotBeFlownIsSaidBefore()
     {
-        Fixture f;
+        StudyPanelFixture f;
         QLabel& estimate = f.get<QLabel>(u"studyEstimate"_s);
         QVERIFY(estimate.text().startsWith(u"42 missions, "_s)); // 41 values of tau, one path
         QVERIFY(f.start().isEnabled());
@@ -197,7 +197,7 @@ private slots:
 
     void figure4IsOneClick()
     {
-        Fixture f;
+        StudyPanelFixture f;
         f.get<QPushButton>(u"figure4"_s).click();
         QVERIFY(f.ends());
         QVERIFY(f.runner.result()->study.spec == figure4(test::quickScenario()));
@@ -211,7 +211,7 @@ private slots:
     /** Figure 4 is flown first, then not again. */
     void figure5AsksForTwoFlights()
     {
-        Fixture f;
+        StudyPanelFixture f;
         QSignalSpy compared(&f.panel, &StudyPanel::comparisonRequested);
         f.get<QPushButton>(u"figure5"_s).click();
         QVERIFY(f.ends());
@@ -229,7 +229,7 @@ private slots:
 
     void figure3IsElsewhere()
     {
-        Fixture f;
+        StudyPanelFixture f;
         QSignalSpy wanted(&f.panel, &StudyPanel::solveTimesRequested);
         f.get<QPushButton>(u"figure3"_s).click();
         QCOMPARE(wanted.count(), 1);
@@ -237,7 +237,7 @@ private slots:
 
     void cancelKeepsAndOffersToCarryOn()
     {
-        Fixture f;
+        StudyPanelFixture f;
         auto& carryOn = f.get<QPushButton>(u"carryOnStudy"_s);
         QVERIFY(!carryOn.isVisible());
         f.get<QRadioButton>(u"studyRandom"_s).setChecked(true);
@@ -262,7 +262,7 @@ private slots:
 
     void settingsAreSorted()
     {
-        Fixture f;
+        StudyPanelFixture f;
         f.show(test::fourCases());
         auto& table = f.get<QTableView>(u"studySettings"_s);
         QCOMPARE(f.column(u"studySettings"_s, StudySettingsModel::Setting),
@@ -280,7 +280,7 @@ private slots:
 
     void settingIsTakenOver()
     {
-        Fixture f;
+        StudyPanelFixture f;
         f.show(test::fourCases());
         auto& use = f.get<QPushButton>(u"useStudySetting"_s);
         QVERIFY(!use.isEnabled());
@@ -297,7 +297,7 @@ private slots:
 
     void recommendedSettingIsTakenOver()
     {
-        Fixture f;
+        StudyPanelFixture f;
         auto& use = f.get<QPushButton>(u"useRecommendedSetting"_s);
         QVERIFY(!use.isVisible());
         f.show(test::fourCases());
@@ -315,7 +315,7 @@ private slots:
 
     void pointLeadsToItsCases()
     {
-        Fixture f;
+        StudyPanelFixture f;
         f.show(test::fourCases());
         auto& chart = f.get<StudyChart>(u"studyChart"_s);
         auto& open = f.get<QPushButton>(u"openStudyRun"_s);
@@ -343,7 +343,7 @@ private slots:
 
     void pictureAndTableAgreeOnTheChoice()
     {
-        Fixture f;
+        StudyPanelFixture f;
         f.show(test::fourCases());
         auto& chart = f.get<StudyChart>(u"studyChart"_s);
         auto& table = f.get<QTableView>(u"studySettings"_s);
@@ -358,7 +358,7 @@ private slots:
 
     void referenceIsChosen()
     {
-        Fixture f;
+        StudyPanelFixture f;
         f.show(test::fourCases());
         auto& combo = f.get<QComboBox>(u"studyReference"_s);
         QCOMPARE(combo.currentText(), u"τ 1.00"_s);
@@ -371,7 +371,7 @@ private slots:
 
     void policyIsRecommended()
     {
-        Fixture f;
+        StudyPanelFixture f;
         const auto& told = f.get<QLabel>(u"studyRecommendation"_s);
         QVERIFY(!told.isVisibleTo(&f.panel));
         f.show(test::fourCases());
@@ -410,7 +410,7 @@ private slots:
     {
         QFETCH(QString, ending);
         QFETCH(QByteArray, start);
-        Fixture f;
+        StudyPanelFixture f;
         f.show(test::fourCases());
         const QTemporaryDir folder;
         const QString path = folder.filePath(u"study."_s + ending);
@@ -424,7 +424,7 @@ private slots:
 
     void everythingIsNamedAndReached()
     {
-        Fixture f;
+        StudyPanelFixture f;
         f.show(test::fourCases());
         for (const NumberField* field : f.panel.findChildren<NumberField*>())
             QVERIFY2(!field->accessibleName().isEmpty() && !field->toolTip().isEmpty(),
@@ -439,7 +439,7 @@ private slots:
     void longTextsFitASmallWindow()
     {
         const test::LongerTexts longer;
-        Fixture f;
+        StudyPanelFixture f;
         constexpr QSize kSmall_px(1180, 720); // what a screen of 1280 x 800 leaves
         QVERIFY2(f.panel.minimumSizeHint().width() <= kSmall_px.width(),
                  QByteArray::number(f.panel.minimumSizeHint().width()).constData());
@@ -449,7 +449,7 @@ private slots:
 
     void themeReachesEverything()
     {
-        Fixture f;
+        StudyPanelFixture f;
         const Theme dark = Theme::dark();
         f.panel.setTheme(dark);
         QCOMPARE(f.get<StudyChart>(u"studyChart"_s).grab().toImage().pixelColor(0, 0).rgb(),

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace berg::test {
+
+using Ids = std::vector<std::string>;
+
+} // namespace berg::test
