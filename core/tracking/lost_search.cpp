@@ -61,7 +61,8 @@ std::vector<Point> expandingSquare(double spacing_m, double reach_m, double head
 {
     require(spacing_m > 0 && reach_m >= 0, "expandingSquare: needs a spacing and a reach");
     // The corner after leg 2 k - 1 or 2 k is within k spacings of the datum along either axis.
-    const int rounds = static_cast<int>(std::ceil(reach_m / spacing_m));
+    const int rounds =
+        static_cast<int>(std::min<double>(std::ceil(reach_m / spacing_m), kMostSquareRounds));
     std::vector<Point> corners_m{Point::Zero()};
     for (int leg = 0; leg < 4 * rounds + 1 && rounds > 0; ++leg) {
         const int longer = leg / 2 + 1; // every second time

@@ -7,11 +7,15 @@
 
 namespace berg {
 
+/** 4 million track spacings of way: days even where a spacing is a metre. */
+inline constexpr int kMostSquareRounds = 1000;
+
 /**
  * Corners of an expanding square search (IAMSAR Manual vol. II, section 5.5), the datum first:
  * legs of 1, 1, 2, 2, 3, 3, ... track spacings, each a quarter turn to the right of the one before,
  * the first along `heading_rad` (from the x = east axis, counter-clockwise). Offsets from the
- * datum, with which the pattern drifts. As many legs as cover the square of half width `reach_m`.
+ * datum, with which the pattern drifts. As many legs as cover the square of half width `reach_m`,
+ * but those of `kMostSquareRounds` at most: what is farther out is not searched.
  */
 [[nodiscard]] std::vector<Point> expandingSquare(double spacing_m, double reach_m,
                                                  double heading_rad);

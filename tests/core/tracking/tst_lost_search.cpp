@@ -70,6 +70,17 @@ private slots:
         QCOMPARE(expandingSquare(540, 0, 0).size(), 1U);
     }
 
+    /** 5,000 km of doubt and a view of a metre: a gigabyte of corners that nobody flies. */
+    void expandingSquareIsBounded()
+    {
+        const std::vector<Point> corners_m = expandingSquare(0.9, 15e6, 0);
+        QCOMPARE(corners_m.size(), 4U * kMostSquareRounds + 2);
+        const double outermost_m = 0.9 * kMostSquareRounds;
+        QVERIFY(corners_m.back().norm() >= outermost_m);
+        QVERIFY(distanceToPath(Point(0.999 * outermost_m, -0.999 * outermost_m), corners_m) < 1);
+        QCOMPARE(expandingSquare(1e-300, 1e300, 0).size(), corners_m.size());
+    }
+
     void sectorSearchByHand()
     {
         const std::vector<Point> corners_m = sectorSearch(1000, kPi / 2);
