@@ -144,6 +144,10 @@ stops() {
     python3 - "$@" <<'P'
 import os, resource, signal, subprocess, sys, time
 asked, command = getattr(signal, sys.argv[1]), sys.argv[2:]
+def children_s(): # a script that became this python may have had some
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+earlier = children_s()
 job = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=open("stderr.txt", "w"),
                        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
 tick = os.sysconf("SC_CLK_TCK")
@@ -157,8 +161,7 @@ if job.poll() is not None:
 before = cpu_s()
 job.send_signal(asked)
 code = job.wait(60)
-used = resource.getrusage(resource.RUSAGE_CHILDREN)
-after = used.ru_utime + used.ru_stime - before
+after = children_s() - earlier - before
 if code != 130 or after > 0.1 + 2 / tick: # user and system time are rounded down to ticks
     sys.exit(f"  exit {code}, {after:.3f} s of work after the signal")
 P
