@@ -81,7 +81,9 @@ public:
         const QEvent::Type type = event->type();
         const bool isPaint = receiver == map && type == QEvent::Paint;
         const bool isFrame = receiver == window && type == QEvent::UpdateRequest;
-        const char* const name = receiver->metaObject()->className();
+        std::string name = receiver->metaObject()->className();
+        if (const auto* timer = qobject_cast<QTimer*>(receiver)) // one without a parent is a member
+            name += " of " + std::to_string(timer->interval()) + " ms";
         const double before_ms = worked_ms();
         ++m_depth;
         const bool isDone = QApplication::notify(receiver, event);

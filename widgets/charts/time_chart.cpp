@@ -19,6 +19,7 @@ namespace {
 
 constexpr qsizetype kRoundSegments = 700; // more have flat ends, or painting takes too long
 constexpr int kGradientStops = 24;
+constexpr std::size_t kSeriesAtOnce = 100; // each takes Qt 0.1 to 0.2 ms
 
 QValueAxis* makeAxis(QChart& chart, Qt::Alignment alignment)
 {
@@ -48,6 +49,11 @@ TimeChart::TimeChart(const Theme& theme, QWidget* parent) : QChartView(parent), 
     setFrameShape(QFrame::NoFrame);
     setMinimumSize(120, 80);
     viewport()->setMouseTracking(true);
+    m_nextSeries.setSingleShot(true);
+    connect(&m_nextSeries, &QTimer::timeout, this, [this] {
+        addMissingSeries();
+        layOut();
+    });
     setTheme(theme);
 }
 
@@ -84,45 +90,52 @@ void TimeChart::setContent(const TimeChartContent& content)
     const QString text = content.summary.isEmpty() ? content.leftTitle : content.summary;
     setAccessibleDescription(hasPoints(m_content) ? text : content.emptyText);
     if (m_zoom && m_zoom->from_s >= content.duration_s && !m_following)
-        m_zoom.reset(); // another mission, which has not come that far
-    if (!hasSeriesForLines())
-        rebuild(); // else the series there are get new points
+        m_zoom.reset();             // another mission, which has not come that far
+    if (!hasSeriesOfKinds()) {      // else the series there are get new points
+        chart()->removeAllSeries(); // deletes them
+        m_series.clear();
+    }
+    addMissingSeries();
     layOut();
 }
 
-/** Each line has one of its kind; those beyond are kept without points, for the next flight. */
-bool TimeChart::hasSeriesForLines() const
+/** Those beyond the lines are kept without points, for the next flight. */
+bool TimeChart::hasSeriesOfKinds() const
 {
-    const std::vector<TimeLine>& lines = m_content.lines;
-    return lines.size() <= m_built.size() &&
-           std::equal(lines.begin(), lines.end(), m_built.begin(),
-                      [](const TimeLine& line, const LineKind& built) {
-                          return line.role == built.role && line.onRightAxis == built.onRightAxis;
+    const std::size_t both = std::min(m_content.lines.size(), m_series.size());
+    return std::equal(m_series.begin(), m_series.begin() + static_cast<std::ptrdiff_t>(both),
+                      m_content.lines.begin(), [](const LineSeries& made, const TimeLine& line) {
+                          return line.role == made.role && line.onRightAxis == made.onRightAxis;
                       });
 }
 
-void TimeChart::rebuild()
+std::size_t TimeChart::drawnSeries() const
 {
-    chart()->removeAllSeries(); // deletes them
-    m_series.clear();
-    m_areas.clear();
-    m_built.clear();
+    return std::min(m_figure.drawn.size(), m_series.size());
+}
+
+/** Of hundreds of lines a part in each turn of the event loop. */
+void TimeChart::addMissingSeries()
+{
+    const std::vector<TimeLine>& lines = m_content.lines;
+    const std::size_t first = m_series.size();
+    const std::size_t end = std::min(lines.size(), first + kSeriesAtOnce);
     // Areas first: lines must not disappear below them.
-    for (const TimeLine& line : m_content.lines) {
-        QAreaSeries* area = nullptr;
-        if (line.role == LineRole::Momentary) {
-            area = new QAreaSeries;
-            area->setUpperSeries(new QLineSeries(area));
-            addSeries(area, line);
+    for (std::size_t i = first; i < end; ++i) {
+        LineSeries made{.role = lines[i].role, .onRightAxis = lines[i].onRightAxis};
+        if (made.role == LineRole::Momentary) {
+            made.area = new QAreaSeries;
+            made.area->setUpperSeries(new QLineSeries(made.area));
+            addSeries(made.area, lines[i]);
         }
-        m_areas.push_back(area);
+        m_series.push_back(made);
     }
-    for (const TimeLine& line : m_content.lines) {
-        auto* series = new QLineSeries;
-        addSeries(series, line);
-        m_series.push_back(series);
-        m_built.push_back({.role = line.role, .onRightAxis = line.onRightAxis});
+    for (std::size_t i = first; i < end; ++i) {
+        m_series[i].line = new QLineSeries;
+        addSeries(m_series[i].line, lines[i]);
     }
+    if (end < lines.size())
+        m_nextSeries.start();
 }
 
 void TimeChart::addSeries(QAbstractSeries* series, const TimeLine& line)
@@ -156,11 +169,11 @@ void TimeChart::layOut()
                                       .hasNames = m_column.columns == 0,
                                       .hasLines = false});
     chart()->setPlotArea(plot());
-    for (std::size_t i = 0; i < m_series.size(); ++i) {
+    for (const LineSeries& series : m_series) {
         // Each change of an axis would lay out the points that are about to be replaced.
-        m_series[i]->clear();
-        if (m_areas[i] != nullptr)
-            m_areas[i]->upperSeries()->clear();
+        series.line->clear();
+        if (series.area != nullptr)
+            series.area->upperSeries()->clear();
     }
     setAxes();
     chart()->layout()->invalidate(); // or the grid stays where the old plot was
@@ -186,10 +199,10 @@ void TimeChart::setAxes()
 void TimeChart::showPoints()
 {
     // Qt draws each segment by itself: fewer of them are faster and join without seams.
-    for (std::size_t i = 0; i < m_figure.drawn.size(); ++i) {
-        m_series[i]->replace(m_figure.drawn[i]);
-        if (m_areas[i] != nullptr)
-            m_areas[i]->upperSeries()->replace(m_figure.drawn[i]);
+    for (std::size_t i = 0; i < drawnSeries(); ++i) {
+        m_series[i].line->replace(m_figure.drawn[i]);
+        if (m_series[i].area != nullptr)
+            m_series[i].area->upperSeries()->replace(m_figure.drawn[i]);
     }
 }
 
@@ -206,12 +219,12 @@ void TimeChart::styleLines()
         faint.setColorAt(t, colour);
     }
     qsizetype segments = 0;
-    for (std::size_t i = 0; i < m_figure.drawn.size(); ++i) // an area costs as much as its line
-        segments += m_figure.drawn[i].size() * (m_areas[i] != nullptr ? 2 : 1);
+    for (std::size_t i = 0; i < drawnSeries(); ++i) // an area costs as much as its line
+        segments += m_figure.drawn[i].size() * (m_series[i].area != nullptr ? 2 : 1);
     m_plain = isCrowded(segments);
     // Round ends join the segments, at several times the cost; where those are short, all is one.
     const Qt::PenCapStyle cap = segments > kRoundSegments ? Qt::FlatCap : Qt::RoundCap;
-    for (std::size_t i = 0; i < m_figure.drawn.size(); ++i) {
+    for (std::size_t i = 0; i < drawnSeries(); ++i) {
         // Where lines are that dense, single ones can only be told through one another.
         const LineEmphasis emphasis = m_content.lines[i].emphasis;
         const bool isFaint =
@@ -228,13 +241,14 @@ void TimeChart::styleLine(std::size_t index, const QBrush& bySigma, Qt::PenCapSt
         colour.setAlphaF(static_cast<float>(kFaintInk));
     const QBrush brush = line.role == LineRole::Sigma && m_gradients ? bySigma : QBrush(colour);
     const Qt::PenStyle style = line.role == LineRole::Weighted ? Qt::DashLine : Qt::SolidLine;
-    m_series[index]->setPen(QPen(brush, lineWidth_px(line, m_plain), style, cap, Qt::RoundJoin));
-    if (m_areas[index] == nullptr)
+    const LineSeries& series = m_series[index];
+    series.line->setPen(QPen(brush, lineWidth_px(line, m_plain), style, cap, Qt::RoundJoin));
+    if (series.area == nullptr)
         return;
-    m_areas[index]->setPen(Qt::NoPen);
+    series.area->setPen(Qt::NoPen);
     QColor fill = colourOf(line);
     fill.setAlphaF(static_cast<float>(kAreaInk));
-    m_areas[index]->setBrush(fill);
+    series.area->setBrush(fill);
 }
 
 void TimeChart::resizeEvent(QResizeEvent* event)

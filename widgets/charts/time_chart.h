@@ -6,6 +6,7 @@
 #include <QChartView>
 #include <QLocale>
 #include <QPixmap>
+#include <QTimer>
 
 #include <optional>
 #include <vector>
@@ -133,13 +134,17 @@ protected:
     void drawForeground(QPainter* painter, const QRectF& rect) override;
 
 private:
-    struct LineKind
+    /** What Qt Charts draws a line with. */
+    struct LineSeries
     {
         LineRole role = LineRole::Momentary;
         bool onRightAxis = false;
+        QLineSeries* line = nullptr;
+        QAreaSeries* area = nullptr; ///< below a momentary one
     };
-    [[nodiscard]] bool hasSeriesForLines() const;
-    void rebuild();
+    [[nodiscard]] bool hasSeriesOfKinds() const;
+    [[nodiscard]] std::size_t drawnSeries() const;
+    void addMissingSeries();
     void addSeries(QAbstractSeries* series, const TimeLine& line);
     void layOut();
     void setAxes();
@@ -182,9 +187,8 @@ private:
     QValueAxis* m_time = nullptr;
     QValueAxis* m_left = nullptr;
     QValueAxis* m_right = nullptr;
-    std::vector<LineKind> m_built; ///< what the series below are for
-    std::vector<QLineSeries*> m_series;
-    std::vector<QAreaSeries*> m_areas;
+    std::vector<LineSeries> m_series; ///< of as many lines as have one yet
+    QTimer m_nextSeries;
     TimeFigure m_figure;
     bool m_isLaidOut = false; ///< since the window was changed
     QPixmap m_picture;        ///< everything but the read-out; null: to be painted anew

@@ -3,10 +3,13 @@
 #include "widgets/charts/time_chart.h"
 #include "widgets/theme/quantity_text.h"
 
+#include <QChart>
+#include <QLineSeries>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace berg;
@@ -111,6 +114,34 @@ private slots:
         QCOMPARE(chart.drawnPoints().size(), std::size_t{2});
         QCOMPARE(chart.labelRects().size(), std::size_t{2});
         QCOMPARE(chart.accessibleName(), u"Uncertainty now and accumulated"_s);
+    }
+
+    /** Each line takes Qt Charts a moment: of hundreds a part at a time, and all of them soon. */
+    void manyLinesCome()
+    {
+        TimeChart chart(Theme::dark());
+        chart.resize(900, 400);
+        chart.show();
+        const auto withPoints = [&chart] {
+            const QList<QAbstractSeries*> all = chart.chart()->series();
+            return std::ranges::count_if(all, [](QAbstractSeries* series) {
+                const auto* line = qobject_cast<QLineSeries*>(series);
+                return line != nullptr && line->count() > 0;
+            });
+        };
+        chart.setContent(sawTeeth(450));
+        QVERIFY(withPoints() > 0);
+        QVERIFY(withPoints() <= 150);
+        QVERIFY(QTest::qWaitFor([&] { return withPoints() == 450; }));
+        QCOMPARE(chart.chart()->series().size(), 450);
+        chart.setContent(sawTeeth(430)); // those there do
+        QCOMPARE(withPoints(), 430);
+        chart.setContent(zetaAndSum());
+        QCOMPARE(chart.chart()->series().size(), 3); // with an area
+        chart.setContent(sawTeeth(450));
+        chart.setContent(zetaAndSum()); // before all have come
+        QTest::qWait(50);
+        QCOMPARE(chart.chart()->series().size(), 3);
     }
 
     void labelsAreApartAndInside_data()

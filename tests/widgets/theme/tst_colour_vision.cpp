@@ -163,8 +163,8 @@ private slots:
                 const bool looksAlike =
                     colourDifference(policyColour(one, shown), policyColour(other, shown), vision) <
                     kApart;
-                QVERIFY(!looksAlike ||
-                        policyMark(one, {}, 1).shape != policyMark(other, {}, 1).shape);
+                QVERIFY(!looksAlike || policyMark(one, PlotPoint{}, 1).shape !=
+                                           policyMark(other, PlotPoint{}, 1).shape);
             }
     }
 };
