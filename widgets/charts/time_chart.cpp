@@ -90,8 +90,9 @@ void TimeChart::setContent(const TimeChartContent& content)
     const QString text = content.summary.isEmpty() ? content.leftTitle : content.summary;
     setAccessibleDescription(hasPoints(m_content) ? text : content.emptyText);
     if (m_zoom && m_zoom->from_s >= content.duration_s && !m_following)
-        m_zoom.reset();             // another mission, which has not come that far
-    if (!hasSeriesOfKinds()) {      // else the series there are get new points
+        m_zoom.reset(); // another mission, which has not come that far
+    // Else the series there are get new points.
+    if (!hasSeriesOfKinds()) {
         chart()->removeAllSeries(); // deletes them
         m_series.clear();
     }
