@@ -107,7 +107,7 @@ double SideTurn::safeStep_rad(const Miss& now) const
     return std::max(kLeastStep_rad, step_rad);
 }
 
-/** Regula falsi, Illinois variant. */
+/** Regula falsi, Illinois variant. A miss beyond both ends is on the far side of the compass. */
 double SideTurn::root(double low_rad, double low, double high_rad, double high) const
 {
     constexpr int kMostRounds = 60;
@@ -115,7 +115,8 @@ double SideTurn::root(double low_rad, double low, double high_rad, double high) 
     for (int round = 0; round < kMostRounds; ++round) {
         middle_rad = (low_rad * high - high_rad * low) / (high - low);
         const double middle = missAfter(middle_rad).miss_rad;
-        if (std::abs(middle) < 1e-9)
+        const double farther = std::max({std::abs(low), std::abs(high), kPi / 2});
+        if (std::abs(middle) < 1e-9 || std::abs(middle) > farther)
             break;
         if ((middle > 0) == (high > 0)) {
             low /= 2;
