@@ -11,6 +11,9 @@ mkdir -p "$work"
 cd "$work" || exit 1
 checks=0
 failures=0
+# Where python3 is a script that looks for python, that takes longer than most checks.
+python=$(python3 -c 'import sys; print(sys.executable)')
+python3() { "$python" "$@"; }
 
 # check NAME CONDITION...: counts and names a failed check.
 check() {
