@@ -35,21 +35,14 @@ QPolygonF legBetween(const LabelDisk& from, const QPolygonF& corners, const Labe
 /** That leg `k` of the plan goes round. */
 QPolygonF cornersOf(const MapRoute& route, const MapLayout& layout, std::size_t k)
 {
-    QPolygonF corners;
-    if (k < route.planCorners.size())
-        for (const Point& corner_m : route.planCorners[k])
-            corners << layout.view.toPixel(corner_m);
-    return corners;
+    return k < route.planCorners.size() ? layout.view.toPixels(route.planCorners[k]) : QPolygonF();
 }
 
 std::vector<QPolygonF> legsAlong(const std::vector<MapPath>& paths, const MapViewTransform& view)
 {
     std::vector<QPolygonF> legs;
-    for (const MapPath& path : paths) {
-        QPolygonF& leg = legs.emplace_back();
-        for (const Point& point_m : path.path_m)
-            leg << view.toPixel(point_m);
-    }
+    for (const MapPath& path : paths)
+        legs.push_back(view.toPixels(path.path_m));
     return legs;
 }
 

@@ -163,21 +163,16 @@ void paintArea(const MapPaint& p)
         paintFence(p, p.picture.area_m);
         return;
     }
-    QPolygonF outline;
-    for (const Point& corner_m : p.picture.area_m)
-        outline << p.layout.view.toPixel(corner_m);
     p.painter.setBrush(Qt::NoBrush);
     p.painter.setPen(QPen(p.theme.coast, 1.4, Qt::DashLine));
-    p.painter.drawPolygon(outline);
+    p.painter.drawPolygon(p.layout.view.toPixels(p.picture.area_m));
 }
 
 void paintClosedAreas(const MapPaint& p, AreaNames& names)
 {
     p.painter.setFont(labelFont(p.theme));
     for (const MapClosedArea& area : p.picture.closed) {
-        QPolygonF outline;
-        for (const Point& corner_m : area.corners_m)
-            outline << p.layout.view.toPixel(corner_m);
+        const QPolygonF outline = p.layout.view.toPixels(area.corners_m);
         const QRectF shown = outline.boundingRect() & p.layout.rect;
         if (shown.isEmpty())
             continue;
@@ -213,16 +208,10 @@ QPen airspacePen(const Theme& theme)
 
 void paintPermit(const MapPaint& p, AreaNames& names)
 {
-    const auto outlineOf = [&](const std::vector<Point>& corners_m) {
-        QPolygonF outline;
-        for (const Point& corner_m : corners_m)
-            outline << p.layout.view.toPixel(corner_m);
-        return outline;
-    };
     p.painter.setBrush(Qt::NoBrush);
     p.painter.setFont(labelFont(p.theme));
     for (const MapAirspace& area : p.picture.airspace) {
-        const QPolygonF outline = outlineOf(area.corners_m);
+        const QPolygonF outline = p.layout.view.toPixels(area.corners_m);
         const QRectF shown = outline.boundingRect() & p.layout.rect;
         if (shown.isEmpty())
             continue;
@@ -233,7 +222,7 @@ void paintPermit(const MapPaint& p, AreaNames& names)
     }
     for (std::size_t part = 0; p.picture.operation && part < kVolumeParts; ++part) {
         p.painter.setPen(volumePen(static_cast<VolumePart>(part), p.theme));
-        p.painter.drawPolygon(outlineOf(p.picture.operation->outlines_m[part]));
+        p.painter.drawPolygon(p.layout.view.toPixels(p.picture.operation->outlines_m[part]));
     }
 }
 
@@ -275,9 +264,7 @@ void paintNoReturns(const MapPaint& p)
 {
     p.painter.setFont(labelFont(p.theme));
     for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav) {
-        QPolygonF path;
-        for (const Point& place_m : p.picture.routes[uav].toNoReturn_m)
-            path << p.layout.view.toPixel(place_m);
+        const QPolygonF path = p.layout.view.toPixels(p.picture.routes[uav].toNoReturn_m);
         if (path.isEmpty())
             continue;
         const QColor colour = uavColour(p.theme, p.picture.uavs[uav].place);

@@ -49,9 +49,7 @@ std::vector<Point> fieldCorners(const MapUav& uav)
 
 QPolygonF fieldOutline(const MapUav& uav, const MapViewTransform& view)
 {
-    QPolygonF outline;
-    for (const Point& corner_m : fieldCorners(uav))
-        outline << view.toPixel(corner_m);
+    QPolygonF outline = view.toPixels(fieldCorners(uav));
     outline << outline.front();
     return outline;
 }

@@ -47,6 +47,14 @@ QPointF MapViewTransform::toPixel(const Point& p_m) const
     return {m_centre_px.x() + offset_px.x(), m_centre_px.y() - offset_px.y()};
 }
 
+QPolygonF MapViewTransform::toPixels(std::span<const Point> points_m) const
+{
+    QPolygonF pixels;
+    for (const Point& p_m : points_m)
+        pixels << toPixel(p_m);
+    return pixels;
+}
+
 Point MapViewTransform::toWorld(const QPointF& p_px) const
 {
     const QPointF offset_px = p_px - m_centre_px;

@@ -3,6 +3,7 @@
 #include "core/base/geometry.h"
 
 #include <QPointF>
+#include <QPolygonF>
 #include <QRectF>
 
 #include <span>
@@ -45,6 +46,7 @@ public:
                                                  double smallest_m = 2500);
 
     [[nodiscard]] QPointF toPixel(const Point& p_m) const;
+    [[nodiscard]] QPolygonF toPixels(std::span<const Point> points_m) const;
     [[nodiscard]] Point toWorld(const QPointF& p_px) const;
     [[nodiscard]] double scale_pxpm() const { return m_scale_pxpm; }
     /** What `rect` shows. */

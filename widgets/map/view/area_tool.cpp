@@ -230,9 +230,7 @@ void AreaTool::paintDrawing(QPainter& painter) const
 {
     const PainterState saved(painter);
     const Theme& theme = context().scene.theme();
-    QPolygonF outline;
-    for (const Point& corner_m : m_corners_m)
-        outline << context().scene.view().toPixel(corner_m);
+    const QPolygonF outline = context().scene.view().toPixels(m_corners_m);
     QColor fill = theme.plan;
     fill.setAlphaF(0.10F);
     painter.setPen(Qt::NoPen);

@@ -208,12 +208,9 @@ std::vector<std::string> MapScene::objectsAt(const QPointF& at)
 QPolygonF MapScene::outlineOf(const std::string& key) const
 {
     const std::optional<std::size_t> place = noFlyPlace(key);
-    QPolygonF outline;
     if (key != kAreaKey && !(place && *place < m_picture.closed.size()))
-        return outline;
-    for (const Point& corner_m : place ? m_picture.closed[*place].corners_m : m_picture.area_m)
-        outline << m_view.toPixel(corner_m);
-    return outline;
+        return {};
+    return m_view.toPixels(place ? m_picture.closed[*place].corners_m : m_picture.area_m);
 }
 
 std::string MapScene::outlineAt(const QPointF& at) const
