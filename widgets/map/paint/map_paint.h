@@ -9,26 +9,13 @@
 namespace berg {
 
 /** What the parts of a map are painted with: clipped to the map, saved and restored. */
-struct MapPaint
+struct MapPaint : MapFrame
 {
     QPainter& painter;
-    const MapPicture& picture;
-    const MapStyle& style;
-    const MapLayout& layout;
     const Theme& theme;
-    const Graticule& graticule;
-    MapSprites* sprites;
-    SweptLayer* swept;
 
     MapPaint(QPainter& target, const MapFrame& frame)
-        : painter(target)
-        , picture(frame.picture)
-        , style(frame.style)
-        , layout(frame.layout)
-        , theme(frame.style.theme)
-        , graticule(frame.graticule)
-        , sprites(frame.sprites)
-        , swept(frame.swept)
+        : MapFrame(frame), painter(target), theme(frame.style.theme)
     {
         painter.save();
         painter.setClipRect(layout.rect, Qt::IntersectClip);

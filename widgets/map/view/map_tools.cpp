@@ -82,16 +82,6 @@ bool isLockedInFlight(MapToolKind kind)
     return isEditing(kind) && kind != MapToolKind::Iceberg;
 }
 
-bool MapTool::hover(const MapPointer&)
-{
-    return false;
-}
-
-bool MapTool::key(const QKeyEvent&)
-{
-    return false;
-}
-
 void MapTool::documentChanged()
 {
     if (!isApplying())
@@ -104,34 +94,6 @@ void MapTool::documentReplaced()
     drop();
     dropDrawing();
 }
-
-bool MapTool::isApplying() const
-{
-    return false;
-}
-
-void MapTool::checkPart() {}
-
-bool MapTool::isDrawing() const
-{
-    return false;
-}
-
-void MapTool::finishDrawing() {}
-
-void MapTool::takeLastBack() {}
-
-bool MapTool::dropDrawing()
-{
-    return false;
-}
-
-bool MapTool::removePart()
-{
-    return false;
-}
-
-void MapTool::paint(QPainter&) const {}
 
 std::unique_ptr<EditGesture> makeGesture(const MapToolContext& context, const QString& text)
 {

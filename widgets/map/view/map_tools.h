@@ -75,9 +75,9 @@ public:
     /** Outside the widget: as `cancel` for everything that edits. */
     virtual void release(const MapPointer& pointer) = 0;
     /** Without a button down; true when there is something to be painted anew. */
-    virtual bool hover(const MapPointer& pointer);
+    virtual bool hover(const MapPointer& /*pointer*/) { return false; }
     /** A key that the map has no meaning for itself; true when the tool has one. */
-    virtual bool key(const QKeyEvent& event);
+    virtual bool key(const QKeyEvent& /*event*/) { return false; }
 
     /** Between press and release. */
     [[nodiscard]] virtual bool isBusy() const = 0;
@@ -94,18 +94,18 @@ public:
     // Tools that draw point by point have something half drawn between presses.
 
     /** Half drawn: the calls below belong to the drawing and not to the scenario. */
-    [[nodiscard]] virtual bool isDrawing() const;
+    [[nodiscard]] virtual bool isDrawing() const { return false; }
     /** Enter, double click or right button. */
-    virtual void finishDrawing();
+    virtual void finishDrawing() {}
     /** Backspace or undo: the last point. */
-    virtual void takeLastBack();
+    virtual void takeLastBack() {}
     /** Esc: all that is drawn; false when there is nothing. */
-    virtual bool dropDrawing();
+    virtual bool dropDrawing() { return false; }
     /** Del: a part of an object that is current, e.g. a corner; false when there is none. */
-    virtual bool removePart();
+    virtual bool removePart() { return false; }
 
     /** Marks above the picture, device-independent pixels. */
-    virtual void paint(QPainter& painter) const;
+    virtual void paint(QPainter& /*painter*/) const {}
     /** Cursor above the object of this key; empty: above water. */
     [[nodiscard]] virtual QCursor cursor(const std::string& over) const = 0;
     /** What the tool expects, one sentence for the status bar. */
@@ -118,11 +118,11 @@ protected:
         return makeGesture(m_context, text);
     }
     /** The change that is being told is an edit of this tool's gesture. */
-    [[nodiscard]] virtual bool isApplying() const;
+    [[nodiscard]] virtual bool isApplying() const { return false; }
     /** Ends what is pressed without an edit. */
     virtual void drop() = 0;
     /** The part that is current may be gone. */
-    virtual void checkPart();
+    virtual void checkPart() {}
 
 private:
     MapToolContext m_context;

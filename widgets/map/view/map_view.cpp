@@ -244,7 +244,7 @@ void MapView::showObjects(const std::vector<std::string>& ids)
         add(kAssetKey, picture.asset->position_m);
     if (places_m.empty())
         return;
-    stopFollowing();
+    setFollowUav(false);
     QRectF middle(QPointF(), m_scene.rect().size() * kShare);
     middle.moveCenter(m_scene.rect().center());
     setView(MapViewTransform::fitted(boundsOf(places_m), middle));
@@ -252,7 +252,7 @@ void MapView::showObjects(const std::vector<std::string>& ids)
 
 void MapView::panBy(const QPointF& offset_px)
 {
-    stopFollowing();
+    setFollowUav(false);
     setView(view().moved(offset_px));
 }
 
@@ -282,11 +282,6 @@ const MapUav* MapView::followedUav() const
     if (selected != uavs.end())
         return &*selected;
     return uavs.empty() ? nullptr : &uavs.front();
-}
-
-void MapView::stopFollowing()
-{
-    setFollowUav(false);
 }
 
 void MapView::setView(const MapViewTransform& view)

@@ -165,7 +165,6 @@ private:
     void keepUavInSight();
     void setView(const MapViewTransform& view);
     void placeInset();
-    void stopFollowing();
     /** A press on what folds or moves a panel. */
     bool pressPanel(const QPointF& at);
     void movePanel(const QPointF& at);
