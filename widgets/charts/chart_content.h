@@ -41,6 +41,10 @@ struct TimeLine
     int uav = 0;    ///< place in the scenario, for `LineRole::Uav`
     LineEmphasis emphasis = LineEmphasis::None;
     bool hidden = false;
+
+    [[nodiscard]] const QString& shownName() const { return name.isEmpty() ? label : name; }
+    /** Visible, and with points. */
+    [[nodiscard]] bool isShown() const { return !hidden && !points.isEmpty(); }
 };
 
 /** A dashed line across the chart, on the left axis. */

@@ -14,8 +14,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr std::size_t kScaleValues = 16384; // enough for the 95 % mark of the scale of sigma
-
 struct MissionCharts
 {
     Q_DECLARE_TR_FUNCTIONS(MissionCharts)
@@ -28,22 +26,6 @@ std::vector<double> visitTimes_s(const FlightRecord& record)
         if (event.kind == EventKind::Reached)
             times_s.push_back(event.time_s);
     return times_s;
-}
-
-/** `sigmaScaleEnd_m2`, of a long record by every so many rows of it. */
-double scaleEnd_m2(const FlightRecord& record)
-{
-    const std::vector<std::vector<IcebergSample>>& rows = record.history.rows;
-    const std::size_t values = rows.empty() ? 0 : rows.size() * rows.back().size();
-    if (values <= kScaleValues)
-        return sigmaScaleEnd_m2(record);
-    FlightRecord thin;
-    thin.now.world.tracks = record.now.world.tracks;
-    thin.now.active = record.now.active;
-    const std::size_t stride = values / kScaleValues + 1;
-    for (std::size_t row = 0; row < rows.size(); row += stride)
-        thin.history.rows.push_back(rows[row]);
-    return sigmaScaleEnd_m2(thin);
 }
 
 QString squareMetres()
@@ -163,7 +145,7 @@ void fillSigma(TimeChartContent& content, const FlightRecord& record, const QLoc
 {
     content.title = MissionCharts::tr("Uncertainty of each iceberg");
     content.leftTitle = MissionCharts::tr("σ, m²");
-    content.sigmaFull_m2 = scaleEnd_m2(record);
+    content.sigmaFull_m2 = sigmaScaleEnd_m2(record);
     if (!hasFlown(record))
         return;
     for (const Iceberg& iceberg : record.now.icebergs)

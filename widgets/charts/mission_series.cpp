@@ -21,8 +21,7 @@ struct MissionSeriesText
 /** What a column is called where its line cannot be seen. */
 QString headerOf(const TimeLine& line)
 {
-    const QString name = line.name.isEmpty() ? line.label : line.name;
-    return line.unit.isEmpty() ? name : u"%1, %2"_s.arg(name, line.unit);
+    return line.unit.isEmpty() ? line.shownName() : u"%1, %2"_s.arg(line.shownName(), line.unit);
 }
 
 } // namespace

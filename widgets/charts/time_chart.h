@@ -97,8 +97,6 @@ public:
     /** On: the newest stretch, as long as the window is, at most 5 min when all was in view. */
     void setFollowing(bool on);
 
-    /** Direct labels in their places, for tests; empty rectangles: not shown. */
-    [[nodiscard]] std::vector<QRectF> labelRects() const;
     /** Series as drawn, after decimation, in the order of `content().lines`. */
     [[nodiscard]] const std::vector<QList<QPointF>>& drawnPoints() const { return m_figure.drawn; }
     /** Everything around the lines as drawn, for tests. */

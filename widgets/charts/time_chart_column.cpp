@@ -27,21 +27,11 @@ constexpr double kGap_px = 8;       // between name and value
 constexpr double kNear_px = 24;     // of the pointer to a line
 constexpr double kWidthStep_px = 4; // the plot stands while numbers get longer by less
 
-const QString& nameOf(const TimeLine& line)
-{
-    return line.name.isEmpty() ? line.label : line.name;
-}
-
 QFont boldSmall(const Theme& theme)
 {
     QFont font = theme.small();
     font.setBold(true);
     return font;
-}
-
-bool hasRow(const TimeLine& line)
-{
-    return !line.hidden && !line.points.isEmpty();
 }
 
 } // namespace
@@ -58,13 +48,13 @@ ValueColumn TimeChart::columnFor(const QSizeF& size_px) const
     double value_px = metrics.horizontalAdvance(u"00.00"_s);
     double unit_px = 0;
     for (const TimeLine& line : m_content.lines) {
-        if (!hasRow(line))
+        if (!line.isShown())
             continue;
         ++count;
         double largest = 0;
         for (const QPointF& p : line.points)
             largest = std::max(largest, std::abs(p.y()));
-        name_px = std::max(name_px, metrics.horizontalAdvance(nameOf(line)));
+        name_px = std::max(name_px, metrics.horizontalAdvance(line.shownName()));
         value_px =
             std::max(value_px, metrics.horizontalAdvance(significantText(largest, 4, locale())));
         unit_px = std::max(unit_px, metrics.horizontalAdvance(u' ' + line.unit));
@@ -112,8 +102,8 @@ void TimeChart::fillColumn(ChartReadout& readout, double time_s) const
 {
     std::vector<std::optional<QPointF>> values;
     for (const TimeLine& line : m_content.lines) {
-        values.push_back(hasRow(line) ? pointAt(line.points, time_s) : std::nullopt);
-        if (readout.time.isEmpty() && hasRow(line) && !values.back())
+        values.push_back(line.isShown() ? pointAt(line.points, time_s) : std::nullopt);
+        if (readout.time.isEmpty() && line.isShown() && !values.back())
             values.back() = line.points.back(); // it ends before
     }
     double nearest_px = kNear_px;

@@ -27,14 +27,6 @@ constexpr std::size_t kMostFlags = 8;
 
 } // namespace
 
-std::vector<QRectF> TimeChart::labelRects() const
-{
-    std::vector<QRectF> rects;
-    for (const DrawnLabel& label : m_figure.drawing.labels)
-        rects.push_back(toQt(label.rect));
-    return rects;
-}
-
 QRectF TimeChart::plot() const
 {
     return toQt(m_figure.drawing.plot);
@@ -123,7 +115,7 @@ ReadoutFlag TimeChart::flagOf(std::size_t index, const QPointF& value, double mi
     ReadoutFlag flag{.at = toQt(m_figure.toView(line, value)),
                      .text = {},
                      .colour = colourOf(line),
-                     .name = line.name.isEmpty() ? line.label : line.name,
+                     .name = line.shownName(),
                      .value = valueText(line, value.y()),
                      .key = line.key};
     if (line.role == LineRole::Sigma)

@@ -22,18 +22,12 @@ struct TimeChartText
     Q_DECLARE_TR_FUNCTIONS(TimeChartText)
 };
 
-/** Visible lines with points. */
-bool isShown(const TimeLine& line)
-{
-    return !line.hidden && !line.points.empty();
-}
-
 bool hasRightAxis(const TimeChartContent& content)
 {
     if (content.rightTitle.isEmpty() || content.lines.empty())
         return !content.rightTitle.isEmpty();
     return std::any_of(content.lines.begin(), content.lines.end(),
-                       [](const TimeLine& line) { return line.onRightAxis && isShown(line); });
+                       [](const TimeLine& line) { return line.onRightAxis && line.isShown(); });
 }
 
 /** Cuts lines at the edges of the view: not every paint device clips, SVG does not. */
@@ -247,7 +241,7 @@ double TimeFigure::viewToTime(double x_px) const
 
 bool hasPoints(const TimeChartContent& content)
 {
-    return std::any_of(content.lines.begin(), content.lines.end(), isShown);
+    return std::ranges::any_of(content.lines, &TimeLine::isShown);
 }
 
 int chartColumns(double width_px)

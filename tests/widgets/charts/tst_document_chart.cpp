@@ -141,9 +141,9 @@ private slots:
             QCOMPARE(toQt(chart.drawing.plot), window.plot());
             QCOMPARE(chart.drawn, window.drawnPoints());
             const std::vector<DrawnLabel>& labels = chart.drawing.labels;
-            QCOMPARE(labels.size(), window.labelRects().size());
+            QCOMPARE(labels.size(), window.drawing().labels.size());
             for (std::size_t i = 0; i < labels.size(); ++i)
-                QCOMPARE(toQt(labels[i].rect), window.labelRects()[i]);
+                QCOMPARE(toQt(labels[i].rect), toQt(window.drawing().labels[i].rect));
         }
     }
 

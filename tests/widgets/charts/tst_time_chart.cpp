@@ -1,5 +1,6 @@
 #include "tests/support/approx.h"
 #include "widgets/charts/chart_image.h"
+#include "widgets/charts/figure_painter.h"
 #include "widgets/charts/time_chart.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -112,7 +113,7 @@ private slots:
         QCOMPARE(chart.drawnPoints().size(), std::size_t{12});
         chart.setContent(zetaAndSum());
         QCOMPARE(chart.drawnPoints().size(), std::size_t{2});
-        QCOMPARE(chart.labelRects().size(), std::size_t{2});
+        QCOMPARE(chart.drawing().labels.size(), std::size_t{2});
         QCOMPARE(chart.accessibleName(), u"Uncertainty now and accumulated"_s);
     }
 
@@ -162,7 +163,9 @@ private slots:
         chart.resize(size);
         chart.show();
         chart.setContent(lines == 0 ? zetaAndSum() : sawTeeth(lines));
-        const std::vector<QRectF> rects = chart.labelRects();
+        std::vector<QRectF> rects;
+        for (const DrawnLabel& label : chart.drawing().labels)
+            rects.push_back(toQt(label.rect));
         const QRectF view(QPointF(0, 0), QSizeF(size));
         for (std::size_t i = 0; i < rects.size(); ++i) {
             QVERIFY(view.contains(rects[i]));
@@ -474,7 +477,7 @@ private slots:
         chart.setContent(content);
         QVERIFY(chart.drawnPoints()[0].isEmpty());
         QVERIFY(chart.drawing().rightTitle.empty());
-        QCOMPARE(chart.labelRects().size(), std::size_t{1});
+        QCOMPARE(chart.drawing().labels.size(), std::size_t{1});
     }
 };
 

@@ -24,11 +24,6 @@ namespace {
 constexpr int kMargin_px = 6;
 constexpr int kIcon_px = 18;
 
-QString nameOfLine(const TimeLine& line)
-{
-    return line.name.isEmpty() ? line.label : line.name;
-}
-
 DecimationWindow viewOf(const TimeWindow& window, int columns)
 {
     return {.from = window.from_s, .to = window.to_s, .columns = columns};
@@ -226,7 +221,7 @@ void ChartPanel::addMenuEntries()
 {
     QStringList names;
     for (const TimeLine& line : m_empty.lines)
-        names << nameOfLine(line);
+        names << line.shownName();
     if (names == m_listed)
         return;
     m_listed = names;
@@ -234,7 +229,7 @@ void ChartPanel::addMenuEntries()
     m_menu->addAction(tr("Show all"), this, &ChartPanel::showAllLines);
     m_menu->addSeparator();
     for (const TimeLine& line : m_empty.lines) {
-        QAction* action = m_menu->addAction(nameOfLine(line));
+        QAction* action = m_menu->addAction(line.shownName());
         action->setObjectName(line.key);
         action->setCheckable(true);
         action->setChecked(!m_hidden.contains(line.key));

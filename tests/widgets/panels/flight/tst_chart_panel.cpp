@@ -395,8 +395,8 @@ private slots:
         Shown shown(ChartKind::CrossTrack, {test::kDock_px, 170});
         QVERIFY(shown.panel.minimumSizeHint().width() <= test::kDock_px);
         QCOMPARE(shown.panel.width(), test::kDock_px);
-        for (const QRectF& rect : shown.chart.labelRects())
-            QVERIFY(QRectF(shown.chart.rect()).contains(rect));
+        for (const DrawnLabel& label : shown.chart.drawing().labels)
+            QVERIFY(QRectF(shown.chart.rect()).contains(toQt(label.rect)));
     }
 
     void everyControlIsNamedAndReachable()
