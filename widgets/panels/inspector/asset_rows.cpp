@@ -21,25 +21,13 @@ NumberRow assetRow(const RowWords& words, const QString& unit, Number number, co
             .range = always(limits)};
 }
 
-/** A height that need not be: 0 stands for none. */
 template <class Object, class Height>
 NumberRow ceilingRow(const RowWords& words, Height height)
 {
-    return {.words = words,
-            .unit = u" m"_s,
-            .decimals = {.least = 0, .most = 1},
-            .step = 10,
-            .read = [height](const Scenario& scenario, const std::string& id) -> double {
-                const Object* object = objectIn<Object>(scenario, id);
-                return object == nullptr ? 0 : height(*object).value_or(0);
-            },
-            .write =
-                [height](Scenario& scenario, const std::string& id, double value) {
-                    if (Object* object = objectIn<Object>(scenario, id))
-                        height(*object) = value > 0 ? std::optional(value) : std::nullopt;
-                },
-            .range = always(limits::kLength_m),
-            .lowestText = InspectorRows::tr("none")};
+    NumberRow row = optionalRow(words, u" m"_s, memberOf<Object>(height), limits::kLength_m,
+                                InspectorRows::tr("none"));
+    row.step = 10;
+    return row;
 }
 
 std::vector<InspectorRow> wayRows()

@@ -295,23 +295,6 @@ void InspectorForm::add(const FlagRow& row)
          .lock = [box](bool locked) { box->setEnabled(!locked); }});
 }
 
-void InspectorForm::add(const ChoiceRow& row)
-{
-    auto* combo = new QComboBox;
-    combo->addItems(row.choices);
-    combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    guardWheel(*combo);
-    addInput(row.words, combo);
-    connect(combo, &QComboBox::activated, this, [this, row](int choice) {
-        edit(row.words,
-             [&](Scenario& scenario, const std::string&) { row.write(scenario, choice); });
-        m_document.endGesture();
-    });
-    m_inputs.push_back(
-        {.show = [this, row, combo] { combo->setCurrentIndex(row.read(m_document.scenario())); },
-         .lock = [combo](bool locked) { combo->setEnabled(!locked); }});
-}
-
 void InspectorForm::add(const PickRow& row)
 {
     auto* combo = new QComboBox;

@@ -46,7 +46,6 @@ private:
     void add(const TextRow& row);
     void add(const EntryRow& row);
     void add(const FlagRow& row);
-    void add(const ChoiceRow& row);
     void add(const PickRow& row);
     void add(const ActionRow& row);
     void add(const PartRow& row);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -94,15 +95,53 @@ NumberRow scenarioRow(const RowWords& words, const QString& unit, Number number,
 
 /** The values of an enumeration of the core in the order of its declaration. */
 template <class Member>
-ChoiceRow choiceRow(const RowWords& words, const QStringList& choices, Member member)
+PickRow choiceRow(const RowWords& words, const QStringList& choices, Member member)
 {
     using Enum = std::remove_reference_t<decltype(member(std::declval<Scenario&>()))>;
-    return {
-        .words = words,
-        .choices = choices,
-        .read = [member](const Scenario& scenario) { return static_cast<int>(member(scenario)); },
-        .write = [member](Scenario& scenario,
-                          int choice) { member(scenario) = static_cast<Enum>(choice); }};
+    std::vector<PickRow::Option> options;
+    for (const QString& choice : choices)
+        options.push_back({.value = std::to_string(options.size()), .text = choice});
+    return {.words = words,
+            .options = [options](const Scenario&) { return options; },
+            .read =
+                [member](const Scenario& scenario, const std::string&) {
+                    return std::to_string(static_cast<int>(member(scenario)));
+                },
+            .write =
+                [member](Scenario& scenario, const std::string&, const std::string& value) {
+                    member(scenario) = static_cast<Enum>(std::stoi(value));
+                }};
+}
+
+/** The member of the object with the id; nullptr when there is none. */
+template <class Object, class Member>
+auto memberOf(Member member)
+{
+    return [member](auto& scenario, const std::string& id) {
+        auto* object = objectIn<Object>(scenario, id);
+        return object == nullptr ? nullptr : &member(*object);
+    };
+}
+
+/** A number that may be left out, which the lowest value of the field stands for. */
+template <class Read>
+NumberRow optionalRow(const RowWords& words, const QString& unit, Read number, const Limits& limits,
+                      const QString& noneText)
+{
+    return {.words = words,
+            .unit = unit,
+            .decimals = {.least = 0, .most = 1},
+            .read = [number, limits](const Scenario& scenario, const std::string& id) -> double {
+                const auto* value = number(scenario, id);
+                return value == nullptr ? limits.low : value->value_or(limits.low);
+            },
+            .write =
+                [number, limits](Scenario& scenario, const std::string& id, double typed) {
+                    if (auto* value = number(scenario, id))
+                        *value = typed > limits.low ? std::optional(typed) : std::nullopt;
+                },
+            .range = always(limits),
+            .lowestText = noneText};
 }
 
 /** Whether icebergs are measured and filtered: what only then matters is shown only then. */

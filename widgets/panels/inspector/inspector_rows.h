@@ -73,15 +73,6 @@ struct FlagRow
     std::function<void(Scenario&, bool)> write;
 };
 
-/** One of several; the value is the place in `choices`. */
-struct ChoiceRow
-{
-    RowWords words;
-    QStringList choices;
-    std::function<int(const Scenario&)> read;
-    std::function<void(Scenario&, int)> write;
-};
-
 /** One of several that depend on the scenario; of objects that differ none is shown. */
 struct PickRow
 {
@@ -121,8 +112,8 @@ struct InfoRow
     std::function<QString(const Scenario&, const std::string& id, const QLocale&)> text;
 };
 
-using InspectorRow = std::variant<NumberRow, TextRow, EntryRow, FlagRow, ChoiceRow, PickRow,
-                                  ActionRow, PartRow, InfoRow>;
+using InspectorRow =
+    std::variant<NumberRow, TextRow, EntryRow, FlagRow, PickRow, ActionRow, PartRow, InfoRow>;
 
 [[nodiscard]] std::vector<InspectorRow> icebergRows();
 [[nodiscard]] std::vector<InspectorRow> uavRows();

@@ -14,37 +14,6 @@ bool hasStation(const Scenario& scenario, const std::string& /*id*/)
     return scenario.groundStation.has_value();
 }
 
-/** A number that may be left out, which the lowest value of the field stands for. */
-template <class Read>
-NumberRow optionalRow(const RowWords& words, const QString& unit, Read number, const Limits& limits,
-                      const QString& noneText)
-{
-    return {.words = words,
-            .unit = unit,
-            .decimals = {.least = 0, .most = 1},
-            .read = [number, limits](const Scenario& scenario, const std::string& id) -> double {
-                const auto* value = number(scenario, id);
-                return value == nullptr ? limits.low : value->value_or(limits.low);
-            },
-            .write =
-                [number, limits](Scenario& scenario, const std::string& id, double typed) {
-                    if (auto* value = number(scenario, id))
-                        *value = typed > limits.low ? std::optional(typed) : std::nullopt;
-                },
-            .range = always(limits),
-            .lowestText = noneText};
-}
-
-/** Of the UAV with the id. */
-template <class Member>
-auto ofUav(Member member)
-{
-    return [member](auto& scenario, const std::string& id) {
-        auto* uav = objectOf(scenario.uavs, id);
-        return uav == nullptr ? nullptr : &member(*uav);
-    };
-}
-
 template <class Member>
 NumberRow sortieRow(const RowWords& words, Member number, const Limits& limits, const QString& unit)
 {
@@ -180,7 +149,8 @@ std::vector<InspectorRow> reserveRows()
                          .toolTip = InspectorRows::tr("A time in place of the percentage."),
                          .undoText = InspectorRows::tr("Change reserve"),
                          .isShown = isLimited},
-                        u" s"_s, ofUav([](auto& uav) -> auto& { return uav.spec.reserve_s; }),
+                        u" s"_s,
+                        memberOf<Uav>([](auto& uav) -> auto& { return uav.spec.reserve_s; }),
                         limits::kTime_s, InspectorRows::tr("by percentage")),
             sortieRow(
                 {.key = u"uavClimb"_s,
@@ -199,20 +169,21 @@ std::vector<InspectorRow> reserveRows()
 
 std::vector<InspectorRow> weatherLimitRows()
 {
-    return {
-        asSpeed(optionalRow({.key = u"uavMaxWind"_s,
-                             .label = InspectorRows::tr("Wind limit"),
-                             .toolTip = InspectorRows::tr("Strongest wind in which it is flown."),
-                             .undoText = InspectorRows::tr("Change wind limit")},
-                            {}, ofUav([](auto& uav) -> auto& { return uav.weather.wind_mps; }),
-                            limits::kWindSpeed_mps, InspectorRows::tr("none"))),
-        asSpeed(optionalRow({.key = u"uavMaxGust"_s,
-                             .label = InspectorRows::tr("Gust limit"),
-                             .toolTip = InspectorRows::tr("Strongest gusts in which it is flown."),
-                             .undoText = InspectorRows::tr("Change gust limit")},
-                            {}, ofUav([](auto& uav) -> auto& { return uav.weather.gust_mps; }),
-                            limits::kWindSpeed_mps, InspectorRows::tr("none"))),
-        icingRow()};
+    return {asSpeed(optionalRow(
+                {.key = u"uavMaxWind"_s,
+                 .label = InspectorRows::tr("Wind limit"),
+                 .toolTip = InspectorRows::tr("Strongest wind in which it is flown."),
+                 .undoText = InspectorRows::tr("Change wind limit")},
+                {}, memberOf<Uav>([](auto& uav) -> auto& { return uav.weather.wind_mps; }),
+                limits::kWindSpeed_mps, InspectorRows::tr("none"))),
+            asSpeed(optionalRow(
+                {.key = u"uavMaxGust"_s,
+                 .label = InspectorRows::tr("Gust limit"),
+                 .toolTip = InspectorRows::tr("Strongest gusts in which it is flown."),
+                 .undoText = InspectorRows::tr("Change gust limit")},
+                {}, memberOf<Uav>([](auto& uav) -> auto& { return uav.weather.gust_mps; }),
+                limits::kWindSpeed_mps, InspectorRows::tr("none"))),
+            icingRow()};
 }
 
 std::vector<InspectorRow> surroundingsRows()
