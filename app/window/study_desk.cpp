@@ -49,25 +49,26 @@ void StudyDesk::connectPanel()
         replaceStudy(
             [spec, compares](StudyDesk& desk) { desk.panels().study->start(spec, compares); });
     });
-    connect(panel, &StudyPanel::openRequested, this, [this] {
+    const StudyResults* results = &panel->results();
+    connect(results, &StudyResults::openRequested, this, [this] {
         const QString path = interaction().openPath(
             &window(), tr("Studies and their reports (*.bergstudy *.json *.html);;All files (*)"));
         if (!path.isEmpty())
             workspace().studyFiles().open(path);
     });
-    connect(panel, &StudyPanel::saveRequested, this, [this] { saveStudy(); });
-    connect(panel, &StudyPanel::reportRequested, this, [this] {
+    connect(results, &StudyResults::saveRequested, this, [this] { saveStudy(); });
+    connect(results, &StudyResults::reportRequested, this, [this] {
         const QString path = studyPath(u"html"_s, tr("Reports (*.html);;All files (*)"));
         if (!path.isEmpty())
             workspace().studyFiles().writeReport(workspace().study().result(),
                                                  workspace().study().elapsed_s(), path);
     });
-    connect(panel, &StudyPanel::tableRequested, this, [this] {
+    connect(results, &StudyResults::tableRequested, this, [this] {
         const QString path = studyPath(u"csv"_s, tr("Tables (*.csv);;All files (*)"));
         if (!path.isEmpty())
             workspace().studyFiles().writeTable(workspace().study().result(), path);
     });
-    connect(panel, &StudyPanel::pictureRequested, this, &StudyDesk::saveStudyPicture);
+    connect(results, &StudyResults::pictureRequested, this, &StudyDesk::saveStudyPicture);
 }
 
 void StudyDesk::connectFiles()

@@ -5,6 +5,7 @@
 #include "app/window/scenario_files.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/study/study_panel.h"
+#include "widgets/panels/study/study_results.h"
 #include "widgets/words/policy_words.h"
 
 #include <QDockWidget>
@@ -38,11 +39,13 @@ StudyFlights::StudyFlights(WindowContext& context, ScenarioFiles& files, const D
     : WindowPart(context), m_files(files), m_docks(docks)
 {
     const StudyPanel* panel = panels().study;
-    connect(panel, &StudyPanel::openRunRequested, this, [this](const Scenario& scenario) {
-        if (flyOnMap(scenario, tr("Fly as in the study")))
-            showMessage(tr("Flown as in the study, which is under View, Study."), kLongMessage_ms);
-    });
-    connect(panel, &StudyPanel::settingRequested, this, &StudyFlights::use);
+    connect(&panel->results(), &StudyResults::openRunRequested, this,
+            [this](const Scenario& scenario) {
+                if (flyOnMap(scenario, tr("Fly as in the study")))
+                    showMessage(tr("Flown as in the study, which is under View, Study."),
+                                kLongMessage_ms);
+            });
+    connect(&panel->results(), &StudyResults::settingRequested, this, &StudyFlights::use);
     connect(panel, &StudyPanel::comparisonRequested, this, &StudyFlights::compareFlights);
     connect(&workspace().runs(), &RunList::changed, this, &StudyFlights::finishComparison);
 }

@@ -43,13 +43,6 @@ StudyPanel::StudyPanel(StudyRunner& runner, QWidget* parent) : QWidget(parent), 
     connect(m_setup, &StudySetup::edited, this, &StudyPanel::showSpec);
     connect(m_run, &StudyRunBar::startRequested, this, &StudyPanel::requestStart);
     connect(&m_runner, &StudyRunner::finished, this, &StudyPanel::compareIfWanted);
-    connect(m_results, &StudyResults::openRunRequested, this, &StudyPanel::openRunRequested);
-    connect(m_results, &StudyResults::settingRequested, this, &StudyPanel::settingRequested);
-    connect(m_results, &StudyResults::openRequested, this, &StudyPanel::openRequested);
-    connect(m_results, &StudyResults::saveRequested, this, &StudyPanel::saveRequested);
-    connect(m_results, &StudyResults::reportRequested, this, &StudyPanel::reportRequested);
-    connect(m_results, &StudyResults::tableRequested, this, &StudyPanel::tableRequested);
-    connect(m_results, &StudyResults::pictureRequested, this, &StudyPanel::pictureRequested);
     setTheme(Theme::light());
     showSpec();
 }

@@ -47,15 +47,6 @@ signals:
     /** Figure 5: both flights of this scenario, one beside the other. */
     void comparisonRequested(const berg::Scenario& scenario, const berg::PlannerSettings& best,
                              const berg::PlannerSettings& tsp);
-    /** The user wants to see this flight: its scenario exactly as the study flew it. */
-    void openRunRequested(const berg::Scenario& scenario);
-    /** The user wants to plan with these settings. */
-    void settingRequested(const berg::StudySetting& setting);
-    void openRequested();
-    void saveRequested();
-    void reportRequested();
-    void tableRequested();
-    void pictureRequested();
 
 private:
     [[nodiscard]] QWidget* makeSetup();

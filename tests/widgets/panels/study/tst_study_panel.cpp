@@ -284,7 +284,7 @@ private slots:
         f.show(test::fourCases());
         auto& use = f.get<QPushButton>(u"useStudySetting"_s);
         QVERIFY(!use.isEnabled());
-        QSignalSpy wanted(&f.panel, &StudyPanel::settingRequested);
+        QSignalSpy wanted(&f.panel.results(), &StudyResults::settingRequested);
         const auto& chart = f.get<StudyChart>(u"studyChart"_s);
         QTest::mouseClick(&f.get<StudyChart>(u"studyChart"_s), Qt::LeftButton, {},
                           toQt(chart.drawing().items[2].at).toPoint());
@@ -302,7 +302,7 @@ private slots:
         QVERIFY(!use.isVisible());
         f.show(test::fourCases());
         QVERIFY(use.isVisible());
-        QSignalSpy wanted(&f.panel, &StudyPanel::settingRequested);
+        QSignalSpy wanted(&f.panel.results(), &StudyResults::settingRequested);
         use.click();
         const StudySummary& summary = f.runner.result()->summary;
         const StudySetting& best = summary.settings[summary.recommendation->setting].setting;
@@ -320,7 +320,7 @@ private slots:
         auto& chart = f.get<StudyChart>(u"studyChart"_s);
         auto& open = f.get<QPushButton>(u"openStudyRun"_s);
         QVERIFY(!open.isEnabled());
-        QSignalSpy opened(&f.panel, &StudyPanel::openRunRequested);
+        QSignalSpy opened(&f.panel.results(), &StudyResults::openRunRequested);
         QTest::mouseClick(&chart, Qt::LeftButton, {}, toQt(chart.drawing().items[2].at).toPoint());
         QCOMPARE(f.get<QTabWidget>(u"studyTables"_s).currentIndex(), 1);
         QCOMPARE(f.column(u"studyCases"_s, StudyCasesModel::Zeta),
