@@ -7,8 +7,6 @@
 #include "widgets/words/object_names.h"
 #include "widgets/words/policy_words.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <functional>
 
@@ -16,11 +14,6 @@ using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
-
-struct FlightBrief
-{
-    Q_DECLARE_TR_FUNCTIONS(FlightBrief)
-};
 
 constexpr int kMinuteDecimals = 2;
 

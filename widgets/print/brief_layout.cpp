@@ -4,8 +4,6 @@
 #include "widgets/print/brief_table_layout.h"
 #include "widgets/print/brief_uav_table.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <cmath>
 
@@ -13,11 +11,6 @@ using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
-
-struct FlightBrief
-{
-    Q_DECLARE_TR_FUNCTIONS(FlightBrief)
-};
 
 constexpr BriefType kTitle{.size_px = 20, .isBold = true};
 constexpr BriefType kHead{.size_px = 12};

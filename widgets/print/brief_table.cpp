@@ -4,8 +4,6 @@
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -14,11 +12,6 @@ using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
-
-struct FlightBrief
-{
-    Q_DECLARE_TR_FUNCTIONS(FlightBrief)
-};
 
 constexpr int kMinuteDecimals = 2; // 18 m
 constexpr double kLater_s = 0.5;   // times are shown in whole seconds

@@ -2,6 +2,7 @@
 
 #include "core/io/export/export_content.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <QString>
 
@@ -10,6 +11,12 @@
 #include <vector>
 
 namespace berg {
+
+/** What all parts of the flight brief are translated as. */
+struct FlightBrief
+{
+    Q_DECLARE_TR_FUNCTIONS(FlightBrief)
+};
 
 /** Of the table of the flight brief, from the left. */
 enum class BriefColumn : std::uint8_t

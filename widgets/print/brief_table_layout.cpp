@@ -2,7 +2,6 @@
 
 #include "widgets/print/brief_setting.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 
 #include <algorithm>
@@ -13,11 +12,6 @@ using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
-
-struct FlightBrief
-{
-    Q_DECLARE_TR_FUNCTIONS(FlightBrief)
-};
 
 constexpr double kGutter_px = 16;   // between two columns of the page
 constexpr double kLeastGap_px = 6;  // between two cells

@@ -2,18 +2,11 @@
 
 #include "widgets/print/brief_setting.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <numeric>
 
 namespace berg {
 namespace {
-
-struct FlightBrief
-{
-    Q_DECLARE_TR_FUNCTIONS(FlightBrief)
-};
 
 constexpr int kSize_px = 11;
 constexpr std::size_t kMostRows = 8; // captions not counted

@@ -11,8 +11,6 @@
 #include "widgets/words/issue_text.h"
 #include "widgets/words/plan_text.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -22,11 +20,6 @@ using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
-
-struct FlightBrief
-{
-    Q_DECLARE_TR_FUNCTIONS(FlightBrief)
-};
 
 constexpr int kMostNames = 60; // of a list; more than lines have room for
 

@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/scenario/priority.h"
+#include "widgets/map/picture/plan_stops.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/print/printable_text.h"
 
@@ -67,15 +68,6 @@ MapRoute plannedRoute(const ExportUav& uav, const std::vector<int>& places)
             route.thisSortie = static_cast<int>(route.plan.size()); // and then home
     }
     return route;
-}
-
-std::vector<int> placesOf(const std::vector<int>& members, const std::vector<int>& places)
-{
-    std::vector<int> shown;
-    for (const int member : members)
-        if (const int place = places[static_cast<std::size_t>(member)]; place >= 0)
-            shown.push_back(place);
-    return shown;
 }
 
 TrackStatus statusOf(IcebergState state)

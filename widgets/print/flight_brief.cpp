@@ -8,19 +8,12 @@
 #include "widgets/print/operation_page.h"
 #include "widgets/theme/painter_state.h"
 
-#include <QCoreApplication>
-
 #include <memory>
 
 using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
-
-struct FlightBrief
-{
-    Q_DECLARE_TR_FUNCTIONS(FlightBrief)
-};
 
 // At 96 to the inch.
 constexpr QSize kA4_px{794, 1123};

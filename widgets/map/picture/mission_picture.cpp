@@ -178,16 +178,6 @@ std::size_t addPoses(std::vector<MapPose>& poses, std::size_t samples, const Fli
     return samples;
 }
 
-/** Icebergs of an order as places in the picture. */
-std::vector<int> placesOf(const std::vector<int>& order, const std::vector<int>& shown)
-{
-    std::vector<int> places;
-    for (const int iceberg : order)
-        if (const int place = shown[static_cast<std::size_t>(iceberg)]; place >= 0)
-            places.push_back(place);
-    return places;
-}
-
 /** What is left of the pattern, which drifts with the iceberg's estimate. */
 std::vector<Point> searchOf_m(const FlightRecord& record, std::size_t uav)
 {

@@ -6,6 +6,15 @@
 
 namespace berg {
 
+std::vector<int> placesOf(const std::vector<int>& icebergs, const std::vector<int>& shown)
+{
+    std::vector<int> places;
+    for (const int iceberg : icebergs)
+        if (const int place = shown[static_cast<std::size_t>(iceberg)]; place >= 0)
+            places.push_back(place);
+    return places;
+}
+
 const std::vector<int>* clusterOf(const MapPicture& picture, int iceberg)
 {
     const auto found = std::find_if(

@@ -6,6 +6,10 @@
 
 namespace berg {
 
+/** Icebergs as places in the picture, by iceberg in `shown`; those at -1 are left out. */
+[[nodiscard]] std::vector<int> placesOf(const std::vector<int>& icebergs,
+                                        const std::vector<int>& shown);
+
 /** The icebergs planned as one point with this one; null: it is planned by itself. */
 [[nodiscard]] const std::vector<int>* clusterOf(const MapPicture& picture, int iceberg);
 

@@ -1,6 +1,7 @@
 #include "widgets/panels/dialogs/generate_dialog.h"
 
 #include "core/scenario/validate.h"
+#include "widgets/model/scenario_edits.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
 #include "widgets/words/issue_text.h"
 
@@ -44,11 +45,6 @@ void addRow(QFormLayout& form, const QString& text, std::initializer_list<QWidge
 std::vector<Point> cornersOf(const Point& low_m, const Point& high_m)
 {
     return {low_m, {high_m.x(), low_m.y()}, high_m, {low_m.x(), high_m.y()}};
-}
-
-Point inLimits(const Point& p_m)
-{
-    return p_m.cwiseMax(-kLargestCoordinate_m).cwiseMin(kLargestCoordinate_m);
 }
 
 /** Why nothing is drawn; the fields alone rule out the other faults. */
@@ -271,14 +267,14 @@ std::vector<Point> GenerateDialog::area_m() const
     case Place::Area:
         return m_scenario.area_m;
     case Place::View:
-        return cornersOf(inLimits(m_view_m.min_m), inLimits(m_view_m.max_m));
+        return cornersOf(clampedPosition(m_view_m.min_m), clampedPosition(m_view_m.max_m));
     case Place::Rectangle:
         break;
     }
     const ShownUnit side = longDistanceUnit();
     const Point half_m = 0.5 * Point(side.toSi(m_width->value()), side.toSi(m_height->value()));
     const Point centre_m = m_view_m.centre_m();
-    return cornersOf(inLimits(centre_m - half_m), inLimits(centre_m + half_m));
+    return cornersOf(clampedPosition(centre_m - half_m), clampedPosition(centre_m + half_m));
 }
 
 FieldRequest GenerateDialog::request() const

@@ -8,6 +8,8 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include <array>
+
 using namespace Qt::StringLiterals;
 
 namespace berg {
@@ -125,26 +127,12 @@ void PlanReadoutView::setTheme(const Theme& theme)
 
 void PlanReadoutView::drawMark()
 {
-    switch (m_verdict) {
-    case PlanVerdict::None:
-        break;
-    case PlanVerdict::Proven:
-        m_mark->setPixmap(
-            icon(IconName::Proven, m_theme).pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
-        break;
-    case PlanVerdict::Estimate:
-        m_mark->setPixmap(icon(IconName::Estimate, m_theme)
+    // By PlanVerdict, from Proven on.
+    constexpr std::array kMarks{IconName::Proven, IconName::Estimate, IconName::Warning,
+                                IconName::Fault};
+    if (m_verdict != PlanVerdict::None)
+        m_mark->setPixmap(icon(kMarks.at(static_cast<std::size_t>(m_verdict) - 1), m_theme)
                               .pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
-        break;
-    case PlanVerdict::Warning:
-        m_mark->setPixmap(icon(IconName::Warning, m_theme)
-                              .pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
-        break;
-    case PlanVerdict::Fault:
-        m_mark->setPixmap(
-            icon(IconName::Fault, m_theme).pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
-        break;
-    }
     m_mark->setVisible(m_verdict != PlanVerdict::None);
 }
 
