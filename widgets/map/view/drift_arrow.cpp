@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "widgets/map/paint/map_drift.h"
+#include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_scene.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/theme/quantity_text.h"
