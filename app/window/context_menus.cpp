@@ -102,7 +102,7 @@ void ContextMenus::addOrders(QMenu& menu, const std::string& id)
 void ContextMenus::addObjectActions(QMenu& menu, const std::string& id)
 {
     const bool locked = workspace().inFlight();
-    const bool isUav = findUav(workspace().document().scenario(), id) != nullptr;
+    const bool isUav = findById(workspace().document().scenario().uavs, id) != nullptr;
     const bool isIceberg = !isUav && id != kAssetKey && !isOutlineKey(id);
     menu.addAction(locked ? tr("Show in the inspector") : tr("Edit in the inspector"), this,
                    [this] { m_docks.openInspector(); });
@@ -135,7 +135,7 @@ void ContextMenus::addObjectActions(QMenu& menu, const std::string& id)
 QString ContextMenus::nameOf(const std::string& id) const
 {
     const Scenario& scenario = workspace().document().scenario();
-    if (const Uav* uav = findUav(scenario, id))
+    if (const Uav* uav = findById(scenario.uavs, id))
         return shownName(*uav);
     const std::vector<Iceberg>& icebergs =
         workspace().inFlight() ? workspace().record().now.icebergs : scenario.icebergs;

@@ -15,14 +15,6 @@ namespace {
 
 constexpr char kIcebergStem[] = "berg-";
 
-template <class Objects>
-auto findById(Objects& objects, const std::string& id) -> decltype(objects.data())
-{
-    const auto it = std::find_if(objects.begin(), objects.end(),
-                                 [&](const auto& object) { return object.id == id; });
-    return it == objects.end() ? nullptr : &*it;
-}
-
 bool isId(const Scenario& scenario, const std::string& id)
 {
     return findById(scenario.icebergs, id) != nullptr || findById(scenario.uavs, id) != nullptr;
@@ -248,21 +240,6 @@ void renameObject(Scenario& scenario, const std::string& before, const std::stri
     }
 }
 
-const Iceberg* findIceberg(const Scenario& scenario, const std::string& id)
-{
-    return findById(scenario.icebergs, id);
-}
-
-Iceberg* findIceberg(Scenario& scenario, const std::string& id)
-{
-    return findById(scenario.icebergs, id);
-}
-
-const Uav* findUav(const Scenario& scenario, const std::string& id)
-{
-    return findById(scenario.uavs, id);
-}
-
 void moveObjects(Scenario& scenario, std::span<const std::string> ids, const Point& offset_m)
 {
     const std::vector<Point*> positions = positionsOf(scenario, ids);
@@ -324,7 +301,7 @@ std::vector<std::string> addCopies(Scenario& scenario, std::span<const Iceberg> 
     for (Iceberg copy : icebergs) {
         copy.id = fresh.id();
         copy.name = fresh.name(copy.name);
-        if (findUav(scenario, copy.uav) == nullptr)
+        if (findById(scenario.uavs, copy.uav) == nullptr)
             copy.uav.clear();
         ids.push_back(copy.id);
         scenario.icebergs.push_back(std::move(copy));

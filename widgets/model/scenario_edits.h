@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/find_by_id.h"
 #include "core/scenario/limits.h"
 #include "core/scenario/scenario.h"
 
@@ -30,11 +31,6 @@ namespace berg {
 
 /** Gives an iceberg or UAV another id, which is free, also where icebergs are kept for that UAV. */
 void renameObject(Scenario& scenario, const std::string& before, const std::string& after);
-
-/** nullptr when there is none. */
-[[nodiscard]] const Iceberg* findIceberg(const Scenario& scenario, const std::string& id);
-[[nodiscard]] Iceberg* findIceberg(Scenario& scenario, const std::string& id);
-[[nodiscard]] const Uav* findUav(const Scenario& scenario, const std::string& id);
 
 /** The multiple of `step` next to each coordinate. */
 [[nodiscard]] Point roundedTo(const Point& value, double step);

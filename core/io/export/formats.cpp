@@ -1,5 +1,6 @@
 #include "core/io/export/formats.h"
 
+#include "core/base/find_by_id.h"
 #include "core/io/export/czml.h"
 #include "core/io/export/export_files.h"
 #include "core/io/export/flight_log.h"
@@ -11,7 +12,6 @@
 #include "core/io/export/plan_wpl.h"
 #include "core/io/results/result_csv.h"
 
-#include <algorithm>
 #include <array>
 
 namespace berg {
@@ -131,9 +131,7 @@ std::span<const ExportFormat> exportFormats()
 
 const ExportFormat* findExportFormat(std::string_view id)
 {
-    const auto it = std::find_if(kFormats.begin(), kFormats.end(),
-                                 [&](const ExportFormat& format) { return format.id == id; });
-    return it == kFormats.end() ? nullptr : &*it;
+    return findById(kFormats, id);
 }
 
 } // namespace berg

@@ -1,6 +1,7 @@
 #include "core/io/import/import_formats.h"
 
 #include "core/base/error.h"
+#include "core/base/find_by_id.h"
 #include "core/io/import/import_csv.h"
 #include "core/io/import/import_czml.h"
 #include "core/io/import/import_fields.h"
@@ -132,9 +133,7 @@ std::span<const ImportFormat> importFormats()
 
 const ImportFormat* findImportFormat(std::string_view id)
 {
-    const auto it = std::find_if(kFormats.begin(), kFormats.end(),
-                                 [&](const ImportFormat& format) { return format.id == id; });
-    return it == kFormats.end() ? nullptr : &*it;
+    return findById(kFormats, id);
 }
 
 namespace {

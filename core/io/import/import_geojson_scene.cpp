@@ -1,5 +1,6 @@
 #include "core/io/import/import_geojson_scene.h"
 
+#include "core/base/find_by_id.h"
 #include "core/io/import/import_fields.h"
 
 #include <algorithm>
@@ -42,12 +43,10 @@ void addUav(FileScene& scene, const Json& feature, const Json* properties)
 
 void addHome(FileScene& scene, const Json& feature, const Json* properties)
 {
-    const std::string id = nameAt(properties, "uav", kLongestId);
-    const auto it = std::find_if(scene.uavs.begin(), scene.uavs.end(),
-                                 [&](const SceneUav& uav) { return uav.id == id; });
+    SceneUav* uav = findById(scene.uavs, nameAt(properties, "uav", kLongestId));
     const std::optional<LatLon> home = pointOf(feature);
-    if (it != scene.uavs.end() && home)
-        it->home = home;
+    if (uav != nullptr && home)
+        uav->home = home;
 }
 
 /** Exterior ring of the rings of a polygon; false when it is none. */

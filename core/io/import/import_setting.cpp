@@ -1,6 +1,7 @@
 #include "core/io/import/import_setting.h"
 
 #include "core/base/angles.h"
+#include "core/base/find_by_id.h"
 #include "core/base/number_text.h"
 #include "core/io/import/area_outline.h"
 #include "core/io/import/import_icebergs.h"
@@ -175,8 +176,7 @@ private:
 
     [[nodiscard]] bool isUavId(const std::string& id) const
     {
-        return std::any_of(m_scenario.uavs.begin(), m_scenario.uavs.end(),
-                           [&](const Uav& uav) { return uav.id == id; });
+        return findById(m_scenario.uavs, id) != nullptr;
     }
 
     [[nodiscard]] std::string newId() const

@@ -37,7 +37,7 @@ public:
     DriftDrag(const MapToolContext& context, const MapHandle& handle)
         : HandleDrag(context, handle)
         , m_ids(selectedIcebergs(context))
-        , m_iceberg(*findIceberg(context.document.scenario(), handle.id))
+        , m_iceberg(*findById(context.document.scenario().icebergs, handle.id))
         , m_arrow(context.scene, handle.id)
     {
         begin(
@@ -49,7 +49,7 @@ public:
         m_iceberg.velocity_mps = m_arrow.velocity_mps(m_iceberg, pointer, current_mps());
         gesture().apply([this](Scenario& scenario) {
             for (const std::string& id : m_ids)
-                findIceberg(scenario, id)->velocity_mps = m_iceberg.velocity_mps;
+                findById(scenario.icebergs, id)->velocity_mps = m_iceberg.velocity_mps;
         });
     }
     [[nodiscard]] QString text() const override
@@ -70,7 +70,7 @@ class HeadingDrag final : public HandleDrag
 {
 public:
     HeadingDrag(const MapToolContext& context, const MapHandle& handle)
-        : HandleDrag(context, handle), m_uav(*findUav(context.document.scenario(), handle.id))
+        : HandleDrag(context, handle), m_uav(*findById(context.document.scenario().uavs, handle.id))
     {
         begin(HandleText::tr("Turn UAV"));
     }
@@ -80,9 +80,7 @@ public:
         m_uav.heading_deg =
             headingTowards_deg(m_uav.position_m, pointer).value_or(m_uav.heading_deg);
         gesture().apply([this](Scenario& scenario) {
-            for (Uav& uav : scenario.uavs)
-                if (uav.id == m_uav.id)
-                    uav.heading_deg = m_uav.heading_deg;
+            findById(scenario.uavs, m_uav.id)->heading_deg = m_uav.heading_deg;
         });
     }
     [[nodiscard]] QString text() const override { return headingText(m_uav.heading_deg); }

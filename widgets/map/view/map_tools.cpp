@@ -127,7 +127,7 @@ std::unique_ptr<MapTool> makeMapTool(MapToolKind kind, const MapToolContext& con
 QString moveText(const Scenario& scenario, std::span<const std::string> ids)
 {
     const auto icebergs = std::count_if(ids.begin(), ids.end(), [&](const std::string& id) {
-        return findIceberg(scenario, id) != nullptr;
+        return findById(scenario.icebergs, id) != nullptr;
     });
     const auto others = static_cast<std::ptrdiff_t>(ids.size()) - icebergs;
     if (icebergs == 0 && others == 1 && ids.front() == kAssetKey)

@@ -64,7 +64,7 @@ void IcebergTool::press(const MapPointer& pointer)
         pressInFlight(pointer, object);
         return;
     }
-    const Iceberg* present = findIceberg(scenario, object);
+    const Iceberg* present = findById(scenario.icebergs, object);
     if (present == nullptr && scenario.icebergs.size() >= kMostIcebergs)
         return;
     m_press = pointer;
@@ -127,7 +127,7 @@ void IcebergTool::apply()
         return;
     }
     m_gesture->apply([this](Scenario& scenario) {
-        if (Iceberg* present = findIceberg(scenario, m_iceberg.id))
+        if (Iceberg* present = findById(scenario.icebergs, m_iceberg.id))
             present->velocity_mps = m_iceberg.velocity_mps;
         else
             scenario.icebergs.push_back(m_iceberg);
@@ -204,7 +204,7 @@ void UavTool::press(const MapPointer& pointer)
     m_press = pointer;
     m_now = pointer;
     const Scenario& scenario = context().document.scenario();
-    const Uav* grabbed = findUav(scenario, scene.objectAt(pointer.at_px));
+    const Uav* grabbed = findById(scenario.uavs, scene.objectAt(pointer.at_px));
     const Uav* meant = meantUav();
     const bool adds =
         meant == nullptr || (grabbed == nullptr && pointer.modifiers.testFlag(Qt::ControlModifier));
@@ -225,7 +225,7 @@ const Uav* UavTool::meantUav() const
 {
     const Scenario& scenario = context().document.scenario();
     for (const std::string& id : context().selection.ids())
-        if (const Uav* uav = findUav(scenario, id))
+        if (const Uav* uav = findById(scenario.uavs, id))
             return uav;
     return scenario.uavs.empty() ? nullptr : &scenario.uavs.front();
 }
@@ -233,9 +233,7 @@ const Uav* UavTool::meantUav() const
 void UavTool::apply()
 {
     m_gesture->apply([this](Scenario& scenario) {
-        const auto present = std::find_if(scenario.uavs.begin(), scenario.uavs.end(),
-                                          [&](const Uav& uav) { return uav.id == m_uav.id; });
-        if (present != scenario.uavs.end())
+        if (Uav* present = findById(scenario.uavs, m_uav.id))
             *present = m_uav;
         else
             scenario.uavs.push_back(m_uav);

@@ -29,9 +29,9 @@ bool addsToSelection(Qt::KeyboardModifiers modifiers)
 
 std::optional<Point> positionOf(const Scenario& scenario, const std::string& id)
 {
-    if (const Iceberg* iceberg = findIceberg(scenario, id))
+    if (const Iceberg* iceberg = findById(scenario.icebergs, id))
         return iceberg->position_m;
-    if (const Uav* uav = findUav(scenario, id))
+    if (const Uav* uav = findById(scenario.uavs, id))
         return uav->position_m;
     if (id == kAssetKey && scenario.asset)
         return scenario.asset->position_m;

@@ -322,7 +322,7 @@ bool IcebergTableModel::setAll(const std::vector<int>& rows, IcebergColumn colum
     } else if (column == IcebergColumn::Name) {
         m_document.edit(InspectorRows::tr("Change name"), [&](Scenario& scenario) {
             for (const std::string& id : ids)
-                findIceberg(scenario, id)->name = value.toString().toStdString();
+                findById(scenario.icebergs, id)->name = value.toString().toStdString();
         });
     } else {
         setNumbers(ids, column, value.toDouble());
@@ -337,7 +337,7 @@ void IcebergTableModel::setNumbers(const std::vector<std::string>& ids, IcebergC
     const IcebergColumnSpec& kind = specOf(m_specs, column);
     m_document.edit(kind.number->words.undoText, [&](Scenario& scenario) {
         for (const std::string& id : ids) {
-            Iceberg& iceberg = *findIceberg(scenario, id);
+            Iceberg& iceberg = *findById(scenario.icebergs, id);
             if (isShownAs(iceberg, column, kind, value))
                 continue;
             const Limits limits = kind.number->range(scenario);
@@ -359,7 +359,7 @@ QString IcebergTableModel::setPlaces(const std::vector<int>& rows, IcebergColumn
     for (const int row : rows) {
         if (text == cellText(rowAt(row), column, m_kind.isInFlight, m_locale))
             continue; // what is shown has fewer digits than there are
-        QString fault = takePlace(findIceberg(after, rowAt(row).id)->position_m, text, half,
+        QString fault = takePlace(findById(after.icebergs, rowAt(row).id)->position_m, text, half,
                                   after.origin, m_locale);
         if (!fault.isEmpty())
             return fault;

@@ -42,7 +42,7 @@ public:
     [[nodiscard]] PasteOutcome run(const std::vector<Line>& lines)
     {
         if (std::all_of(lines.begin(), lines.end(), isBlank)) {
-            m_outcome.fault = IcebergPasteText::tr("There is no text to be pasted.");
+            m_outcome.fault = IcebergPasteText::tr("There is no text to paste.");
             return std::move(m_outcome);
         }
         std::size_t first = 0;
@@ -78,7 +78,7 @@ private:
         if (isNew && !addIceberg(line))
             return;
         Iceberg& iceberg = isNew ? m_outcome.scenario.icebergs.back()
-                                 : *findIceberg(m_outcome.scenario, m_target.ids[row]);
+                                 : *findById(m_outcome.scenario.icebergs, m_target.ids[row]);
         m_outcome.ids.push_back(iceberg.id);
         Drift drift;
         m_before = placeOf(iceberg);
@@ -122,8 +122,8 @@ private:
 
     [[nodiscard]] bool isFree(const std::string& id) const
     {
-        return findIceberg(m_outcome.scenario, id) == nullptr &&
-               findUav(m_outcome.scenario, id) == nullptr;
+        return findById(m_outcome.scenario.icebergs, id) == nullptr &&
+               findById(m_outcome.scenario.uavs, id) == nullptr;
     }
 
     void pasteCell(Iceberg& iceberg, Drift& drift, IcebergColumn column, const QString& cell)

@@ -10,17 +10,6 @@ namespace {
 
 constexpr double kSpeedStep_mps = 0.5;
 
-template <class Number>
-NumberRow assetRow(const RowWords& words, const QString& unit, Number number, const Limits& limits)
-{
-    return {.words = words,
-            .unit = unit,
-            .decimals = {.least = 0, .most = 2},
-            .read = reading<Asset>(number),
-            .write = writing<Asset>(number),
-            .range = always(limits)};
-}
-
 template <class Object, class Height>
 NumberRow ceilingRow(const RowWords& words, Height height)
 {
@@ -33,21 +22,21 @@ NumberRow ceilingRow(const RowWords& words, Height height)
 std::vector<InspectorRow> wayRows()
 {
     const QString undoText = InspectorRows::tr("Change velocity of the asset");
-    NumberRow east = assetRow(
+    NumberRow east = objectRow<Asset>(
         {.key = u"assetVelocityEast"_s,
          .label = InspectorRows::tr("Speed east"),
          .toolTip = InspectorRows::tr("What a ship makes to the east; 0 for a platform."),
          .undoText = undoText},
-        {}, [](auto& asset) -> auto& { return asset.velocity_mps.x(); },
-        limits::kAssetVelocity_mps);
-    NumberRow north = assetRow(
+        {}, [](auto& asset) -> auto& { return asset.velocity_mps.x(); }, limits::kAssetVelocity_mps,
+        kSpeedStep_mps);
+    NumberRow north = objectRow<Asset>(
         {.key = u"assetVelocityNorth"_s,
          .label = InspectorRows::tr("Speed north"),
          .toolTip = InspectorRows::tr("What a ship makes to the north; 0 for a platform."),
          .undoText = undoText},
-        {}, [](auto& asset) -> auto& { return asset.velocity_mps.y(); },
-        limits::kAssetVelocity_mps);
-    east.step = north.step = kSpeedStep_mps;
+        {}, [](auto& asset) -> auto& { return asset.velocity_mps.y(); }, limits::kAssetVelocity_mps,
+        kSpeedStep_mps);
+    east.decimals = north.decimals = {.least = 0, .most = 2};
     return velocityRows(
         {.east = east,
          .north = north,
@@ -83,50 +72,48 @@ std::vector<InspectorRow> assetRows()
     std::vector<InspectorRow> rows{nameRow<Asset>(u"assetName"_s)};
     append(rows, positionRows<Asset>(u"asset"_s));
     append(rows, wayRows());
-    NumberRow range = assetRow(
-        {.key = u"assetRange"_s,
-         .label = InspectorRows::tr("Range"),
-         .toolTip = InspectorRows::tr("How near an iceberg matters to it."),
-         .undoText = InspectorRows::tr("Change range of the asset")},
-        {}, [](auto& asset) -> auto& { return asset.range_m; }, limits::kExtent_m);
-    range.step = 500;
-    rows.emplace_back(asDistance(range));
-    NumberRow alarm = assetRow(
-        {.key = u"assetAlarm"_s,
-         .label = InspectorRows::tr("Inner ring"),
-         .toolTip =
-             InspectorRows::tr("An iceberg on its way into it within an hour is an alarm; at "
-                               "0 it is half the range."),
-         .undoText = InspectorRows::tr("Change inner ring of the asset")},
-        {}, [](auto& asset) -> auto& { return asset.alarm_m; }, limits::kLength_m);
-    alarm.step = 500;
+    rows.emplace_back(asDistance(
+        objectRow<Asset>({.key = u"assetRange"_s,
+                          .label = InspectorRows::tr("Range"),
+                          .toolTip = InspectorRows::tr("How near an iceberg matters to it."),
+                          .undoText = InspectorRows::tr("Change range of the asset")},
+                         {}, &Asset::range_m, limits::kExtent_m, 500)));
+    NumberRow alarm =
+        objectRow<Asset>({.key = u"assetAlarm"_s,
+                          .label = InspectorRows::tr("Inner ring"),
+                          .toolTip = InspectorRows::tr(
+                              "An iceberg on its way into it within an hour is an alarm; at "
+                              "0 it is half the range."),
+                          .undoText = InspectorRows::tr("Change inner ring of the asset")},
+                         {}, &Asset::alarm_m, limits::kLength_m, 500);
     alarm.lowestText = InspectorRows::tr("half the range");
     rows.emplace_back(asDistance(alarm));
-    rows.emplace_back(assetRow(
-        {.key = u"assetGain"_s,
-         .label = InspectorRows::tr("Gain"),
-         .toolTip = InspectorRows::tr("How much more an iceberg near it matters."),
-         .undoText = InspectorRows::tr("Change gain of the asset")},
-        QString(), [](auto& asset) -> auto& { return asset.gain; }, limits::kGain));
-    NumberRow standoff = assetRow(
+    NumberRow gain =
+        objectRow<Asset>({.key = u"assetGain"_s,
+                          .label = InspectorRows::tr("Gain"),
+                          .toolTip = InspectorRows::tr("How much more an iceberg near it matters."),
+                          .undoText = InspectorRows::tr("Change gain of the asset")},
+                         {}, &Asset::gain, limits::kGain);
+    gain.decimals = {.least = 0, .most = 2};
+    rows.emplace_back(gain);
+    NumberRow standoff = objectRow<Asset>(
         {.key = u"assetStandoff"_s,
          .label = InspectorRows::tr("Stand-off ring"),
          .toolTip = InspectorRows::tr("No UAV comes nearer to it; of a ship, to all of its track."),
          .undoText = InspectorRows::tr("Change stand-off ring")},
-        {}, [](auto& asset) -> auto& { return asset.standoff_m; }, limits::kLength_m);
-    standoff.step = 100;
+        {}, &Asset::standoff_m, limits::kLength_m, 100);
     standoff.lowestText = InspectorRows::tr("none");
     rows.emplace_back(asDistance(standoff));
-    rows.emplace_back(ceilingRow<Asset>(
-        {.key = u"assetStandoffCeiling"_s,
-         .label = InspectorRows::tr("Stand-off ceiling"),
-         .toolTip = InspectorRows::tr("Above it UAVs may fly over the ring."),
-         .undoText = InspectorRows::tr("Change stand-off ceiling"),
-         .isShown =
-             [](const Scenario& scenario, const std::string&) {
-                 return scenario.asset && scenario.asset->standoff_m > 0;
-             }},
-        [](auto& asset) -> auto& { return asset.standoffCeiling_m; }));
+    rows.emplace_back(
+        ceilingRow<Asset>({.key = u"assetStandoffCeiling"_s,
+                           .label = InspectorRows::tr("Stand-off ceiling"),
+                           .toolTip = InspectorRows::tr("Above it UAVs may fly over the ring."),
+                           .undoText = InspectorRows::tr("Change stand-off ceiling"),
+                           .isShown =
+                               [](const Scenario& scenario, const std::string&) {
+                                   return scenario.asset && scenario.asset->standoff_m > 0;
+                               }},
+                          &Asset::standoffCeiling_m));
     rows.emplace_back(
         ActionRow{.words = {.key = u"assetRemove"_s,
                             .toolTip = InspectorRows::tr("Takes the asset off the map."),
@@ -143,7 +130,8 @@ std::vector<InspectorRow> areaRows()
                            const QLocale& locale) { return areaText(scenario.area_m, locale); }},
         FlagRow{.words = {.key = u"areaFence"_s,
                           .label = InspectorRows::tr("Geofence"),
-                          .toolTip = InspectorRows::tr("The UAVs stay inside the area."),
+                          .toolTip = InspectorRows::tr("UAVs that start clear of its edge stay "
+                                                       "inside the area."),
                           .undoText = InspectorRows::tr("Change geofence")},
                 .read = [](const Scenario& scenario) { return scenario.geofence; },
                 .write = [](Scenario& scenario, bool on) { scenario.geofence = on; }},
@@ -160,43 +148,34 @@ std::vector<InspectorRow> noFlyRows()
 {
     TextRow name = nameRow<NoFlyArea>(u"noFlyName"_s);
     name.words.toolTip = InspectorRows::tr("Shown on the map.");
-    const auto floor_m = [](auto& area) -> auto&
-    {
-        return area.floor_m;
-    };
-    return {name,
-            NumberRow{.words = {.key = u"noFlyFloor"_s,
-                                .label = InspectorRows::tr("Floor"),
-                                .toolTip = InspectorRows::tr("UAVs lower than this fly below it."),
-                                .undoText = InspectorRows::tr("Change floor of the no-fly area")},
-                      .unit = u" m"_s,
-                      .decimals = {.least = 0, .most = 1},
-                      .step = 10,
-                      .read = reading<NoFlyArea>(floor_m),
-                      .write = writing<NoFlyArea>(floor_m),
-                      .range = always(limits::kLength_m)},
-            ceilingRow<NoFlyArea>(
-                {.key = u"noFlyCeiling"_s,
-                 .label = InspectorRows::tr("Ceiling"),
-                 .toolTip = InspectorRows::tr("UAVs higher than this fly above it."),
-                 .undoText = InspectorRows::tr("Change ceiling of the no-fly area")},
-                [](auto& area) -> auto& { return area.ceiling_m; }),
-            PartRow{.words = {.key = u"noFlyRemove"_s,
-                              .label = InspectorRows::tr("Outline"),
-                              .toolTip = InspectorRows::tr("Takes the no-fly area off the map."),
-                              .undoText = InspectorRows::tr("Remove no-fly area")},
-                    .removeText = InspectorRows::tr("Remove"),
-                    .text =
-                        [](const Scenario& scenario, const std::string& id, const QLocale& locale) {
-                            const auto* area = objectIn<NoFlyArea>(scenario, id);
-                            return area == nullptr ? QString() : areaText(area->corners_m, locale);
-                        },
-                    .remove =
-                        [](Scenario& scenario, const std::string& id) {
-                            if (const std::optional<std::size_t> place = noFlyPlace(id))
-                                scenario.noFly.erase(scenario.noFly.begin() +
-                                                     static_cast<std::ptrdiff_t>(*place));
-                        }}};
+    return {
+        name,
+        objectRow<NoFlyArea>({.key = u"noFlyFloor"_s,
+                              .label = InspectorRows::tr("Floor"),
+                              .toolTip = InspectorRows::tr("UAVs lower than this fly below it."),
+                              .undoText = InspectorRows::tr("Change floor of the no-fly area")},
+                             u" m"_s, &NoFlyArea::floor_m, limits::kLength_m, 10),
+        ceilingRow<NoFlyArea>({.key = u"noFlyCeiling"_s,
+                               .label = InspectorRows::tr("Ceiling"),
+                               .toolTip = InspectorRows::tr("UAVs higher than this fly above it."),
+                               .undoText = InspectorRows::tr("Change ceiling of the no-fly area")},
+                              &NoFlyArea::ceiling_m),
+        PartRow{.words = {.key = u"noFlyRemove"_s,
+                          .label = InspectorRows::tr("Outline"),
+                          .toolTip = InspectorRows::tr("Takes the no-fly area off the map."),
+                          .undoText = InspectorRows::tr("Remove no-fly area")},
+                .removeText = InspectorRows::tr("Remove"),
+                .text =
+                    [](const Scenario& scenario, const std::string& id, const QLocale& locale) {
+                        const auto* area = objectIn<NoFlyArea>(scenario, id);
+                        return area == nullptr ? QString() : areaText(area->corners_m, locale);
+                    },
+                .remove =
+                    [](Scenario& scenario, const std::string& id) {
+                        if (const std::optional<std::size_t> place = noFlyPlace(id))
+                            scenario.noFly.erase(scenario.noFly.begin() +
+                                                 static_cast<std::ptrdiff_t>(*place));
+                    }}};
 }
 
 } // namespace berg

@@ -8,7 +8,7 @@ namespace {
 
 bool hasHome(const Scenario& scenario, const std::string& id)
 {
-    const Uav* uav = objectOf(scenario.uavs, id);
+    const Uav* uav = findById(scenario.uavs, id);
     return isLimited(scenario, id) || (uav != nullptr && uav->home_m);
 }
 
@@ -25,13 +25,13 @@ NumberRow homeRow(const QString& key, const QString& label, const QString& toolT
                        .step = 10,
                        .read =
                            [axis](const Scenario& scenario, const std::string& id) {
-                               const Uav* uav = objectOf(scenario.uavs, id);
+                               const Uav* uav = findById(scenario.uavs, id);
                                return uav == nullptr ? 0
                                                      : uav->home_m.value_or(uav->position_m)[axis];
                            },
                        .write =
                            [axis](Scenario& scenario, const std::string& id, double value) {
-                               Uav* uav = objectOf(scenario.uavs, id);
+                               Uav* uav = findById(scenario.uavs, id);
                                if (uav == nullptr)
                                    return;
                                Point home_m = uav->home_m.value_or(uav->position_m);
@@ -50,7 +50,7 @@ PartRow ownHomeRow()
             .removeText = InspectorRows::tr("Clear"),
             .text = [](const Scenario& scenario, const std::string& id,
                        const QLocale& locale) -> QString {
-                const Uav* uav = objectOf(scenario.uavs, id);
+                const Uav* uav = findById(scenario.uavs, id);
                 if (uav == nullptr || !uav->home_m)
                     return {};
                 return InspectorRows::tr("%1 from the start")
@@ -58,7 +58,7 @@ PartRow ownHomeRow()
             },
             .remove =
                 [](Scenario& scenario, const std::string& id) {
-                    if (Uav* uav = objectOf(scenario.uavs, id))
+                    if (Uav* uav = findById(scenario.uavs, id))
                         uav->home_m.reset();
                 }};
 }
@@ -67,27 +67,18 @@ PartRow ownHomeRow()
 
 std::vector<InspectorRow> homeRows()
 {
-    const auto number = [](auto& uav) -> auto&
-    {
-        return uav.turnaround_s;
-    };
     return {homeRow(u"uavHomeEast"_s, InspectorRows::tr("Home east"),
                     InspectorRows::tr("Where it lands, east of the scenario's origin."), 0),
             homeRow(u"uavHomeNorth"_s, InspectorRows::tr("Home north"),
                     InspectorRows::tr("Where it lands, north of the scenario's origin."), 1),
             ownHomeRow(),
-            NumberRow{.words = {.key = u"uavTurnaround"_s,
-                                .label = InspectorRows::tr("Turn-around"),
-                                .toolTip = InspectorRows::tr(
-                                    "Time on the ground between landing and the next take-off."),
-                                .undoText = InspectorRows::tr("Change turn-around"),
-                                .isShown = isLimited},
-                      .unit = u" s"_s,
-                      .decimals = {.least = 0, .most = 1},
-                      .step = 60,
-                      .read = reading<Uav>(number),
-                      .write = writing<Uav>(number),
-                      .range = always(limits::kTime_s)}};
+            objectRow<Uav>({.key = u"uavTurnaround"_s,
+                            .label = InspectorRows::tr("Turn-around"),
+                            .toolTip = InspectorRows::tr(
+                                "Time on the ground between landing and the next take-off."),
+                            .undoText = InspectorRows::tr("Change turn-around"),
+                            .isShown = isLimited},
+                           u" s"_s, &Uav::turnaround_s, limits::kTime_s, 60)};
 }
 
 } // namespace berg

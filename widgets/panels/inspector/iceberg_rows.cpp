@@ -9,35 +9,17 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-NumberRow icebergRow(const RowWords& words, const QString& unit, double Iceberg::*member,
-                     const Limits& limits)
-{
-    const auto number = [member](auto& iceberg) -> auto&
-    {
-        return iceberg.*member;
-    };
-    return {.words = words,
-            .unit = unit,
-            .decimals = {.least = 0, .most = 1},
-            .read = reading<Iceberg>(number),
-            .write = writing<Iceberg>(number),
-            .range = always(limits)};
-}
-
 std::vector<InspectorRow> driftRows()
 {
     const auto component = [](const QString& key, const QString& label, const QString& toolTip,
                               auto number) {
-        return NumberRow{.words = {.key = key,
-                                   .label = label,
-                                   .toolTip = toolTip,
-                                   .undoText = InspectorRows::tr("Change drift")},
-                         .unit = {},
-                         .decimals = {.least = 2, .most = 3},
-                         .step = kVelocityStep_mps,
-                         .read = reading<Iceberg>(number),
-                         .write = writing<Iceberg>(number),
-                         .range = always(limits::kVelocity_mps)};
+        NumberRow row = objectRow<Iceberg>({.key = key,
+                                            .label = label,
+                                            .toolTip = toolTip,
+                                            .undoText = InspectorRows::tr("Change drift")},
+                                           {}, number, limits::kVelocity_mps, kVelocityStep_mps);
+        row.decimals = {.least = 2, .most = 3};
+        return row;
     };
     std::vector<InspectorRow> rows = velocityRows(
         {.east = component(
@@ -58,65 +40,62 @@ std::vector<InspectorRow> driftRows()
          .direction = {
              .key = u"icebergDrift"_s,
              .text = [](const Scenario& scenario, const std::string& id, const QLocale& locale) {
-                 const Iceberg* iceberg = objectOf(scenario.icebergs, id);
+                 const Iceberg* iceberg = findById(scenario.icebergs, id);
                  return iceberg == nullptr ? QString() : towardsText(iceberg->velocity_mps, locale);
              }}});
-    NumberRow deviation = asSpeed(
-        icebergRow({.key = u"icebergVelocitySd"_s,
-                    .label = InspectorRows::tr("Drift error"),
-                    .toolTip = InspectorRows::tr(
-                        "Standard deviation of the known drift, along each axis: its true drift "
-                        "differs from it by as much."),
-                    .undoText = InspectorRows::tr("Change drift error"),
-                    .isShown = isFiltered},
-                   {}, &Iceberg::velocitySd_mps, limits::kSpeed_mps));
-    deviation.decimals = {.least = 2, .most = 3};
-    deviation.step = kVelocityStep_mps;
-    NumberRow spread = asSpeed(
-        icebergRow({.key = u"icebergVelocitySpread"_s,
-                    .label = InspectorRows::tr("Drift variation"),
-                    .toolTip = InspectorRows::tr(
-                        "Standard deviation of its drift in the long run, along each axis, about "
-                        "that of the current. A beacon off Canada: 0.15 m/s."),
-                    .undoText = InspectorRows::tr("Change drift variation"),
-                    .isShown = isFiltered},
-                   {}, &Iceberg::velocitySpread_mps, limits::kSpeed_mps));
-    spread.decimals = deviation.decimals;
-    spread.step = deviation.step;
-    NumberRow time = icebergRow(
-        {.key = u"icebergVelocityTime"_s,
-         .label = InspectorRows::tr("Drift changes in"),
-         .toolTip = InspectorRows::tr("Time in which a drift that was known is known no more: it "
-                                      "fades to the current. 0: the drift is constant. A beacon "
-                                      "off Canada: 36,000 s."),
-         .undoText = InspectorRows::tr("Change time of drift"),
+    NumberRow deviation = asSpeed(objectRow<Iceberg>(
+        {.key = u"icebergVelocitySd"_s,
+         .label = InspectorRows::tr("Drift error"),
+         .toolTip = InspectorRows::tr(
+             "Standard deviation of the known drift, along each axis: its true drift "
+             "differs from it by as much."),
+         .undoText = InspectorRows::tr("Change drift error"),
          .isShown = isFiltered},
-        u" s"_s, &Iceberg::velocityTime_s, limits::kTime_s);
-    time.step = 3600;
-    append(rows, {deviation, spread, time});
+        {}, &Iceberg::velocitySd_mps, limits::kSpeed_mps, kVelocityStep_mps));
+    deviation.decimals = {.least = 2, .most = 3};
+    NumberRow spread = asSpeed(objectRow<Iceberg>(
+        {.key = u"icebergVelocitySpread"_s,
+         .label = InspectorRows::tr("Drift variation"),
+         .toolTip = InspectorRows::tr(
+             "Standard deviation of its drift in the long run, along each axis, about "
+             "that of the current. A beacon off Canada: 0.15 m/s."),
+         .undoText = InspectorRows::tr("Change drift variation"),
+         .isShown = isFiltered},
+        {}, &Iceberg::velocitySpread_mps, limits::kSpeed_mps, kVelocityStep_mps));
+    spread.decimals = deviation.decimals;
+    append(rows,
+           {deviation, spread,
+            objectRow<Iceberg>({.key = u"icebergVelocityTime"_s,
+                                .label = InspectorRows::tr("Drift changes in"),
+                                .toolTip = InspectorRows::tr(
+                                    "Time in which a drift that was known is known no more: it "
+                                    "fades to the current. 0: the drift is constant. A beacon "
+                                    "off Canada: 36,000 s."),
+                                .undoText = InspectorRows::tr("Change time of drift"),
+                                .isShown = isFiltered},
+                               u" s"_s, &Iceberg::velocityTime_s, limits::kTime_s, 3600)});
     return rows;
 }
 
 std::vector<InspectorRow> uncertaintyRows()
 {
-    NumberRow sigma =
-        icebergRow({.key = u"icebergSigma0"_s,
-                    .label = InspectorRows::tr("Uncertainty σ₀"),
-                    .toolTip = InspectorRows::tr("Variance of the position when it was last seen."),
-                    .undoText = InspectorRows::tr("Change uncertainty")},
-                   u" m²"_s, &Iceberg::sigma0_m2, limits::kSigma_m2);
+    NumberRow sigma = objectRow<Iceberg>(
+        {.key = u"icebergSigma0"_s,
+         .label = InspectorRows::tr("Uncertainty σ₀"),
+         .toolTip = InspectorRows::tr("Variance of the position when it was last seen."),
+         .undoText = InspectorRows::tr("Change uncertainty")},
+        u" m²"_s, &Iceberg::sigma0_m2, limits::kSigma_m2);
     sigma.decimals = {.least = 0, .most = 3};
-    NumberRow growth = icebergRow(
+    NumberRow growth = objectRow<Iceberg>(
         {.key = u"icebergGrowth"_s,
          .label = InspectorRows::tr("Growth q"),
          .toolTip = InspectorRows::tr("What the uncertainty grows by in a second out of view."),
          .undoText = InspectorRows::tr("Change growth of uncertainty")},
-        u" m²/s"_s, &Iceberg::q_m2ps, limits::kGrowth_m2ps);
+        u" m²/s"_s, &Iceberg::q_m2ps, limits::kGrowth_m2ps, 0.005);
     growth.decimals = {.least = 3, .most = 6};
-    growth.step = 0.005;
     const auto deviation = [](const Scenario& scenario, const std::string& id,
                               const QLocale& locale) {
-        const Iceberg* iceberg = objectOf(scenario.icebergs, id);
+        const Iceberg* iceberg = findById(scenario.icebergs, id);
         return iceberg == nullptr
                    ? QString()
                    : InspectorRows::tr("standard deviation %1 m")
@@ -144,12 +123,12 @@ PickRow visitorRow()
                 },
             .read =
                 [](const Scenario& scenario, const std::string& id) {
-                    const Iceberg* iceberg = objectOf(scenario.icebergs, id);
+                    const Iceberg* iceberg = findById(scenario.icebergs, id);
                     return iceberg == nullptr ? std::string() : iceberg->uav;
                 },
             .write =
                 [](Scenario& scenario, const std::string& id, const std::string& uav) {
-                    if (Iceberg* iceberg = objectOf(scenario.icebergs, id))
+                    if (Iceberg* iceberg = findById(scenario.icebergs, id))
                         iceberg->uav = uav;
                 }};
 }
@@ -165,7 +144,7 @@ PartRow trackRow()
             .removeText = InspectorRows::tr("Clear"),
             .text = [](const Scenario& scenario, const std::string& id,
                        const QLocale& locale) -> QString {
-                const Iceberg* iceberg = objectOf(scenario.icebergs, id);
+                const Iceberg* iceberg = findById(scenario.icebergs, id);
                 if (iceberg == nullptr || iceberg->track.empty())
                     return {};
                 const std::vector<double>& time_s = iceberg->track.time_s;
@@ -175,7 +154,7 @@ PartRow trackRow()
             },
             .remove =
                 [](Scenario& scenario, const std::string& id) {
-                    if (Iceberg* iceberg = objectOf(scenario.icebergs, id)) {
+                    if (Iceberg* iceberg = findById(scenario.icebergs, id)) {
                         iceberg->track = {};
                         iceberg->trackExtraJson.clear();
                     }
@@ -190,29 +169,27 @@ std::vector<InspectorRow> icebergRows()
     append(rows, positionRows<Iceberg>(u"iceberg"_s));
     append(rows, driftRows());
     append(rows, uncertaintyRows());
-    rows.emplace_back(icebergRow(
+    rows.emplace_back(objectRow<Iceberg>(
         {.key = u"icebergObserved"_s,
          .label = InspectorRows::tr("Last seen"),
          .toolTip = InspectorRows::tr("How long before the start it was last seen; σ has grown "
                                       "since."),
          .undoText = InspectorRows::tr("Change time last seen")},
         InspectorRows::tr(" s ago", "unit after a number"), &Iceberg::observed_s, limits::kTime_s));
-    NumberRow appears = icebergRow(
+    rows.emplace_back(objectRow<Iceberg>(
         {.key = u"icebergAppears"_s,
          .label = InspectorRows::tr("Appears at"),
          .toolTip = InspectorRows::tr("Time of the run from which on it is known; 0 is the start."),
          .undoText = InspectorRows::tr("Change time of appearing")},
-        u" s"_s, &Iceberg::appears_s, limits::kTime_s);
-    appears.step = 10;
-    rows.emplace_back(appears);
-    NumberRow radius =
-        icebergRow({.key = u"icebergRadius"_s,
-                    .label = InspectorRows::tr("Radius"),
-                    .toolTip = InspectorRows::tr("Half its length; decides its size on the map."),
-                    .undoText = InspectorRows::tr("Change radius")},
-                   u" m"_s, &Iceberg::radius_m, limits::kLength_m);
-    radius.step = 5;
-    rows.emplace_back(radius);
+        u" s"_s, &Iceberg::appears_s, limits::kTime_s, 10));
+    rows.emplace_back(objectRow<Iceberg>(
+        {.key = u"icebergRadius"_s,
+         .label = InspectorRows::tr("Radius"),
+         .toolTip =
+             InspectorRows::tr("Half its length: its size on the map, and how far outside the "
+                               "area it is still monitored."),
+         .undoText = InspectorRows::tr("Change radius")},
+        u" m"_s, &Iceberg::radius_m, limits::kLength_m, 5));
     rows.emplace_back(visitorRow());
     rows.emplace_back(trackRow());
     return rows;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/find_by_id.h"
 #include "core/scenario/validate.h"
 #include "widgets/model/selection.h"
 #include "widgets/panels/inspector/inspector_rows.h"
@@ -8,7 +9,7 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <type_traits>
@@ -27,23 +28,14 @@ struct InspectorRows
 // Steps of the arrows.
 inline constexpr double kVelocityStep_mps = 0.05;
 
-/** nullptr when there is none. */
-template <class Objects>
-[[nodiscard]] auto objectOf(Objects& objects, const std::string& id) -> decltype(objects.data())
-{
-    const auto it = std::find_if(objects.begin(), objects.end(),
-                                 [&](const auto& object) { return object.id == id; });
-    return it == objects.end() ? nullptr : &*it;
-}
-
 /** The object of this kind in a scenario, constant or not; nullptr when there is none. */
 template <class Object, class S>
 [[nodiscard]] auto* objectIn(S& scenario, [[maybe_unused]] const std::string& id)
 {
     if constexpr (std::is_same_v<Object, Iceberg>)
-        return objectOf(scenario.icebergs, id);
+        return findById(scenario.icebergs, id);
     else if constexpr (std::is_same_v<Object, Uav>)
-        return objectOf(scenario.uavs, id);
+        return findById(scenario.uavs, id);
     else if constexpr (std::is_same_v<Object, NoFlyArea>) {
         const std::optional<std::size_t> place = noFlyPlace(id);
         return place && *place < scenario.noFly.size() ? &scenario.noFly[*place] : nullptr;
@@ -51,30 +43,30 @@ template <class Object, class S>
         return scenario.asset ? &*scenario.asset : nullptr;
 }
 
-// Closures of a row about one number of an object.
-
-/** Reads a number of an object: `number(object)` gives a reference to it. */
-template <class Object, class Number>
-auto reading(Number number)
-{
-    return [number](const Scenario& scenario, const std::string& id) -> double {
-        const Object* object = objectIn<Object>(scenario, id);
-        return object == nullptr ? 0 : number(*object);
-    };
-}
-
-template <class Object, class Number>
-auto writing(Number number)
-{
-    return [number](Scenario& scenario, const std::string& id, double value) {
-        if (Object* object = objectIn<Object>(scenario, id))
-            number(*object) = value;
-    };
-}
-
 inline auto always(const Limits& limits)
 {
     return [limits](const Scenario&) { return limits; };
+}
+
+/** Row of a number of an object: `number` is a member of it, or gives a reference to one. */
+template <class Object, class Number>
+NumberRow objectRow(const RowWords& words, const QString& unit, Number number, const Limits& limits,
+                    double step = 1)
+{
+    return {.words = words,
+            .unit = unit,
+            .decimals = {.least = 0, .most = 1},
+            .step = step,
+            .read = [number](const Scenario& scenario, const std::string& id) -> double {
+                const Object* object = objectIn<Object>(scenario, id);
+                return object == nullptr ? 0 : std::invoke(number, *object);
+            },
+            .write =
+                [number](Scenario& scenario, const std::string& id, double value) {
+                    if (Object* object = objectIn<Object>(scenario, id))
+                        std::invoke(number, *object) = value;
+                },
+            .range = always(limits)};
 }
 
 /** Row of a number of the scenario itself. */
@@ -119,7 +111,7 @@ auto memberOf(Member member)
 {
     return [member](auto& scenario, const std::string& id) {
         auto* object = objectIn<Object>(scenario, id);
-        return object == nullptr ? nullptr : &member(*object);
+        return object == nullptr ? nullptr : &std::invoke(member, *object);
     };
 }
 
@@ -153,7 +145,7 @@ inline bool isFiltered(const Scenario& scenario, const std::string& /*id*/)
 /** Whether the endurance of the UAV has a limit. */
 inline bool isLimited(const Scenario& scenario, const std::string& id)
 {
-    const Uav* uav = objectOf(scenario.uavs, id);
+    const Uav* uav = findById(scenario.uavs, id);
     return uav != nullptr && uav->spec.endurance_s > 0;
 }
 

@@ -89,16 +89,11 @@ std::vector<InspectorRow> positionRows(const QString& kind)
 {
     const auto row = [&](const QString& key, const QString& label, const QString& toolTip,
                          auto number) {
-        return asDistance({.words = {.key = kind + key,
-                                     .label = label,
-                                     .toolTip = toolTip,
-                                     .undoText = InspectorRows::tr("Change position")},
-                           .unit = {},
-                           .decimals = {.least = 0, .most = 1},
-                           .step = kPositionStep_m,
-                           .read = reading<Object>(number),
-                           .write = writing<Object>(number),
-                           .range = always(limits::kCoordinate_m)});
+        return asDistance(objectRow<Object>({.key = kind + key,
+                                             .label = label,
+                                             .toolTip = toolTip,
+                                             .undoText = InspectorRows::tr("Change position")},
+                                            {}, number, limits::kCoordinate_m, kPositionStep_m));
     };
     return {row(
                 u"East"_s, InspectorRows::tr("East"),

@@ -14,18 +14,13 @@ bool hasStation(const Scenario& scenario, const std::string& /*id*/)
     return scenario.groundStation.has_value();
 }
 
-template <class Member>
-NumberRow sortieRow(const RowWords& words, Member number, const Limits& limits, const QString& unit)
+NumberRow sortieRow(const RowWords& words, double UavSpec::*member, const Limits& limits,
+                    const QString& unit)
 {
     RowWords shown = words;
     shown.isShown = isLimited;
-    return {.words = shown,
-            .unit = unit,
-            .decimals = {.least = 0, .most = 1},
-            .step = 5,
-            .read = reading<Uav>(number),
-            .write = writing<Uav>(number),
-            .range = always(limits)};
+    return objectRow<Uav>(
+        shown, unit, [member](auto& uav) -> auto& { return uav.spec.*member; }, limits, 5);
 }
 
 PickRow icingRow()
@@ -42,12 +37,12 @@ PickRow icingRow()
                         {"yes", InspectorRows::tr("flying allowed")}};
                 },
             .read = [](const Scenario& scenario, const std::string& id) -> std::string {
-                const Uav* uav = objectOf(scenario.uavs, id);
+                const Uav* uav = findById(scenario.uavs, id);
                 return uav != nullptr && uav->weather.icing ? "yes" : "no";
             },
             .write =
                 [](Scenario& scenario, const std::string& id, const std::string& value) {
-                    if (Uav* uav = objectOf(scenario.uavs, id))
+                    if (Uav* uav = findById(scenario.uavs, id))
                         uav->weather.icing = value == "yes";
                 }};
 }
@@ -136,14 +131,12 @@ std::vector<InspectorRow> stationRows()
 
 std::vector<InspectorRow> reserveRows()
 {
-    return {sortieRow(
-                {.key = u"uavReserve"_s,
-                 .label = InspectorRows::tr("Reserve"),
-                 .toolTip = InspectorRows::tr("Part of the endurance that no flight is "
-                                              "planned to use."),
-                 .undoText = InspectorRows::tr("Change reserve")},
-                [](auto& uav) -> auto& { return uav.spec.reservePercent; }, limits::kReservePercent,
-                u" %"_s),
+    return {sortieRow({.key = u"uavReserve"_s,
+                       .label = InspectorRows::tr("Reserve"),
+                       .toolTip = InspectorRows::tr("Part of the endurance that no flight is "
+                                                    "planned to use."),
+                       .undoText = InspectorRows::tr("Change reserve")},
+                      &UavSpec::reservePercent, limits::kReservePercent, u" %"_s),
             optionalRow({.key = u"uavFixedReserve"_s,
                          .label = InspectorRows::tr("Fixed reserve"),
                          .toolTip = InspectorRows::tr("A time in place of the percentage."),
@@ -152,19 +145,17 @@ std::vector<InspectorRow> reserveRows()
                         u" s"_s,
                         memberOf<Uav>([](auto& uav) -> auto& { return uav.spec.reserve_s; }),
                         limits::kTime_s, InspectorRows::tr("by percentage")),
-            sortieRow(
-                {.key = u"uavClimb"_s,
-                 .label = InspectorRows::tr("Climb"),
-                 .toolTip = InspectorRows::tr("Time from take-off to the altitude."),
-                 .undoText = InspectorRows::tr("Change climb time")},
-                [](auto& uav) -> auto& { return uav.spec.climb_s; }, limits::kTime_s, u" s"_s),
-            sortieRow(
-                {.key = u"uavLanding"_s,
-                 .label = InspectorRows::tr("Landing"),
-                 .toolTip = InspectorRows::tr("Time from the altitude, over home, to the "
-                                              "ground."),
-                 .undoText = InspectorRows::tr("Change landing time")},
-                [](auto& uav) -> auto& { return uav.spec.landing_s; }, limits::kTime_s, u" s"_s)};
+            sortieRow({.key = u"uavClimb"_s,
+                       .label = InspectorRows::tr("Climb"),
+                       .toolTip = InspectorRows::tr("Time from take-off to the altitude."),
+                       .undoText = InspectorRows::tr("Change climb time")},
+                      &UavSpec::climb_s, limits::kTime_s, u" s"_s),
+            sortieRow({.key = u"uavLanding"_s,
+                       .label = InspectorRows::tr("Landing"),
+                       .toolTip = InspectorRows::tr("Time from the altitude, over home, to the "
+                                                    "ground."),
+                       .undoText = InspectorRows::tr("Change landing time")},
+                      &UavSpec::landing_s, limits::kTime_s, u" s"_s)};
 }
 
 std::vector<InspectorRow> weatherLimitRows()

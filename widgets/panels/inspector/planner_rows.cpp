@@ -29,7 +29,8 @@ std::vector<InspectorRow> plannerRows()
         .words = {.key = u"scenarioLatency"_s,
                   .label = InspectorRows::tr("Planning time"),
                   .toolTip = InspectorRows::tr("How long a plan takes in flight; until it is there "
-                                               "the UAV flies the last one on."),
+                                               "the UAV continues with the previous "
+                                               "plan."),
                   .undoText = InspectorRows::tr("Change planning time")},
         .unit = u" s"_s,
         .decimals = {.least = 0, .most = 1},

@@ -8,18 +8,10 @@ namespace berg {
 namespace {
 
 NumberRow uavRow(const RowWords& words, const QString& unit, double UavSpec::*member,
-                 const Limits& limits)
+                 const Limits& limits, double step = 1)
 {
-    const auto number = [member](auto& uav) -> auto&
-    {
-        return uav.spec.*member;
-    };
-    return {.words = words,
-            .unit = unit,
-            .decimals = {.least = 0, .most = 1},
-            .read = reading<Uav>(number),
-            .write = writing<Uav>(number),
-            .range = always(limits)};
+    return objectRow<Uav>(
+        words, unit, [member](auto& uav) -> auto& { return uav.spec.*member; }, limits, step);
 }
 
 NumberRow headingRow()
@@ -38,14 +30,13 @@ NumberRow headingRow()
             .step = 5,
             .read =
                 [oneTurn](const Scenario& scenario, const std::string& id) {
-                    const Uav* uav = objectOf(scenario.uavs, id);
+                    const Uav* uav = findById(scenario.uavs, id);
                     return uav == nullptr ? 0 : oneTurn(uav->heading_deg);
                 },
             .write =
                 [oneTurn](Scenario& scenario, const std::string& id, double heading_deg) {
-                    for (Uav& uav : scenario.uavs)
-                        if (uav.id == id)
-                            uav.heading_deg = oneTurn(heading_deg);
+                    if (Uav* uav = findById(scenario.uavs, id))
+                        uav->heading_deg = oneTurn(heading_deg);
                 },
             // Wide enough to step across north either way.
             .range = always({.low = -360, .high = 720})};
@@ -72,16 +63,11 @@ std::vector<InspectorRow> fieldOfViewRows()
 {
     const auto row = [](const QString& key, const QString& label, const QString& toolTip,
                         auto number) {
-        return NumberRow{.words = {.key = key,
-                                   .label = label,
-                                   .toolTip = toolTip,
-                                   .undoText = InspectorRows::tr("Change field of view")},
-                         .unit = u" m"_s,
-                         .decimals = {.least = 0, .most = 1},
-                         .step = 50,
-                         .read = reading<Uav>(number),
-                         .write = writing<Uav>(number),
-                         .range = always(limits::kExtent_m)};
+        return objectRow<Uav>({.key = key,
+                               .label = label,
+                               .toolTip = toolTip,
+                               .undoText = InspectorRows::tr("Change field of view")},
+                              u" m"_s, number, limits::kExtent_m, 50);
     };
     return {row(
                 u"uavFovAlong"_s, InspectorRows::tr("View along-track"),
@@ -108,23 +94,20 @@ std::vector<InspectorRow> uavRows()
                               .undoText = InspectorRows::tr("Change maximum bank angle")},
                              u"°"_s, &UavSpec::maxBank_deg, limits::kBank_deg));
     append(rows, fieldOfViewRows());
-    NumberRow altitude =
+    rows.emplace_back(
         uavRow({.key = u"uavAltitude"_s,
                 .label = InspectorRows::tr("Altitude"),
                 .toolTip = InspectorRows::tr("Height above the sea: UAVs that are 30 m "
                                              "apart in it pass each other."),
                 .undoText = InspectorRows::tr("Change altitude")},
-               u" m"_s, &UavSpec::altitude_m, limits::kExtent_m);
-    altitude.step = 10;
-    rows.emplace_back(altitude);
+               u" m"_s, &UavSpec::altitude_m, limits::kExtent_m, 10));
     NumberRow endurance =
         uavRow({.key = u"uavEndurance"_s,
                 .label = InspectorRows::tr("Endurance"),
                 .toolTip = InspectorRows::tr("Longest flight: it is home before that; at 0 "
-                                             "it never lands."),
+                                             "it lands only when told to return."),
                 .undoText = InspectorRows::tr("Change endurance")},
-               u" s"_s, &UavSpec::endurance_s, limits::kTime_s);
-    endurance.step = 60;
+               u" s"_s, &UavSpec::endurance_s, limits::kTime_s, 60);
     endurance.lowestText = InspectorRows::tr("unlimited");
     rows.emplace_back(endurance);
     append(rows, reserveRows());
