@@ -111,8 +111,8 @@ QStringList writePictures(const Mission& mission, const PictureOptions& options,
         throw Error(ErrorCode::FileUnwritable, options.folder.toStdString(), {IssueId::CannotMake});
     const FlightRecord record = recordOf(mission);
     const MapPicture picture = missionPicture(record, locale);
-    const TimeChartContent zeta = zetaContent(record, locale);
-    const TimeChartContent sigma = sigmaContent(record, locale);
+    const TimeChartContent zeta = missionChart(ChartKind::Zeta, record, locale);
+    const TimeChartContent sigma = missionChart(ChartKind::Sigma, record, locale);
     const QSize mapSize_px = options.size_px.value_or(kMapSize_px);
     const QSize chartSize_px = options.size_px.value_or(kChartSize_px);
     const double mapScale = layoutScale(mapSize_px, kMapLayout);

@@ -192,14 +192,15 @@ void FigureView::showValues()
         rows.emplace_back(first, lines.join(QStringLiteral(", ")));
     }
     const int count = static_cast<int>(rows.size());
-    ValueTable::open({.title = accessibleName(),
-                      .columns = {tr("Point"), tr("Values")},
+    ValueTable::open(accessibleName(),
+                     {.titles = {tr("Point"), tr("Values")},
                       .rows = count,
                       .text =
                           [rows = std::move(rows)](int row, int column) {
                               const auto& [point, values] = rows[static_cast<std::size_t>(row)];
                               return column == 0 ? point : values;
-                          }},
+                          },
+                      .sortKey = {}},
                      this);
 }
 

@@ -288,14 +288,4 @@ TimeChartContent missionChart(ChartKind kind, const FlightRecord& record, const 
     return content;
 }
 
-TimeChartContent zetaContent(const FlightRecord& record, const QLocale& locale)
-{
-    return missionChart(ChartKind::Zeta, record, locale);
-}
-
-TimeChartContent sigmaContent(const FlightRecord& record, const QLocale& locale)
-{
-    return missionChart(ChartKind::Sigma, record, locale);
-}
-
 } // namespace berg

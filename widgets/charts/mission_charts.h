@@ -47,10 +47,4 @@ inline constexpr std::array kChartKinds = {ChartKind::Zeta,     ChartKind::MeanS
 [[nodiscard]] TimeChartContent missionChart(ChartKind kind, const FlightRecord& record,
                                             const QLocale& locale);
 
-/** Zeta together with the sum of sigma over the mission so far; visits as marks. */
-[[nodiscard]] TimeChartContent zetaContent(const FlightRecord& record, const QLocale& locale);
-
-/** Sigma of every iceberg over the mission so far. */
-[[nodiscard]] TimeChartContent sigmaContent(const FlightRecord& record, const QLocale& locale);
-
 } // namespace berg

@@ -89,16 +89,16 @@ std::string MissionSeries::csv(const TimeChartContent& content) const
     return text;
 }
 
-ChartValues MissionSeries::values(const TimeChartContent& content, const QLocale& locale) const
+CellSheet MissionSeries::values(const TimeChartContent& content, const QLocale& locale) const
 {
     constexpr int kDigits = 4;
-    ChartValues values{.title = content.title,
-                       .columns = {MissionSeriesText::tr("Time")},
-                       .rows = static_cast<int>(m_times_s.size()),
-                       .text = {}};
+    CellSheet values{.titles = {MissionSeriesText::tr("Time")},
+                     .rows = static_cast<int>(m_times_s.size()),
+                     .text = {},
+                     .sortKey = {}};
     std::vector<std::vector<QPointF>> lines;
     for (std::size_t i = 0; i < content.lines.size(); ++i) {
-        values.columns << headerOf(content.lines[i]);
+        values.titles << headerOf(content.lines[i]);
         const QList<QPointF>& own = content.lines[i].points;
         lines.push_back(own.isEmpty() ? m_lines[i].points()
                                       : std::vector<QPointF>(own.begin(), own.end()));

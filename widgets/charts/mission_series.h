@@ -2,7 +2,7 @@
 
 #include "widgets/charts/mission_charts.h"
 #include "widgets/charts/time_series.h"
-#include "widgets/charts/value_table.h"
+#include "widgets/model/cell_model.h"
 
 #include <string>
 
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] std::string csv(const TimeChartContent& content) const;
 
     /** The same to be read on screen. */
-    [[nodiscard]] ChartValues values(const TimeChartContent& content, const QLocale& locale) const;
+    [[nodiscard]] CellSheet values(const TimeChartContent& content, const QLocale& locale) const;
 
 private:
     ChartKind m_kind;

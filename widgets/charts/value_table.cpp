@@ -1,6 +1,5 @@
 #include "widgets/charts/value_table.h"
 
-#include <QAbstractTableModel>
 #include <QAction>
 #include <QClipboard>
 #include <QDialogButtonBox>
@@ -17,61 +16,29 @@ namespace {
 
 constexpr QSize kBest_px(560, 420);
 
-/** Of texts that are made when they are wanted. */
-class ValueModel final : public QAbstractTableModel
+void copy(const CellSheet& values)
 {
-public:
-    ValueModel(const ChartValues& values, QObject* parent)
-        : QAbstractTableModel(parent), m_values(values)
-    {
-    }
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent) const override
-    {
-        return parent.isValid() ? 0 : m_values.rows;
-    }
-    [[nodiscard]] int columnCount(const QModelIndex& parent) const override
-    {
-        return parent.isValid() ? 0 : static_cast<int>(m_values.columns.size());
-    }
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override
-    {
-        if (role == Qt::DisplayRole)
-            return m_values.text(index.row(), index.column());
-        return {};
-    }
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                      int role) const override
-    {
-        if (orientation == Qt::Horizontal && role == Qt::DisplayRole)
-            return m_values.columns[section];
-        return {};
-    }
-
-private:
-    ChartValues m_values;
-};
-
-void copy(const ChartValues& values)
-{
-    QString text = values.columns.join(u'\t') + u'\n';
+    QString text = values.titles.join(u'\t') + u'\n';
     for (int row = 0; row < values.rows; ++row)
-        for (int column = 0; column < values.columns.size(); ++column)
-            text += values.text(row, column) + (column + 1 < values.columns.size() ? u'\t' : u'\n');
+        for (int column = 0; column < values.titles.size(); ++column)
+            text += values.text(row, column) + (column + 1 < values.titles.size() ? u'\t' : u'\n');
     QGuiApplication::clipboard()->setText(text);
 }
 
 } // namespace
 
-ValueTable::ValueTable(const ChartValues& values, QWidget* parent) : QDialog(parent)
+ValueTable::ValueTable(const QString& chart, const CellSheet& values, QWidget* parent)
+    : QDialog(parent)
 {
     setObjectName(u"valueTable"_s);
-    setWindowTitle(tr("Values: %1").arg(values.title));
+    setWindowTitle(tr("Values: %1").arg(chart));
     auto* column = new QVBoxLayout(this);
     auto* table = new QTableView;
     table->setObjectName(u"values"_s);
-    table->setAccessibleName(values.title);
-    table->setModel(new ValueModel(values, table));
+    table->setAccessibleName(chart);
+    auto* model = new CellModel(table);
+    model->setSheet(values);
+    table->setModel(model);
     table->setTabKeyNavigation(false);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->verticalHeader()->hide();
@@ -89,9 +56,9 @@ ValueTable::ValueTable(const ChartValues& values, QWidget* parent) : QDialog(par
     table->setFocus();
 }
 
-void ValueTable::open(const ChartValues& values, QWidget* parent)
+void ValueTable::open(const QString& chart, const CellSheet& values, QWidget* parent)
 {
-    auto* table = new ValueTable(values, parent);
+    auto* table = new ValueTable(chart, values, parent);
     table->setAttribute(Qt::WA_DeleteOnClose);
     table->show();
 }

@@ -79,7 +79,8 @@ PicturePage chartPage(const ExportContent& content, const QLocale& locale)
     sheet->subtitle = pageSubtitle(
         content, ChartPageText::tr("Flown until %1").arg(clockText(content.now_s)), locale);
     const FlightRecord record = recordOf(*content.mission);
-    std::array contents{zetaContent(record, locale), sigmaContent(record, locale)};
+    std::array contents{missionChart(ChartKind::Zeta, record, locale),
+                        missionChart(ChartKind::Sigma, record, locale)};
     for (TimeLine& line : contents[1].lines)
         line.label = printable(line.label); // a name, which may hold anything
     for (TimeChartContent& chart : contents)

@@ -302,7 +302,7 @@ PicturePage logPage(const ExportContent& content, const QLocale& locale)
     book->map = arrangeMap(book->picture, {.theme = book->theme, .locale = locale},
                            QRectF(QPointF(0, 0), book->sheets.map.size() / kMapScale));
     const FlightRecord record = recordOf(*content.mission);
-    std::array contents{zetaContent(record, locale)};
+    std::array contents{missionChart(ChartKind::Zeta, record, locale)};
     contents[0].emptyText = LogText::tr("Nothing was flown");
     book->charts = documentCharts(contents, book->theme, book->sheets.chart.size(), locale);
     std::vector<std::function<void(QPainter&)>> more;

@@ -78,7 +78,7 @@ private slots:
     {
         const Mission mission = flown(fourIcebergs());
         const FlightRecord record = recordOf(mission);
-        const TimeFigure chart = charted(zetaContent(record, QLocale::c()));
+        const TimeFigure chart = charted(missionChart(ChartKind::Zeta, record, QLocale::c()));
         QCOMPARE(strokesOf(chart).size(), std::size_t{2});
         const Pixel zeta = strokeOf(chart, "zeta_m2s").points.back();
         COMPARE_NEAR(zeta.x, chart.drawing.plot.right, 1e-6);
@@ -87,7 +87,7 @@ private slots:
         const Pixel sum = strokeOf(chart, "sigma_sum_m2").points.back();
         COMPARE_NEAR(valueAt(chart, chart.drawing.y, sum.y),
                      record.history.samples.back().sigmaSum_m2, 1e-6);
-        const TimeChartContent sigma = sigmaContent(record, QLocale::c());
+        const TimeChartContent sigma = missionChart(ChartKind::Sigma, record, QLocale::c());
         const TimeFigure each = charted(sigma);
         QCOMPARE(strokesOf(each).size(), std::size_t{4});
         for (std::size_t i = 0; i < strokesOf(each).size(); ++i)
@@ -132,7 +132,8 @@ private slots:
         const Mission mission = flown(fourIcebergs());
         const FlightRecord record = recordOf(mission);
         for (const TimeChartContent& content :
-             {zetaContent(record, QLocale()), sigmaContent(record, QLocale())}) {
+             {missionChart(ChartKind::Zeta, record, QLocale()),
+              missionChart(ChartKind::Sigma, record, QLocale())}) {
             TimeChart window(Theme::light());
             window.resize(kSize_px.toSize());
             window.show();
@@ -211,7 +212,8 @@ private slots:
     {
         const Mission mission = flown(fourIcebergs());
         const FlightRecord record = recordOf(mission);
-        const std::array contents{zetaContent(record, QLocale()), sigmaContent(record, QLocale())};
+        const std::array contents{missionChart(ChartKind::Zeta, record, QLocale()),
+                                  missionChart(ChartKind::Sigma, record, QLocale())};
         const std::vector<TimeFigure> charts =
             documentCharts(contents, Theme::light(), kSize_px, QLocale());
         QCOMPARE(charts.size(), std::size_t{2});

@@ -3,6 +3,7 @@
 #include "core/io/text/atomic_file.h"
 #include "widgets/charts/chart_image.h"
 #include "widgets/charts/time_chart.h"
+#include "widgets/charts/value_table.h"
 #include "widgets/theme/icons.h"
 
 #include <QApplication>
@@ -150,7 +151,7 @@ void ChartPanel::copyNumbers() const
 
 void ChartPanel::showValues()
 {
-    ValueTable::open(m_series.values(m_empty, locale()), this);
+    ValueTable::open(m_empty.title, m_series.values(m_empty, locale()), this);
 }
 
 void ChartPanel::setTheme(const Theme& theme)

@@ -200,7 +200,7 @@ private slots:
     void zetaChartEndsAtTheMetrics()
     {
         const Mission mission = fiveIcebergs(300);
-        const TimeChartContent content = zetaContent(recordOf(mission), kLocale);
+        const TimeChartContent content = missionChart(ChartKind::Zeta, recordOf(mission), kLocale);
         QCOMPARE(content.lines.size(), std::size_t{2});
         const TimeLine& zeta = content.lines[0];
         QVERIFY(zeta.onRightAxis);
@@ -216,11 +216,11 @@ private slots:
         FlightRecord record = recordOf(fiveIcebergs(300));
         ZetaBound bound{.zeta_m2s = 1, .curve = {{.time_s = 0}, {.time_s = 300, .zeta_m2s = 1}}};
         record.bound = {.zeta_m2s = 1, .share = 1, .whole = std::make_shared<ZetaBound>(bound)};
-        QCOMPARE(zetaContent(record, kLocale).lines.size(), std::size_t{3});
+        QCOMPARE(missionChart(ChartKind::Zeta, record, kLocale).lines.size(), std::size_t{3});
         record.now.asset.emplace();
         for (Sample& sample : record.history.samples)
             sample.weightedSum_m2 = 3 * sample.sigmaSum_m2;
-        const TimeChartContent content = zetaContent(record, kLocale);
+        const TimeChartContent content = missionChart(ChartKind::Zeta, record, kLocale);
         QCOMPARE(content.lines.size(), std::size_t{4});
         QCOMPARE(content.lines[2].key, u"weighted_sum_m2"_s);
         QCOMPARE(content.lines[3].key, u"zeta_bound_m2s"_s);
@@ -258,7 +258,7 @@ private slots:
     void sigmaChartHasALineForEachIceberg()
     {
         const Mission mission = fiveIcebergs(300);
-        const TimeChartContent content = sigmaContent(recordOf(mission), kLocale);
+        const TimeChartContent content = missionChart(ChartKind::Sigma, recordOf(mission), kLocale);
         QCOMPARE(content.lines.size(), std::size_t{5});
         QCOMPARE(content.lines[0].label, u"Big one"_s);
         for (std::size_t i = 0; i < content.lines.size(); ++i) {
