@@ -33,7 +33,7 @@ StudyKeeper::StudyKeeper(StudyRunner& runner, QObject* parent) : QObject(parent)
 StudyKeeper::~StudyKeeper()
 {
     m_thread.waitForDone();
-    if (m_held && !m_keep)
+    if (m_held && !m_keep && !m_isReading)
         removeRecovery(m_held->files);
 }
 
@@ -80,7 +80,7 @@ void StudyKeeper::write()
 void StudyKeeper::drop()
 {
     m_timer.stop();
-    if (m_held)
+    if (m_held && !m_isReading)
         m_thread.start([files = m_held->files] { removeRecovery(files); });
 }
 

@@ -51,7 +51,7 @@ private:
     StudyRunner& m_runner;
     QString m_folder; ///< empty: not started
     std::optional<HeldRecovery> m_held;
-    bool m_isReading = false; ///< what is held then
+    bool m_isReading = false; ///< what is held then: nobody has seen it, so it is not given up
     bool m_keep = false;
     QTimer m_timer;
     QThreadPool m_thread; ///< one thread: jobs end in the order they were begun

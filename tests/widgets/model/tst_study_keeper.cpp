@@ -8,6 +8,8 @@
 #include <QDir>
 #include <QTemporaryDir>
 
+#include <functional>
+
 using namespace berg;
 using namespace Qt::StringLiterals;
 using test::kPatience_ms;
@@ -103,6 +105,30 @@ private slots:
         next.runner.noteSaved(next.runner.savePoint());
         next.keeper.follow();
         QTRY_VERIFY_WITH_TIMEOUT(kept().isEmpty(), kPatience_ms);
+    }
+
+    void whatIsStillBeingReadStays_data()
+    {
+        QTest::addColumn<std::function<void(StudyKeeper&)>>("end");
+        const auto row = [](const char* name, std::function<void(StudyKeeper&)> end) {
+            QTest::newRow(name) << std::move(end);
+        };
+        row("closed", [](StudyKeeper&) {});
+        row("ended by the desktop", [](StudyKeeper& keeper) { keeper.keep(); });
+        row("nothing to save", [](StudyKeeper& keeper) { keeper.discard(); });
+        row("another study", [](StudyKeeper& keeper) { keeper.follow(); });
+    }
+
+    void whatIsStillBeingReadStays()
+    {
+        QFETCH(std::function<void(StudyKeeper&)>, end);
+        leave();
+        {
+            Window window(folder());
+            window.keeper.lookForAbandoned();
+            end(window.keeper);
+        }
+        QCOMPARE(kept().size(), 1);
     }
 
     void oneInUseIsLeftAlone()
