@@ -47,8 +47,7 @@ void RunList::add(const FlightRecord& record)
 {
     if (record.now.time_s <= 0 || record.history.samples.empty())
         return;
-    auto run = std::make_shared<const ComparedRun>(comparedRun(record));
-    insert(run);
+    const RunPointer run = insert(std::make_shared<const ComparedRun>(comparedRun(record)));
     const bool keepsOther = m_other && m_other != run && isComparable(*run, *m_other);
     compare(run, keepsOther ? m_other : newestBeside(run));
 }
@@ -132,13 +131,11 @@ void RunList::take(const Result& result)
         emit progress(result.flown_s, result.duration_s);
         return;
     }
-    insert(result.run);
-    const bool besideReference =
-        m_reference && m_reference != result.run && isComparable(*m_reference, *result.run);
-    if (besideReference)
-        compare(m_reference, result.run);
+    const RunPointer run = insert(result.run);
+    if (m_reference && m_reference != run && isComparable(*m_reference, *run))
+        compare(m_reference, run);
     else
-        compare(result.run, newestBeside(result.run));
+        compare(run, newestBeside(run));
 }
 
 void RunList::end(const std::optional<WorkFailure>& failure)
@@ -152,23 +149,24 @@ void RunList::end(const std::optional<WorkFailure>& failure)
         emit finished(std::exchange(m_failure, {}));
 }
 
-/** In place of an equal run, or as the newest one. */
-void RunList::insert(RunPointer run)
+/** In place of an equal run, whose name it gets, or as the newest one; returns what is listed. */
+RunPointer RunList::insert(RunPointer run)
 {
     const auto equal = std::find_if(m_runs.begin(), m_runs.end(), [&](const RunPointer& known) {
         return isSameRun(*known, *run);
     });
     if (equal == m_runs.end()) {
-        m_runs.push_back(std::move(run));
+        m_runs.push_back(run);
         makeRoom();
-        return;
+        return run;
     }
     if (run->name.isEmpty() && !(*equal)->name.isEmpty()) {
         auto named = std::make_shared<ComparedRun>(*run);
         named->name = (*equal)->name;
         run = std::move(named);
     }
-    replace(*equal, std::move(run));
+    replace(*equal, run);
+    return run;
 }
 
 void RunList::replace(RunPointer& known, RunPointer run)

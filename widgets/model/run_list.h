@@ -98,7 +98,7 @@ private:
     void start();
     void take(const Result& result);
     void end(const std::optional<WorkFailure>& failure);
-    void insert(RunPointer run);
+    RunPointer insert(RunPointer run);
     void replace(RunPointer& known, RunPointer run);
     void compare(RunPointer reference, RunPointer other);
     void makeRoom();

@@ -93,6 +93,8 @@ private slots:
         list.add(recordOf(mission));
         QCOMPARE(list.runs().size(), std::size_t{1});
         QCOMPARE(list.runs()[0]->name, u"first try"_s);
+        QVERIFY(list.reference() == list.runs()[0]);
+        QVERIFY(!list.comparison()); // not with itself
     }
 
     void aVariantIsSetBesideTheReference()
