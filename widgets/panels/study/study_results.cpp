@@ -297,12 +297,16 @@ void StudyResults::choose(std::optional<std::size_t> setting)
 void StudyResults::showCases()
 {
     const StudyPointer& result = m_runner.result();
-    const int before = m_casesTable->currentIndex().row();
+    const int chosen = m_casesTable->currentIndex().row();
+    const std::size_t before = chosen >= 0 ? m_casesModel->caseAt(chosen) : 0;
     m_casesModel->setCases(result, m_setting);
     const int rows = m_casesModel->rowCount();
-    if (rows > 0 && m_casesTable->currentIndex().row() < 0)
-        m_casesTable->setCurrentIndex(
-            m_casesModel->index(before >= 0 && before < rows ? before : 0, 0));
+    if (rows > 0 && m_casesTable->currentIndex().row() < 0) {
+        int row = chosen >= 0 ? rows - 1 : 0;
+        while (row > 0 && m_casesModel->caseAt(row) != before)
+            --row;
+        m_casesTable->setCurrentIndex(m_casesModel->index(row, 0));
+    }
     m_tables->setTabText(
         1, m_setting && rows > 0
                ? tr("Cases of %1")

@@ -341,6 +341,27 @@ private slots:
         QCOMPARE(opened.count(), 2);
     }
 
+    void chosenCaseStaysWhenMoreAreFlown()
+    {
+        StudyPanelFixture f;
+        Study part = test::fourCases()->study;
+        for (std::size_t k = 0; k < settingsOf(part.spec).size(); ++k)
+            part.outcomes[k].reset(); // the first case
+        f.runner.show(part);
+        QTRY_VERIFY(f.runner.result() != nullptr);
+        f.get<QTableView>(u"studySettings"_s).selectRow(2);
+        auto& cases = f.get<QTableView>(u"studyCases"_s);
+        cases.sortByColumn(StudyCasesModel::Zeta, Qt::AscendingOrder);
+        const auto chosen = [&] {
+            return cases.model()->index(cases.currentIndex().row(), StudyCasesModel::Zeta).data();
+        };
+        cases.selectRow(1);
+        QCOMPARE(chosen().toString(), u"104.0"_s);
+        f.runner.show(test::fourCases()->study);
+        QTRY_COMPARE(cases.model()->rowCount(), 4);
+        QCOMPARE(chosen().toString(), u"104.0"_s);
+    }
+
     void pictureAndTableAgreeOnTheChoice()
     {
         StudyPanelFixture f;
