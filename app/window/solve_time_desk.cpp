@@ -24,7 +24,8 @@ SolveTimeDesk::SolveTimeDesk(WindowContext& context, const Docks& docks)
     : WindowPart(context), m_docks(docks)
 {
     connect(panels().study, &StudyPanel::solveTimesRequested, this, [this] {
-        panels().solveTime->showSpec(figure3(benchmarkSolvers()));
+        if (!workspace().benchmark().isRunning())
+            panels().solveTime->showSpec(figure3(benchmarkSolvers()));
         show();
     });
     connect(panels().solveTime, &SolveTimePanel::startRequested, this, [this] {

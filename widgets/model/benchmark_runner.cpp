@@ -46,6 +46,11 @@ void BenchmarkRunner::start(const BenchmarkSpec& spec)
     emit updated();
 }
 
+double BenchmarkRunner::elapsed_s() const
+{
+    return m_running ? static_cast<double>(m_sinceStart.elapsed()) / 1000 : m_measured_s;
+}
+
 double BenchmarkRunner::unsaved_s() const
 {
     return m_isSaved || m_rows.empty() ? 0 : m_measured_s;
@@ -61,7 +66,7 @@ void BenchmarkRunner::take(BenchmarkReport report)
     const bool newRows = report.rows.size() != m_rows.size();
     m_rows = std::move(report.rows);
     m_isSaved = false;
-    m_measured_s = static_cast<double>(m_sinceStart.elapsed()) / 1000;
+    m_measured_s = elapsed_s();
     emit progress(report.done, report.count);
     if (newRows)
         emit updated();
@@ -69,7 +74,7 @@ void BenchmarkRunner::take(BenchmarkReport report)
 
 void BenchmarkRunner::end(const std::optional<WorkFailure>& failure)
 {
-    m_measured_s = static_cast<double>(m_sinceStart.elapsed()) / 1000;
+    m_measured_s = elapsed_s();
     emit updated();
     m_running = false;
     emit finished(failure ? failure->report : QString());

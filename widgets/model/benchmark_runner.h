@@ -34,6 +34,8 @@ public:
     [[nodiscard]] bool isRunning() const { return m_running; }
     /** Rows so far, of the benchmark under way or of the last one. */
     [[nodiscard]] const std::vector<BenchmarkRow>& rows() const { return m_rows; }
+    /** Of measuring, under way or of the last benchmark. */
+    [[nodiscard]] double elapsed_s() const;
     /** Time of measuring that would be lost: of rows that are in no file. */
     [[nodiscard]] double unsaved_s() const;
     /** The rows, as they are now, are in a file. */

@@ -89,6 +89,8 @@ SolveTimePanel::SolveTimePanel(BenchmarkRunner& runner, QWidget* parent)
     connect(&m_runner, &BenchmarkRunner::finished, this, &SolveTimePanel::showEnd);
     setTheme(Theme::light());
     showRows();
+    if (m_runner.isRunning()) // another window began it
+        m_second.start();
 }
 
 NumberField* SolveTimePanel::addNumber(QBoxLayout& row, const QString& name, const QString& label,
@@ -205,14 +207,13 @@ BenchmarkSpec SolveTimePanel::spec() const
 
 void SolveTimePanel::showSpec(const BenchmarkSpec& spec)
 {
-    if (m_runner.isRunning())
-        return;
     m_largest->showValue(*std::max_element(spec.sizes.begin(), spec.sizes.end()));
     m_repeat->showValue(spec.repeat);
     m_budget->showValue(spec.budget_s);
     for (const auto& [solver, box] : m_solvers)
         box->setChecked(std::find(spec.solvers.begin(), spec.solvers.end(), solver) !=
                         spec.solvers.end());
+    showTimeLeft();
 }
 
 void SolveTimePanel::startOrCancel()
@@ -230,7 +231,6 @@ void SolveTimePanel::start()
 {
     m_done = 0;
     m_bar->setValue(0);
-    m_sinceStart.start();
     m_second.start();
     m_runner.start(spec());
     showTimeLeft();
@@ -248,7 +248,7 @@ void SolveTimePanel::showTimeLeft()
     if (!m_runner.isRunning())
         return;
     // Never more than the budget leaves; sooner when the sizes so far were quick.
-    const double elapsed_s = static_cast<double>(m_sinceStart.elapsed()) / 1000;
+    const double elapsed_s = m_runner.elapsed_s();
     const double budget_s = std::max(0.0, m_budget->value() - elapsed_s);
     const double left_s =
         m_done > 0 ? std::min(budget_s, elapsed_s * (1 - m_done) / m_done) : budget_s;
@@ -275,8 +275,7 @@ void SolveTimePanel::showEnd(const QString& failure)
     else if (m_cancelled)
         m_state->setText(tr("Stopped. What was measured is kept."));
     else
-        m_state->setText(tr("Measured in %1.")
-                             .arg(clockText(static_cast<double>(m_sinceStart.elapsed()) / 1000)));
+        m_state->setText(tr("Measured in %1.").arg(clockText(m_runner.elapsed_s())));
     m_cancelled = false;
 }
 

@@ -3,7 +3,6 @@
 #include "widgets/model/benchmark_runner.h"
 #include "widgets/theme/theme.h"
 
-#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
@@ -68,7 +67,6 @@ private:
     QLabel* m_state = nullptr;
     double m_done = 0; ///< share of the instances
     bool m_cancelled = false;
-    QElapsedTimer m_sinceStart;
     QTimer m_second; ///< keeps the time left going while a single solve takes long
 };
 

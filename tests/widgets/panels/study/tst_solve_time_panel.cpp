@@ -78,6 +78,22 @@ private slots:
         QCOMPARE(spec.tau, 0.5); // that of the paper's table
     }
 
+    /** As with another language or other units. */
+    void panelOfAnotherWindowTellsOfTheSameMeasurement()
+    {
+        SolveTimePanelFixture f;
+        f.startForLong();
+        QTest::qWait(1100); // there is a time to tell
+        SolveTimePanel next(f.runner);
+        next.showSpec(f.panel.spec());
+        QCOMPARE(next.spec().budget_s, 3600.0);
+        QVERIFY(f.runner.elapsed_s() >= 1);
+        const QString state = test::child<QLabel>(next, u"benchmarkState"_s).text();
+        QVERIFY2(state.contains(u"59:5"_s), qPrintable(state)); // of an hour
+        f.runner.cancel();
+        QVERIFY(QTest::qWaitFor([&] { return !f.runner.isRunning(); }, kPatience_ms));
+    }
+
     void everySolverOfThisBuildIsOffered()
     {
         const SolveTimePanelFixture f;
