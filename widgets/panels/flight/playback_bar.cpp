@@ -8,6 +8,7 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>
@@ -189,6 +190,15 @@ void PlaybackBar::finishTime()
     m_time->setText(m_timeText); // until the picture of that time is there
     if (isNew)
         emit timeEdited(*time_s);
+}
+
+/** What the line of the time has no use for arrives here. */
+void PlaybackBar::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_Escape || focusWidget() != m_time)
+        return QWidget::keyPressEvent(event);
+    m_time->setText(m_timeText); // nothing was typed
+    m_timeLine->setFocus();
 }
 
 void PlaybackBar::showState(RunPhase phase, double time_s, double duration_s,

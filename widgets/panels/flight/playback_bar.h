@@ -49,6 +49,9 @@ signals:
     /** The user wants to see this instant of what was flown. */
     void timeEdited(double time_s);
 
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
 private:
     [[nodiscard]] QToolButton* addButton(const QString& name, const QString& text);
     void addLock();

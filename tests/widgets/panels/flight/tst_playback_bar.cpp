@@ -59,6 +59,20 @@ class TestPlaybackBar : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    void escapeTakesTheTypedTimeBack()
+    {
+        PlaybackBarFixture f;
+        f.bar.showState(RunPhase::Flying, 83, 600, std::nullopt);
+        f.bar.editTime();
+        auto& time = test::child<QLineEdit>(f.bar, u"timeField"_s);
+        const QString before = time.text();
+        QTest::keyClicks(&time, u"3"_s);
+        QTest::keyClick(&time, Qt::Key_Escape);
+        QVERIFY(f.bar.focusWidget() != &time);
+        QCOMPARE(time.text(), before);
+        QCOMPARE(f.timeEdited.count(), 0);
+    }
+
     void buttonsFollowThePhase_data()
     {
         QTest::addColumn<RunPhase>("phase");
