@@ -125,7 +125,11 @@ QString DialogInteraction::savePath(QWidget* parent, const QString& suggested,
     QFileDialog dialog(parent, Dialogs::tr("Save"), lastFolder(), filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     // Added by the dialog, so that its question about an existing file is about the right one.
-    dialog.setDefaultSuffix(filter.section(u"(*."_s, 1, 1).section(u')', 0, 0));
+    const auto add = [&dialog](const QString& chosen) {
+        dialog.setDefaultSuffix(chosen.section(u"(*."_s, 1, 1).section(u')', 0, 0));
+    };
+    add(filter);
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, add);
     dialog.selectFile(suggested);
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
         return {};
@@ -239,6 +243,8 @@ void DialogInteraction::waitUntil(QWidget* parent, const QString& text,
     QTimer patience;
     patience.setSingleShot(true);
     patience.start(kPatience);
+    QTimer tick; // what is waited for need not be an event
+    tick.start(std::chrono::milliseconds(20));
     const auto wait = [&](QEventLoop::ProcessEventsFlags which) {
         QCoreApplication::processEvents(which | QEventLoop::WaitForMoreEvents);
     };

@@ -1,6 +1,6 @@
 #include "app/window/result_files.h"
 
-#include "app/dialogs/interaction.h"
+#include "app/window/awaited.h"
 #include "app/window/file_names.h"
 #include "app/window/panels.h"
 #include "core/io/text/file_set.h"
@@ -76,7 +76,10 @@ bool ResultFiles::saveRunNow()
 bool ResultFiles::writeRun(const QString& path, const RunFile& run)
 {
     try {
-        berg::saveRun(run, QFile::encodeName(path).toStdString());
+        awaited(interaction(), &window(), tr("Saving %1").arg(QFileInfo(path).fileName()),
+                [&](const std::stop_token&) {
+                    berg::saveRun(run, QFile::encodeName(path).toStdString());
+                });
     } catch (const Error& error) {
         interaction().showError(&window(), errorReport(error));
         return false;

@@ -1,8 +1,10 @@
 #include "app/window/scenario_files.h"
 
 #include "app/start/start_content.h"
+#include "app/window/awaited.h"
 #include "app/window/file_names.h"
 #include "app/window/panels.h"
+#include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "widgets/model/workspace.h"
@@ -49,6 +51,11 @@ ScenarioFiles::ScenarioFiles(WindowContext& context) : WindowPart(context)
 bool ScenarioFiles::isStudyFile(const QString& path)
 {
     return QFileInfo(path).suffix().toLower() == u"bergstudy"_s;
+}
+
+bool ScenarioFiles::isRunFile(const QString& path)
+{
+    return QFileInfo(path).suffix().toLower() == u"bergrun"_s;
 }
 
 bool ScenarioFiles::mayLeaveScene()
@@ -130,12 +137,29 @@ bool ScenarioFiles::openUnlessInUse(const QString& path)
         showMessage(tr("Opened a copy of %1").arg(name), kMessage_ms);
         return true;
     case Interaction::InUse::OpenAnyway:
+        if (isRunFile(path))
+            return openRun(path);
         workspace().openFile(path);
         return true;
     case Interaction::InUse::Cancel:
         return false;
     }
     return false;
+}
+
+/** False: the user did not want to wait. */
+bool ScenarioFiles::openRun(const QString& path)
+{
+    std::shared_ptr<const RunFile> run;
+    const bool isRead =
+        awaited(interaction(), &window(), tr("Reading %1").arg(QFileInfo(path).fileName()),
+                [&](const std::stop_token& stop) {
+                    run = std::make_shared<const RunFile>(
+                        loadRun(QFile::encodeName(path).toStdString(), stop));
+                });
+    if (isRead)
+        workspace().openRun(std::move(run));
+    return isRead;
 }
 
 bool ScenarioFiles::openFile(const QString& path)

@@ -19,6 +19,7 @@ public:
 
     /** By its ending. Its results are shown beside the scenario, which stays. */
     [[nodiscard]] static bool isStudyFile(const QString& path);
+    [[nodiscard]] static bool isRunFile(const QString& path);
 
     /**
      * The gate for all that makes the present scene go away: one question about the changes that
@@ -49,6 +50,7 @@ public:
 
 private:
     [[nodiscard]] bool openUnlessInUse(const QString& path);
+    [[nodiscard]] bool openRun(const QString& path);
     [[nodiscard]] Interaction::Overwrite mayOverwrite(const QString& path);
     bool saveTo(const QString& path);
     void remember(const QString& path);

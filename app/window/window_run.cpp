@@ -104,7 +104,7 @@ void keepSafe(Workspace& workspace, const QDir& data)
 struct NamedFile
 {
     QString path;       ///< empty: none was named
-    bool later = false; ///< to be opened by the window: a study, or a file in use elsewhere
+    bool later = false; ///< to be opened by the window: a study, a run, or a file in use
     QString fault = {}; ///< why it was not opened, in the user's words; empty: it was
 };
 
@@ -113,7 +113,8 @@ NamedFile openNamed(Workspace& workspace, const QString& name, bool picture)
     // The next start, after a crash, may be in another folder.
     const QString path = name.isEmpty() ? name : QFileInfo(name).absoluteFilePath();
     const bool later =
-        !picture && (ScenarioFiles::isStudyFile(path) || workspace.file().otherHolder(path));
+        !picture && (ScenarioFiles::isStudyFile(path) || ScenarioFiles::isRunFile(path) ||
+                     workspace.file().otherHolder(path));
     NamedFile named{.path = path, .later = later};
     if (path.isEmpty() || named.later)
         return named;

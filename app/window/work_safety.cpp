@@ -1,6 +1,6 @@
 #include "app/window/work_safety.h"
 
-#include "app/dialogs/interaction.h"
+#include "app/window/awaited.h"
 #include "app/window/panels.h"
 #include "app/window/result_files.h"
 #include "app/window/scenario_files.h"
@@ -153,7 +153,9 @@ void WorkSafety::followEnd(const QEvent& event)
 bool WorkSafety::offerRecoveries()
 {
     workspace().studyKeeper().lookForAbandoned();
-    FoundRecoveries found = workspace().autosaver().abandoned();
+    FoundRecoveries found;
+    awaited(interaction(), &window(), tr("Reading unsaved work"),
+            [&](const std::stop_token&) { found = workspace().autosaver().abandoned(); });
     for (const QString& path : found.damaged)
         showDamaged(path);
     std::vector<FoundRecovery>& left = found.usable;

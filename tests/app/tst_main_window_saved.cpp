@@ -133,6 +133,23 @@ private slots:
         QVERIFY(w.window().isWindowModified());
     }
 
+    /** A day of flight takes a second to read: the window lives meanwhile. */
+    void runsAreReadAndWrittenOnAnotherThread()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.workspace.stepTicks(50);
+        QVERIFY(w.until([&] { return w.workspace.isMidFlight(); }));
+        w.interaction.path = w.file(u"a.bergrun"_s);
+        w.trigger(u"saveRunAction"_s);
+        QTRY_COMPARE(w.interaction.waits, QStringList{u"Saving a.bergrun"_s});
+        w.workspace.reset();
+        QVERIFY(w.untilReady());
+        QVERIFY(w.window().openFile(w.interaction.path));
+        QCOMPARE(w.interaction.waits.back(), u"Reading a.bergrun"_s);
+        QVERIFY(w.until([&] { return w.workspace.isMidFlight(); }));
+        QVERIFY(w.interaction.errors.isEmpty());
+    }
+
     void anyEditOpensAgain_data()
     {
         QTest::addColumn<int>("seed");

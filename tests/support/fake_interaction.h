@@ -41,6 +41,7 @@ public:
     QStringList overwriteReasons;       ///< each question before writing over a file
     QStringList reloadQuestions;
     std::vector<std::vector<RecoveryOffer>> recoveryOffers;
+    QStringList waits; ///< what was waited for while the window lived
     QStringList errors;
     QStringList informations;
     std::vector<ExportOffer> offers;
@@ -132,8 +133,9 @@ public:
         const std::size_t asked = recoveryOffers.size();
         return asked <= recoveryAnswers.size() ? recoveryAnswers[asked - 1] : RecoveryAnswer{};
     }
-    void waitUntil(QWidget*, const QString&, const std::function<bool()>& isDone) override
+    void waitUntil(QWidget*, const QString& text, const std::function<bool()>& isDone) override
     {
+        waits << text;
         constexpr int kLongest_ms = 60'000;
         static_cast<void>(QTest::qWaitFor(isDone, kLongest_ms));
     }
