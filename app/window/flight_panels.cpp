@@ -45,6 +45,7 @@ FlightPanels::FlightPanels(WindowContext& context, const Docks& docks) : WindowP
     m_tableTimer.setSingleShot(true);
     m_tableTimer.setInterval(kTableInterval_ms);
     connect(&m_tableTimer, &QTimer::timeout, this, &FlightPanels::showTables);
+    showSelection();
 }
 
 void FlightPanels::showSoon()
@@ -131,6 +132,7 @@ void FlightPanels::showTables()
 void FlightPanels::showSelection()
 {
     const std::vector<std::string>& ids = workspace().selection().ids();
+    panels().plan->showSelection(ids);
     for (ChartPanel* chart : panels().charts)
         chart->setHighlight(ids.size() == 1 ? ids.front() : std::string());
 }

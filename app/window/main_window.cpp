@@ -249,6 +249,7 @@ void MainWindow::takeOver(MainWindow& other)
     m_parts->study.takeOver(other.m_parts->study);
     m_parts->studyFlights.takeOver(other.m_parts->studyFlights);
     m_parts->safety.takeOver(other.m_parts->safety);
+    m_parts->runEnd.takeOver(other.m_parts->runEnd);
     const Panels& shown = other.m_panels;
     m_panels.messages->takeOver(*shown.messages);
     m_panels.alarms->takeOver(*shown.alarms);
@@ -286,6 +287,14 @@ void MainWindow::finishLand() const
     m_panels.map->finishLand();
     if (m_panels.overview->isVisible())
         m_panels.overview->finishLand();
+}
+
+/** However it became one: by the menu, by the desktop, or as it was left. */
+void MainWindow::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::WindowStateChange && m_parts)
+        m_parts->menus.shared().fullScreen->setChecked(isFullScreen());
+    QMainWindow::changeEvent(event);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

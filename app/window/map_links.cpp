@@ -165,8 +165,6 @@ void MapLinks::connectTables()
     MapView* map = panels().map;
     const auto select = [this](const std::string& id) { workspace().selection().set({id}); };
     PlanPanel* plan = panels().plan;
-    connect(&workspace().selection(), &Selection::changed, plan,
-            [this, plan] { plan->showSelection(workspace().selection().ids()); });
     connect(plan, &PlanPanel::hovered, map, &MapView::setHighlight);
     connect(map, &MapView::hovered, plan, &PlanPanel::setHighlight);
     connect(plan, &PlanPanel::activated, this, select);

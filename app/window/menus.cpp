@@ -164,8 +164,8 @@ void Menus::buildEditMenu()
 void Menus::buildHistoryActions(QMenu& menu)
 {
     QUndoStack* history = workspace().document().undoStack();
-    QAction* undo = history->createUndoAction(&window(), tr("&Undo"));
-    QAction* redo = history->createRedoAction(&window(), tr("&Redo"));
+    QAction* undo = m_shared.undo = history->createUndoAction(&window(), tr("&Undo"));
+    QAction* redo = m_shared.redo = history->createRedoAction(&window(), tr("&Redo"));
     undo->setIconText(tr("Undo")); // what would be undone is in the menu; the tool bar stands still
     redo->setIconText(tr("Redo"));
     undo->setObjectName(u"undoAction"_s);
@@ -187,8 +187,6 @@ void Menus::buildHistoryActions(QMenu& menu)
     disconnect(redo, &QAction::triggered, history, nullptr);
     connect(redo, &QAction::triggered, &workspace().document(), &ScenarioDocument::redo);
     connect(history, &QUndoStack::indexChanged, this, &Menus::updateActions, Qt::QueuedConnection);
-    m_shared.undo = undo;
-    m_shared.redo = redo;
 }
 
 void Menus::buildViewMenu()
@@ -208,8 +206,9 @@ void Menus::buildViewMenu()
         docks.addAction(dock->toggleViewAction());
     add(menu, {"resetLayoutAction", tr("&Reset layout"), {}, std::nullopt},
         [this] { m_targets.docks.reset(); });
-    addSwitch(menu, {"fullScreenAction", tr("F&ull screen"), Qt::Key_F11, std::nullopt}, false,
-              [this](bool on) { on ? window().showFullScreen() : window().showNormal(); });
+    m_shared.fullScreen = addSwitch(
+        menu, {"fullScreenAction", tr("F&ull screen"), Qt::Key_F11, std::nullopt}, false,
+        [this] { window().setWindowState(window().windowState() ^ Qt::WindowFullScreen); });
     menu.addSeparator();
     m_targets.preferences.build(menu);
 }

@@ -68,6 +68,7 @@ struct SharedActions
     QAction* log = nullptr;
     QAction* seen = nullptr;
     QAction* wind = nullptr;
+    QAction* fullScreen = nullptr;
     std::map<FlightOrder, QAction*> orders;    ///< to the selected UAVs
     std::array<QAction*, kMapPanels> panels{}; ///< show and hide those on the map
 };

@@ -34,6 +34,12 @@ void RunEnd::setTheme(const Theme& theme)
     m_card->setTheme(theme);
 }
 
+void RunEnd::takeOver(const RunEnd& other)
+{
+    m_isClosed = other.m_isClosed;
+    showEnd();
+}
+
 /** While the end of a run is shown, until it is closed. */
 void RunEnd::showEnd()
 {

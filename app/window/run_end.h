@@ -19,6 +19,8 @@ public:
     RunEnd(WindowContext& context, const Docks& docks, ResultFiles& results);
 
     void setTheme(const Theme& theme);
+    /** What was closed in the other window stays closed. */
+    void takeOver(const RunEnd& other);
 
 private:
     void showEnd();

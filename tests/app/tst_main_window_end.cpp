@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QToolButton>
 
@@ -158,6 +159,33 @@ private slots:
         QTRY_VERIFY(card(w).isVisible());
         w.workspace.reset();
         QTRY_VERIFY(!card(w).isVisible());
+    }
+
+    void closedCardStaysClosedInOtherUnits()
+    {
+        WindowFixture w(shortRun());
+        QVERIFY(flyToEnd(w));
+        QTRY_VERIFY(card(w).isVisible());
+        press(w, u"flightCardClose"_s);
+        w.trigger(u"units/distance-nautical"_s);
+        QTest::qWait(0); // another window
+        QVERIFY(!card(w).isVisible());
+        w.trigger(u"units/distance-metric"_s);
+        QTest::qWait(0);
+    }
+
+    void nothingIsSaidToBeRemovedWhenItIsNot()
+    {
+        WindowFixture w(shortRun());
+        QVERIFY(flyToEnd(w));
+        w.workspace.selection().set({"berg-2"});
+        QSignalSpy refused(&w.workspace, &Workspace::refused);
+        QCOMPARE(w.workspace.remove({"berg-2"}), 0);
+        QCOMPARE(refused.count(), 1);
+        w.map().setFocus();
+        QTest::keyClick(&w.map(), Qt::Key_Delete);
+        QCOMPARE(refused.count(), 2);
+        QVERIFY(flownRun(w)->interventions.empty());
     }
 
     void cardLeadsOn()

@@ -94,6 +94,22 @@ private slots:
         installLanguage(u"en"_s); // others choose another one
     }
 
+    void fullScreenIsTold()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.window().setWindowState(Qt::WindowFullScreen); // by the desktop
+        QTRY_VERIFY(w.action(u"fullScreenAction"_s).isChecked());
+        w.trigger(u"view/language-da"_s);
+        QTest::qWait(0); // another window
+        QCOMPARE(w.action(u"fullScreenAction"_s).isChecked(), w.window().isFullScreen());
+        w.trigger(u"view/language-en"_s);
+        QTest::qWait(0);
+        QCOMPARE(w.action(u"fullScreenAction"_s).isChecked(), w.window().isFullScreen());
+        w.window().setWindowState(Qt::WindowMaximized | Qt::WindowFullScreen);
+        w.trigger(u"fullScreenAction"_s);
+        QVERIFY(w.window().isMaximized() && !w.window().isFullScreen());
+    }
+
     /** The swept area is shown from the start, can be switched off, and stays so. */
     void sweptAreaIsSwitchedAndRemembered()
     {
