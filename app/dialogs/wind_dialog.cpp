@@ -25,7 +25,7 @@ constexpr double kFinest = 0.01; // of what can be typed
 } // namespace
 
 WindDialog::WindDialog(const Point& wind_mps, double airspeed_mps, QWidget* parent)
-    : QDialog(parent), m_airspeed_mps(airspeed_mps)
+    : QDialog(parent), m_wind_mps(wind_mps), m_airspeed_mps(airspeed_mps)
 {
     setWindowTitle(tr("Wind"));
     const ShownUnit unit = speedUnit();
@@ -58,8 +58,8 @@ WindDialog::WindDialog(const Point& wind_mps, double airspeed_mps, QWidget* pare
 
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(m_speed, &NumberField::edited, this, &WindDialog::judge);
-    connect(m_from, &NumberField::edited, this, &WindDialog::judge);
+    connect(m_speed, &NumberField::edited, this, &WindDialog::edit);
+    connect(m_from, &NumberField::edited, this, &WindDialog::edit);
     m_speed->showValue(unit.fromSi(wind_mps.norm()));
     m_from->showValue(windFrom_deg(wind_mps));
     judge();
@@ -67,14 +67,15 @@ WindDialog::WindDialog(const Point& wind_mps, double airspeed_mps, QWidget* pare
     m_speed->setFocus();
 }
 
-Point WindDialog::wind_mps() const
+void WindDialog::edit()
 {
-    return windOf(speedUnit().toSi(m_speed->value()), m_from->value());
+    m_wind_mps = windOf(speedUnit().toSi(m_speed->value()), m_from->value());
+    judge();
 }
 
 void WindDialog::judge()
 {
-    const bool isStrong = wind_mps().norm() >= kStrongWindShare * m_airspeed_mps;
+    const bool isStrong = m_wind_mps.norm() >= kStrongWindShare * m_airspeed_mps;
     QString airspeed = speedText(m_airspeed_mps, locale());
     airspeed.replace(u'/', u"/\u2060"_s); // no line ends within the unit
     m_note->setText(isStrong ? tr("The UAV will make little way against this wind.")

@@ -19,12 +19,14 @@ public:
     /** Begins with `wind_mps`; it stays slower than `airspeed_mps`, which is above 0. */
     WindDialog(const Point& wind_mps, double airspeed_mps, QWidget* parent = nullptr);
 
-    /** As it stands in the dialog. */
-    [[nodiscard]] Point wind_mps() const;
+    /** As it stands in the dialog; to the last bit what it began with until it is edited. */
+    [[nodiscard]] const Point& wind_mps() const { return m_wind_mps; }
 
 private:
+    void edit();
     void judge();
 
+    Point m_wind_mps;
     double m_airspeed_mps;
     NumberField* m_speed;
     NumberField* m_from;

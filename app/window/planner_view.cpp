@@ -36,8 +36,10 @@ PlannerView::PlannerView(WindowContext& context) : WindowPart(context)
     connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
             &PlannerView::showPlanner);
     connect(&workspace(), &Workspace::inFlightChanged, this, &PlannerView::showPlanner);
-    connect(&workspace(), &Workspace::refused, this,
-            &PlannerView::showPlanner); // what was refused is not in force
+    connect(&workspace(), &Workspace::refused, this, [this] { // what was refused is not in force
+        panels().tradeoff->finishTau();
+        showPlanner();
+    });
     connect(&workspace(), &Workspace::flightChanged, this, [this] {
         if (workspace().inFlight())
             showPlanner();

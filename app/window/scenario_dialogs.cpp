@@ -89,11 +89,11 @@ void ScenarioDialogs::askWind()
     if (airspeed_mps <= 0)
         return;
     const bool wasInFlight = workspace().inFlight();
-    if (wasInFlight && workspace().refuseWhileLookingBack())
+    if (wasInFlight && workspace().refuseIntervention())
         return;
     const std::optional<Point> wind_mps =
         interaction().askWind(&window(), workspace().wind_mps(), airspeed_mps);
-    if (wind_mps && m_files.mayAnswer(wasInFlight))
+    if (wind_mps && *wind_mps != workspace().wind_mps() && m_files.mayAnswer(wasInFlight))
         workspace().setWind(*wind_mps);
 }
 

@@ -197,6 +197,43 @@ private slots:
         QVERIFY(w.scenario() == twoUavs());
     }
 
+    void refusedTauIsTakenBack_data()
+    {
+        QTest::addColumn<bool>("atEnd");
+        QTest::newRow("looking back") << false;
+        QTest::newRow("at the end") << true;
+    }
+
+    void refusedTauIsTakenBack()
+    {
+        QFETCH(bool, atEnd);
+        Scenario scenario = test::MapFixture::fourIcebergs();
+        scenario.duration_s = 100;
+        WindowFixture w(scenario);
+        w.workspace.fly(0);
+        QVERIFY(w.until(RunPhase::Finished));
+        if (!atEnd) {
+            w.workspace.seek(20);
+            QVERIFY(w.until([&] { return w.record().instant.has_value(); }));
+        }
+        auto& slider = test::child<QSlider>(w.window(), u"tauSlider"_s);
+        const int before = slider.value();
+        slider.setFocus();
+        QTest::keyClick(&slider, Qt::Key_PageUp);
+        QTRY_COMPARE(slider.value(), before);
+    }
+
+    void selectionIsShownInOtherUnits()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.workspace.selection().set({"berg-2"});
+        w.trigger(u"units/distance-nautical"_s);
+        QTest::qWait(0); // another window
+        QTRY_COMPARE(planTable(w).selectionModel()->selectedRows().size(), 1);
+        w.trigger(u"units/distance-metric"_s);
+        QTest::qWait(0);
+    }
+
     void detailsStayUnfolded()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

@@ -113,6 +113,23 @@ private slots:
         QVERIFY(!test::child<QWidget>(w.window(), u"zetaDock"_s).visibleRegion().isEmpty());
     }
 
+    /** Also when the second of two runs of the world before is still in flight. */
+    void openedScenarioIsNotComparedWithTheOneBefore()
+    {
+        ResultWindow w;
+        for (const double tau : {1.0, 2.0}) {
+            w.workspace.reset();
+            w.workspace.setTau(tau);
+            QVERIFY(w.takeOff());
+        }
+        Scenario other = w.scenario();
+        other.seed += 1;
+        w.document().reset(other);
+        QVERIFY(w.untilReady());
+        QCOMPARE(w.workspace.runs().runs().size(), 2U);
+        QVERIFY(!w.workspace.runs().comparison());
+    }
+
     void solveTimesAreAskedAbout_data()
     {
         QTest::addColumn<QString>("path");

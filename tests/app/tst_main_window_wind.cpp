@@ -109,6 +109,33 @@ private slots:
         QVERIFY(w.scenario() == windyScenario());
     }
 
+    void windThatIsOnlyReadStays_data()
+    {
+        QTest::addColumn<Point>("wind_mps");
+        for (const Point& wind_mps : {Point(3.3, 4.1), Point(5, 0), Point(2.345, -1.234)})
+            QTest::addRow("%g, %g", wind_mps.x(), wind_mps.y()) << wind_mps;
+    }
+
+    void windThatIsOnlyReadStays()
+    {
+        QFETCH(Point, wind_mps);
+        WindDialog dialog(wind_mps, 22);
+        QVERIFY(dialog.wind_mps() == wind_mps);
+        test::enter(test::child<NumberField>(dialog, u"windSpeed"_s), u"7"_s);
+        COMPARE_NEAR(dialog.wind_mps().norm(), 7, 0.01); // windOf rounds
+    }
+
+    void sameWindIsNoIntervention()
+    {
+        WindowFixture w(windyScenario());
+        w.interaction.wind_mps = w.workspace.wind_mps();
+        w.trigger(u"windAction"_s);
+        QCOMPARE(w.document().undoStack()->count(), 0);
+        QVERIFY(flyTo(w, 20));
+        w.trigger(u"windAction"_s);
+        QVERIFY(flownRun(w)->interventions.empty());
+    }
+
     void inFlightTheWindIsAnIntervention()
     {
         WindowFixture w(windyScenario());

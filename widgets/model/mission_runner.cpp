@@ -38,6 +38,11 @@ QString outdatedExportText()
     return MissionRunner::tr("The scenario has changed meanwhile. Nothing was exported.");
 }
 
+QString runEndedText()
+{
+    return MissionRunner::tr("The run has ended. Stop and edit to fly it differently.");
+}
+
 MissionRunner::MissionRunner(QObject* parent)
     : QObject(parent)
     , m_worker(new MissionWorker({m_requests, m_interventions, m_snapshots, m_instantRequests,

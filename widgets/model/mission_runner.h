@@ -35,6 +35,8 @@ class MissionWorker;
 
 /** Why an export of a scenario that has been replaced meanwhile is not made. */
 [[nodiscard]] QString outdatedExportText();
+/** Why nothing changes a flight any more. */
+[[nodiscard]] QString runEndedText();
 
 /**
  * Plans and flies on a thread of its own; the GUI thread never waits. Commands return at once;

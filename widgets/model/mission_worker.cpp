@@ -201,7 +201,7 @@ void MissionWorker::intervene()
     if (!waiting || !m_mission)
         return;
     if (m_phase == RunPhase::Finished || m_phase == RunPhase::Failed) {
-        emit refused(tr("The run has ended. Stop and edit to fly it differently."));
+        emit refused(runEndedText());
         return;
     }
     for (const Intervention& intervention : *waiting) {

@@ -90,7 +90,7 @@ Point Workspace::wind_mps() const
 std::string Workspace::assignedUavOf(const std::string& iceberg) const
 {
     if (!inFlight()) {
-        const Iceberg* found = findIceberg(m_document.scenario(), iceberg);
+        const Iceberg* found = findById(m_document.scenario().icebergs, iceberg);
         return found == nullptr ? std::string() : found->uav;
     }
     const MissionSnapshot& shown = m_record.shown();
@@ -122,8 +122,10 @@ void Workspace::planAgain()
     m_selection.keepExisting(m_document.scenario());
     m_autosaver.setRun({});
     const bool wasInFlight = inFlight();
-    if (wasInFlight)
+    if (wasInFlight) {
         m_runs.add(m_record);
+        m_runs.showWorld(m_document.scenario());
+    }
     m_record.scenario = m_document.scenario();
     m_tauWanted.reset();
     m_placed.clear();
@@ -212,7 +214,7 @@ void Workspace::setTau(double tau)
             u"tau"_s);
         return;
     }
-    if (refuseWhileLookingBack())
+    if (refuseIntervention())
         return;
     m_tauWanted = tau;
     if (!m_tauPause.isActive())
@@ -232,13 +234,13 @@ void Workspace::setPolicy(PolicyKind policy)
     if (!inFlight())
         setPlanner(tr("Change policy"),
                    [policy](PlannerSettings& planner) { planner.policy = policy; });
-    else if (!refuseWhileLookingBack())
+    else if (!refuseIntervention())
         m_runner.intervene({.policy = policy});
 }
 
 void Workspace::reportSeen(const std::vector<std::string>& ids)
 {
-    if (!inFlight() || refuseWhileLookingBack())
+    if (!inFlight() || refuseIntervention())
         return;
     for (const std::string& id : flownAmong(ids))
         m_runner.intervene({.seen = id});
@@ -246,7 +248,7 @@ void Workspace::reportSeen(const std::vector<std::string>& ids)
 
 int Workspace::remove(const std::vector<std::string>& ids)
 {
-    if (!inFlight() || refuseWhileLookingBack())
+    if (!inFlight() || refuseIntervention())
         return 0;
     const MissionSnapshot& now = m_record.now;
     int count = 0;
@@ -263,12 +265,12 @@ void Workspace::assign(const std::vector<std::string>& icebergs, const std::stri
     if (!inFlight()) {
         m_document.edit(tr("Assign iceberg"), [&](Scenario& scenario) {
             for (const std::string& id : icebergs)
-                if (Iceberg* iceberg = findIceberg(scenario, id))
+                if (Iceberg* iceberg = findById(scenario.icebergs, id))
                     iceberg->uav = uav;
         });
         return;
     }
-    if (refuseWhileLookingBack())
+    if (refuseIntervention())
         return;
     for (const std::string& id : flownAmong(icebergs))
         m_runner.intervene({.assigned = Assignment{.iceberg = id, .uav = uav}});
@@ -276,7 +278,7 @@ void Workspace::assign(const std::vector<std::string>& icebergs, const std::stri
 
 void Workspace::order(const std::vector<std::string>& ids, FlightOrder order)
 {
-    if (!inFlight() || refuseWhileLookingBack())
+    if (!inFlight() || refuseIntervention())
         return;
     for (const std::string& id : ids)
         if (std::ranges::find(m_record.scenario.uavs, id, &Uav::id) != m_record.scenario.uavs.end())
@@ -287,13 +289,13 @@ void Workspace::setWind(const Point& wind_mps)
 {
     if (!inFlight())
         m_document.edit(tr("Change wind"), [&](Scenario& s) { s.wind_mps = wind_mps; });
-    else if (!refuseWhileLookingBack())
+    else if (!refuseIntervention())
         m_runner.intervene({.wind_mps = wind_mps});
 }
 
 void Workspace::moveAsset(const Point& position_m)
 {
-    if (!m_record.now.asset || !inFlight() || refuseWhileLookingBack())
+    if (!m_record.now.asset || !inFlight() || refuseIntervention())
         return;
     Asset asset = *m_record.now.asset;
     // An asset says where it was at time 0, and has moved since.
@@ -303,7 +305,7 @@ void Workspace::moveAsset(const Point& position_m)
 
 void Workspace::addIceberg(Iceberg iceberg)
 {
-    if (!inFlight() || refuseWhileLookingBack())
+    if (!inFlight() || refuseIntervention())
         return;
     iceberg.id = freshIdInFlight();
     m_placed.push_back(iceberg.id);
@@ -316,7 +318,7 @@ std::string Workspace::freshIdInFlight() const
     Scenario flown = m_record.scenario;
     flown.icebergs = m_record.now.icebergs;
     for (const std::string& id : m_placed)
-        if (findIceberg(flown, id) == nullptr)
+        if (findById(flown.icebergs, id) == nullptr)
             flown.icebergs.push_back({.id = id});
     return freshIcebergId(flown);
 }
@@ -334,17 +336,16 @@ void Workspace::setRoute(Route route)
 
 void Workspace::openFile(const QString& path)
 {
-    if (QFileInfo(path).suffix() != u"bergrun"_s) {
+    if (QFileInfo(path).suffix().toLower() != u"bergrun"_s) {
         m_document.open(path);
         return;
     }
-    auto run = std::make_shared<const RunFile>(loadRun(QFile::encodeName(path).toStdString()));
-    noteSaved(*run);
-    openRun(std::move(run));
+    openRun(std::make_shared<const RunFile>(loadRun(QFile::encodeName(path).toStdString())));
 }
 
 void Workspace::openRun(std::shared_ptr<const RunFile> run)
 {
+    noteSaved(*run);
     m_document.reset(run->scenario);
     m_runner.setRun(std::move(run));
 }

@@ -73,8 +73,8 @@ public:
     [[nodiscard]] std::string assignedUavOf(const std::string& iceberg) const;
     /** The newest of a flight that has not ended is shown: wind, asset and icebergs can change. */
     [[nodiscard]] bool mayIntervene() const;
-    /** Says so, and why, when the past of a flight is shown, which nothing changes. */
-    [[nodiscard]] bool refuseWhileLookingBack();
+    /** In flight: says so, and why, when it may not. */
+    [[nodiscard]] bool refuseIntervention();
     /** Those that are icebergs of the flight, added ones too. */
     [[nodiscard]] std::vector<std::string> flownAmong(const std::vector<std::string>& ids) const;
 

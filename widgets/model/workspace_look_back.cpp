@@ -106,12 +106,13 @@ void Workspace::flyOnFromHere()
     seekLatest();
 }
 
-bool Workspace::refuseWhileLookingBack()
+bool Workspace::refuseIntervention()
 {
-    if (!m_lookedAt_s)
+    if (mayIntervene())
         return false;
-    emit refused(tr("You are looking back. Continue from here, or go back to the latest, to "
-                    "change this."));
+    emit refused(m_lookedAt_s ? tr("You are looking back. Continue from here, or go back to the "
+                                   "latest, to change this.")
+                              : runEndedText());
     return true;
 }
 

@@ -51,6 +51,8 @@ public:
     void setHeightLimited(bool isLimited);
     /** Takes what is typed as if Return had been pressed. */
     void finishTyping();
+    /** The change of tau that is under way ends: what is in force may be shown. */
+    void finishTau();
     /** As if the user had set tau to this. */
     void chooseTau(double tau);
 
@@ -74,7 +76,6 @@ private:
     void connectTau();
     void connectChoices();
     void editTau(double tau);
-    void finishTau();
     void showTau();
     void showChoices();
     void updateEnabled();
