@@ -291,7 +291,7 @@ void MapView::pressArrow(const QKeyEvent& event)
         path.y() = 1;
     else
         path.y() = -1;
-    if (m_selection.isEmpty() || m_tool->isDrawing()) {
+    if (m_selection.isEmpty() || m_tool->isDrawing() || isLocked()) {
         // The view goes where the arrow points, so the map goes the other way.
         const double pan_px = isLarge ? kLargePan_px : kPan_px;
         panBy(QPointF(-path.x(), path.y()) * pan_px);

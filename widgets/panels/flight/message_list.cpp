@@ -1,5 +1,7 @@
 #include "widgets/panels/flight/message_list.h"
 
+#include "widgets/panels/fields/dock_table.h"
+
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QKeyEvent>
@@ -20,6 +22,9 @@ MessageList::MessageList(QWidget* parent) : QListWidget(parent)
     setFrameShape(QFrame::NoFrame);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
     setWordWrap(true);
+    keepKeys(*this, [](const QKeyEvent& key) {
+        return key.matches(QKeySequence::Copy) || key.matches(QKeySequence::SelectAll);
+    });
 }
 
 void MessageList::setTheme(const Theme& theme)

@@ -27,6 +27,7 @@ bool isReturn(const QKeyEvent& key)
 IcebergTableView::IcebergTableView(QWidget* parent) : QTableView(parent)
 {
     setUpDockTable(*this, kRow_px);
+    keepKeys(*this, [this](const QKeyEvent& key) { return isMine(key); });
     setSelectionMode(ExtendedSelection);
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
     setMouseTracking(true);
@@ -78,15 +79,6 @@ bool IcebergTableView::isMine(const QKeyEvent& key) const
 {
     return key.matches(QKeySequence::Copy) || key.matches(QKeySequence::Paste) ||
            key.matches(QKeySequence::SelectAll) || startsNumber(key);
-}
-
-bool IcebergTableView::event(QEvent* event)
-{
-    if (event->type() == QEvent::ShortcutOverride && isMine(*static_cast<QKeyEvent*>(event))) {
-        event->accept();
-        return true;
-    }
-    return QTableView::event(event);
 }
 
 void IcebergTableView::keyPressEvent(QKeyEvent* event)

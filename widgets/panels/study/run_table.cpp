@@ -1,5 +1,6 @@
 #include "widgets/panels/study/run_table.h"
 
+#include "widgets/panels/fields/dock_table.h"
 #include "widgets/panels/study/comparison_tables.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -46,6 +47,11 @@ RunTable::RunTable(RunList& list, QWidget* parent)
     : QTableWidget(0, RunColumnCount, parent), m_list(list), m_theme(Theme::light())
 {
     setUpComparisonTable(*this, u"comparedRuns"_s, tr("Runs"));
+    keepKeys(*this, [this](const QKeyEvent& key) {
+        return currentRow() >= 0 && key.modifiers() == Qt::NoModifier &&
+               (key.key() == Qt::Key_A || key.key() == Qt::Key_B || key.key() == Qt::Key_Delete ||
+                key.key() == Qt::Key_F2);
+    });
     m_marks = new RunMarkDelegate(this);
     setItemDelegate(m_marks);
     setHorizontalHeaderLabels({tr("A"), tr("B"), tr("Run"), tr("ζ, m² s"), tr("vs A")});
