@@ -52,7 +52,8 @@ std::optional<MapReadout> homeMarginReadout(const FlightRecord& record)
 {
     std::optional<double> least_s;
     const std::vector<std::optional<double>>& margins_s = record.shown().homeMargins_s;
-    for (std::size_t uav = 0; uav < margins_s.size(); ++uav)
+    const std::size_t uavs = std::min(margins_s.size(), record.scenario.uavs.size());
+    for (std::size_t uav = 0; uav < uavs; ++uav)
         if (margins_s[uav] && record.scenario.uavs[uav].spec.endurance_s > 0)
             least_s = std::min(least_s.value_or(*margins_s[uav]), *margins_s[uav]);
     if (!least_s)
