@@ -98,8 +98,10 @@ std::optional<QSize> sizeOf(const QString& text)
 struct Options
 {
     QCommandLineOption pictures{u"pictures"_s,
-                                Main::tr("Write map.png, zeta.png and sigma.png of the run or the "
-                                         "scenario flown to its end into <folder>."),
+                                Main::tr("Write map.png, zeta.png and sigma.png of a run, or of a "
+                                         "scenario's complete run, into <folder>; with --theme "
+                                         "both also map-dark.png, zeta-dark.png and "
+                                         "sigma-dark.png."),
                                 Main::tr("folder")};
     QCommandLineOption force{u"force"_s, Main::tr("Overwrite files that exist.")};
     QCommandLineOption size{
@@ -274,7 +276,7 @@ int main(int argc, char* argv[])
     const Options options;
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        Main::tr("Bergwatch draws missions of a UAV that keeps watch over drifting icebergs.") +
+        Main::tr("Opens the planner's window on a scenario; with --pictures it only draws.") +
         u"\n\n"_s +
         Main::tr("The command \"export\" writes plans and flights as files, maps, charts and "
                  "briefs: see \"bergwatch export --help\"."));
@@ -296,6 +298,8 @@ int main(int argc, char* argv[])
         print(stdout, parser.helpText());
         return kDone;
     }
+    if (parser.isSet(u"help-all"_s))               // which Qt adds with --help
+        parser.process(QApplication::arguments()); // prints it, and ends
     if (parser.isSet(options.manual)) {
         if (parser.isSet(options.pictures) || parser.isSet(options.screenshot) ||
             !parser.positionalArguments().isEmpty()) {

@@ -203,10 +203,6 @@
         <translation>%1: %2 og %3 modsiger hinanden: en af de to tager fejl. Stol ikke på denne rækkefølge.</translation>
     </message>
     <message>
-        <source>--mu is for problem files; a scenario is planned with --tau</source>
-        <translation>--mu gælder problemfiler; et scenarie planlægges med --tau</translation>
-    </message>
-    <message>
         <source>there is not enough memory for this</source>
         <translation>der er ikke hukommelse nok til dette</translation>
     </message>
@@ -1080,7 +1076,7 @@
         <translation>Isbjerge som rutepunkter, rækkefølgen som rute, en bane eller det fløjne som spor med tider.</translation>
     </message>
     <message>
-        <source>UAVs and icebergs moving in time over the globe, with ways, area and asset.</source>
+        <source>UAVs and icebergs moving in time over the globe, with paths, area and asset.</source>
         <translation>Droner og isbjerge, der bevæger sig i tid over kloden, med baner, område og objekt.</translation>
     </message>
     <message>
@@ -1285,8 +1281,8 @@
         <translation>Browsere</translation>
     </message>
     <message>
-        <source>Page with planned and flown, zeta against prediction, all sightings and deviations, in English.</source>
-        <translation>Side med planlagt og fløjet, zeta mod forudsigelsen, alle observationer og afvigelser, på engelsk.</translation>
+        <source>Page with planned and flown, zeta against prediction, all sightings and deviations.</source>
+        <translation>Side med planlagt og fløjet, zeta mod forudsigelsen, alle observationer og afvigelser.</translation>
     </message>
     <message>
         <source>Two or three pages: planned and flown, map, zeta against prediction, sightings, deviations.</source>
@@ -1755,8 +1751,8 @@
         <translation>%1 og %2 er %3 fra hinanden</translation>
     </message>
     <message>
-        <source>They fly at about the same altitude and are to stay %1 apart.</source>
-        <translation>De flyver i omtrent samme højde og skal holde %1 afstand.</translation>
+        <source>They fly at about the same altitude. The separation set is %1.</source>
+        <translation>De flyver i omtrent samme højde. Den indstillede adskillelse er %1.</translation>
     </message>
     <message>
         <source>Wind above its limit: %1, limit %2</source>
@@ -2025,7 +2021,7 @@
 <context>
     <name>IcebergPasteText</name>
     <message>
-        <source>There is no text to be pasted.</source>
+        <source>There is no text to paste.</source>
         <translation>Der er ingen tekst at sætte ind.</translation>
     </message>
     <message>
@@ -2218,8 +2214,8 @@
         <translation>hastighed fra filen</translation>
     </message>
     <message>
-        <source>velocity limited to 5 m/s</source>
-        <translation>hastighed begrænset til 5 m/s</translation>
+        <source>velocity limited to 5 m/s per axis</source>
+        <translation>hastighed begrænset til 5 m/s pr. akse</translation>
     </message>
     <message>
         <source>q estimated</source>
@@ -2684,8 +2680,8 @@
         <translation>Halv længde</translation>
     </message>
     <message>
-        <source>Half its length; decides its size on the map.</source>
-        <translation>Halvdelen af dets længde; bestemmer dets størrelse på kortet.</translation>
+        <source>Half its length: its size on the map, and how far outside the area it is still monitored.</source>
+        <translation>Halvdelen af dets længde: dets størrelse på kortet, og hvor langt uden for området det stadig overvåges.</translation>
     </message>
     <message>
         <source>Change radius</source>
@@ -3122,7 +3118,7 @@
         <translation>Planlægningstid</translation>
     </message>
     <message>
-        <source>How long a plan takes in flight; until it is there the UAV flies the last one on.</source>
+        <source>How long a plan takes in flight; until it is there the UAV continues with the previous plan.</source>
         <translation>Hvor lang tid en plan tager under flyvning; indtil den foreligger, følger dronen fortsat den forrige.</translation>
     </message>
     <message>
@@ -3150,8 +3146,8 @@
         <translation>Geohegn</translation>
     </message>
     <message>
-        <source>The UAVs stay inside the area.</source>
-        <translation>Dronerne bliver inden for området.</translation>
+        <source>UAVs that start clear of its edge stay inside the area.</source>
+        <translation>Droner, der starter fri af kanten, bliver inden for området.</translation>
     </message>
     <message>
         <source>Change geofence</source>
@@ -3306,8 +3302,8 @@
         <translation>Ændr gruppering af nære isbjerge</translation>
     </message>
     <message>
-        <source>Longest flight: it is home before that; at 0 it never lands.</source>
-        <translation>Længste flyvning: den er hjemme inden da; ved 0 lander den aldrig.</translation>
+        <source>Longest flight: it is home before that; at 0 it lands only when told to return.</source>
+        <translation>Længste flyvning: den er hjemme inden da; ved 0 lander den kun, når den får ordre til at flyve hjem.</translation>
     </message>
     <message>
         <source>Visited by</source>
@@ -4118,8 +4114,8 @@ Tilstødende område %4</translation>
         <translation>Udholdenheden er for kort til vejen hjem fra startstedet.</translation>
     </message>
     <message>
-        <source>Home counts with a limited endurance only.</source>
-        <translation>Hjemmepunktet har kun betydning ved begrænset udholdenhed.</translation>
+        <source>Without a limited endurance, home is used only when you order a return or export with the return home.</source>
+        <translation>Uden begrænset udholdenhed bruges hjemmepunktet kun, når du beordrer hjemflyvning eller eksporterer med hjemflyvning.</translation>
     </message>
     <message>
         <source>The time between two commands of the autopilot is too long for the UAV to follow a leg.</source>
@@ -4134,8 +4130,8 @@ Tilstødende område %4</translation>
         <translation>Skal være inden for området, som er et geohegn.</translation>
     </message>
     <message>
-        <source>This policy plans icebergs one by one: several in one field of view are not planned as one point.</source>
-        <translation>Denne strategi planlægger isbjerge ét for ét: flere i ét synsfelt planlægges ikke som ét punkt.</translation>
+        <source>This policy plans icebergs one by one; nearby icebergs are not grouped.</source>
+        <translation>Denne strategi planlægger isbjerge ét for ét; nære isbjerge grupperes ikke.</translation>
     </message>
     <message>
         <source>A scenario holds at most %2 no-fly areas, not %3.</source>
@@ -4974,16 +4970,16 @@ Tilstødende område %4</translation>
         <translation>starter inden for separation_m af en anden drone i samme højdelag</translation>
     </message>
     <message>
-        <source>is too short for the way home from the start</source>
+        <source>is too short for the path home from the start</source>
         <translation>er for kort til vejen hjem fra startstedet</translation>
     </message>
     <message>
-        <source>is too short for the way to the nearest iceberg and back</source>
+        <source>is too short for the path to the nearest iceberg and back</source>
         <translation>er for kort til vejen til det nærmeste isbjerg og tilbage</translation>
     </message>
     <message>
-        <source>is used with a limited endurance only</source>
-        <translation>bruges kun, når udholdenheden er begrænset</translation>
+        <source>is used, without a limited endurance, only when you order a return or export with the return home</source>
+        <translation>bruges, uden begrænset udholdenhed, kun når du beordrer hjemflyvning eller eksporterer med hjemflyvning</translation>
     </message>
     <message>
         <source>is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home</source>
@@ -5098,8 +5094,8 @@ Tilstødende område %4</translation>
         <translation>flere end der kan bevises optimum for; planen kommer med en grænse</translation>
     </message>
     <message>
-        <source>the policy plans icebergs one by one, so clusters are not made</source>
-        <translation>strategien planlægger isbjerge ét for ét, så der laves ikke grupper</translation>
+        <source>the policy plans icebergs one by one; nearby icebergs are not grouped</source>
+        <translation>strategien planlægger isbjerge ét for ét; nære isbjerge grupperes ikke</translation>
     </message>
     <message>
         <source>cannot plan so many icebergs; the back end auto can</source>
@@ -5256,8 +5252,8 @@ Tilstødende område %4</translation>
 <context>
     <name>Main</name>
     <message>
-        <source>Write map.png, zeta.png and sigma.png of the run or the scenario flown to its end into &lt;folder&gt;.</source>
-        <translation>Skriv map.png, zeta.png og sigma.png for flyvningen, eller for scenariet fløjet til ende, i &lt;mappe&gt;.</translation>
+        <source>Write map.png, zeta.png and sigma.png of a run, or of a scenario&apos;s complete run, into &lt;folder&gt;; with --theme both also map-dark.png, zeta-dark.png and sigma-dark.png.</source>
+        <translation>Skriv map.png, zeta.png og sigma.png for en flyvning, eller for hele flyvningen af et scenarie, i &lt;mappe&gt;; med --theme both også map-dark.png, zeta-dark.png og sigma-dark.png.</translation>
     </message>
     <message>
         <source>Overwrite files that exist.</source>
@@ -5301,8 +5297,8 @@ Tilstødende område %4</translation>
         <translation>--pictures: navnet på en mappe mangler.</translation>
     </message>
     <message>
-        <source>Bergwatch draws missions of a UAV that keeps watch over drifting icebergs.</source>
-        <translation>Bergwatch tegner missioner for en drone, der holder øje med drivende isbjerge.</translation>
+        <source>Opens the planner&apos;s window on a scenario; with --pictures it only draws.</source>
+        <translation>Åbner planlæggerens vindue med et scenarie; med --pictures tegner programmet kun.</translation>
     </message>
     <message>
         <source>file</source>
@@ -5617,8 +5613,8 @@ Tilstødende område %4</translation>
         <translation>Hjem</translation>
     </message>
     <message>
-        <source>Geofence: flown inside only</source>
-        <translation>Geohegn: flyves kun indenfor</translation>
+        <source>Geofence: kept if the start is clear</source>
+        <translation>Geohegn: overholdes, når starten er fri af det</translation>
     </message>
     <message>
         <source>Geofence</source>
@@ -7029,11 +7025,11 @@ Tilstødende område %4</translation>
         <translation>afvejning τ</translation>
     </message>
     <message>
-        <source>Differences to the reference; the numbers are in the table of differences</source>
+        <source>Differences vs the reference; the numbers are in the table of differences</source>
         <translation>Forskelle fra referencen; tallene står i tabellen over forskelle</translation>
     </message>
     <message>
-        <source>mean difference of ζ to %1, %</source>
+        <source>mean difference of ζ vs %1, %</source>
         <translation>middelforskel i ζ fra %1, %</translation>
     </message>
     <message>
@@ -7185,7 +7181,7 @@ Tilstødende område %4</translation>
         <translation>ζ mod τ</translation>
     </message>
     <message>
-        <source>Differences to the reference</source>
+        <source>Differences vs the reference</source>
         <translation>Forskelle til referencen</translation>
     </message>
     <message>
@@ -7201,7 +7197,7 @@ Tilstødende område %4</translation>
         <translation>Fastlåst: højst to isbjerge som mål i den sidste halvdel af flyvningen.</translation>
     </message>
     <message>
-        <source>ζ of the case and its difference to %1.</source>
+        <source>ζ of the case and its difference vs %1.</source>
         <translation>ζ for tilfældet og forskellen fra %1.</translation>
     </message>
     <message>
@@ -7245,7 +7241,7 @@ Tilstødende område %4</translation>
         <translation>Median</translation>
     </message>
     <message>
-        <source>Differences of ζ to %1, case by case, with 95 % intervals of the mean. Worst: the largest difference of a case.</source>
+        <source>Differences of ζ vs %1, case by case, with 95 % intervals of the mean. Worst: the largest difference of a case.</source>
         <translation>Forskelle i ζ fra %1, tilfælde for tilfælde, med 95 %-intervaller for middelværdien. Værst: den største forskel i et tilfælde.</translation>
     </message>
     <message>
@@ -7711,16 +7707,16 @@ mod %2</translation>
 <context>
     <name>berg::ComparisonChart</name>
     <message>
-        <source>Accumulated uncertainty of two runs</source>
-        <translation>Akkumuleret usikkerhed for to flyvninger</translation>
+        <source>Comparison of accumulated uncertainty</source>
+        <translation>Sammenligning af akkumuleret usikkerhed</translation>
     </message>
     <message>
         <source>Zeta ζ, m² s</source>
         <translation>Zeta ζ, m² s</translation>
     </message>
     <message>
-        <source>Two runs of the same scenario are compared here.</source>
-        <translation>To flyvninger af samme scenarie sammenlignes her.</translation>
+        <source>The comparison of runs of one scenario is shown here.</source>
+        <translation>Her vises sammenligningen af flyvninger af samme scenarie.</translation>
     </message>
     <message>
         <source>%1.
@@ -7772,7 +7768,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>τ</translation>
     </message>
     <message>
-        <source>Trade-off τ to be flown</source>
+        <source>Trade-off τ to fly</source>
         <translation>Afvejning τ, der skal flyves</translation>
     </message>
     <message>
@@ -7944,7 +7940,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
 <context>
     <name>berg::DifferenceChart</name>
     <message>
-        <source>Differences to the reference</source>
+        <source>Differences vs the reference</source>
         <translation>Forskelle til referencen</translation>
     </message>
     <message>
@@ -7960,7 +7956,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Middel af tilfældene med 95 %-konfidensinterval</translation>
     </message>
     <message>
-        <source>Difference of ζ to %1, %</source>
+        <source>Difference of ζ vs %1, %</source>
         <translation>Forskel i ζ til %1, %</translation>
     </message>
     <message>
@@ -8074,8 +8070,8 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>varmstart</translation>
     </message>
     <message>
-        <source>last plan kept</source>
-        <translation>seneste plan beholdt</translation>
+        <source>previous plan kept</source>
+        <translation>forrige plan beholdt</translation>
     </message>
 </context>
 <context>
@@ -8369,8 +8365,8 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Nedre grænse</translation>
     </message>
     <message>
-        <source>No flight can have a lower ζ in this world, whatever the policy.</source>
-        <translation>Ingen flyvning kan have en lavere ζ i denne verden, uanset strategi.</translation>
+        <source>Lower bound on ζ for these conditions, whatever the policy.</source>
+        <translation>Nedre grænse for ζ under disse forhold, uanset strategi.</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -9697,6 +9693,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>The scenario has changed meanwhile. Nothing was exported.</source>
         <translation>Scenariet er ændret i mellemtiden. Intet blev eksporteret.</translation>
     </message>
+    <message>
+        <source>The run has ended. Stop and edit to fly it differently.</source>
+        <translation>Flyvningen er slut. Stop og redigér for at flyve den på en anden måde.</translation>
+    </message>
 </context>
 <context>
     <name>berg::MissionWorker</name>
@@ -9707,10 +9707,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Flown again, this run comes out differently: %1</source>
         <translation>Fløjet igen giver denne flyvning et andet resultat: %1</translation>
-    </message>
-    <message>
-        <source>The run has ended. Stop and edit to fly it differently.</source>
-        <translation>Flyvningen er slut. Stop og redigér for at flyve den på en anden måde.</translation>
     </message>
 </context>
 <context>
@@ -10451,6 +10447,10 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <source>The run is saved when the plan under way is made.</source>
         <translation>Flyvningen gemmes, når den plan, der er under udarbejdelse, er lavet.</translation>
     </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Gemmer %1</translation>
+    </message>
 </context>
 <context>
     <name>berg::RunMarkDelegate</name>
@@ -10607,6 +10607,10 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
     <message>
         <source>No files yet</source>
         <translation>Ingen filer endnu</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Læser %1</translation>
     </message>
 </context>
 <context>
@@ -11746,6 +11750,10 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
     <message>
         <source>%1, in flight</source>
         <translation>%1, under flyvning</translation>
+    </message>
+    <message>
+        <source>Reading unsaved work</source>
+        <translation>Læser arbejde, der ikke er gemt</translation>
     </message>
 </context>
 <context>

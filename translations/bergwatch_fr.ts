@@ -203,10 +203,6 @@
         <translation>%1 : %2 et %3 se contredisent : l&apos;un des deux se trompe. Ne vous fiez pas à cet ordre.</translation>
     </message>
     <message>
-        <source>--mu is for problem files; a scenario is planned with --tau</source>
-        <translation>--mu vaut pour les fichiers de problème ; un scénario se planifie avec --tau</translation>
-    </message>
-    <message>
         <source>there is not enough memory for this</source>
         <translation>il n&apos;y a pas assez de mémoire pour cela</translation>
     </message>
@@ -1080,7 +1076,7 @@
         <translation>Les icebergs comme points de cheminement, l&apos;ordre comme route, une trajectoire ou le vol effectué comme trace horodatée.</translation>
     </message>
     <message>
-        <source>UAVs and icebergs moving in time over the globe, with ways, area and asset.</source>
+        <source>UAVs and icebergs moving in time over the globe, with paths, area and asset.</source>
         <translation>Drones et icebergs en mouvement sur le globe, avec trajectoires, zone et bien protégé.</translation>
     </message>
     <message>
@@ -1285,8 +1281,8 @@
         <translation>Navigateurs</translation>
     </message>
     <message>
-        <source>Page with planned and flown, zeta against prediction, all sightings and deviations, in English.</source>
-        <translation>Page avec le vol planifié et le vol effectué, zêta par rapport à la prévision, toutes les observations et les écarts, en anglais.</translation>
+        <source>Page with planned and flown, zeta against prediction, all sightings and deviations.</source>
+        <translation>Page avec le vol planifié et le vol effectué, zêta par rapport à la prévision, toutes les observations et les écarts.</translation>
     </message>
     <message>
         <source>Two or three pages: planned and flown, map, zeta against prediction, sightings, deviations.</source>
@@ -1755,8 +1751,8 @@
         <translation>%1 et %2 sont distants de %3</translation>
     </message>
     <message>
-        <source>They fly at about the same altitude and are to stay %1 apart.</source>
-        <translation>Ils volent à peu près à la même altitude et doivent rester à %1 l&apos;un de l&apos;autre.</translation>
+        <source>They fly at about the same altitude. The separation set is %1.</source>
+        <translation>Ils volent à peu près à la même altitude. L&apos;espacement réglé est de %1.</translation>
     </message>
     <message>
         <source>Wind above its limit: %1, limit %2</source>
@@ -2025,7 +2021,7 @@
 <context>
     <name>IcebergPasteText</name>
     <message>
-        <source>There is no text to be pasted.</source>
+        <source>There is no text to paste.</source>
         <translation>Il n&apos;y a aucun texte à coller.</translation>
     </message>
     <message>
@@ -2218,8 +2214,8 @@
         <translation>vitesse tirée du fichier</translation>
     </message>
     <message>
-        <source>velocity limited to 5 m/s</source>
-        <translation>vitesse limitée à 5 m/s</translation>
+        <source>velocity limited to 5 m/s per axis</source>
+        <translation>vitesse limitée à 5 m/s par axe</translation>
     </message>
     <message>
         <source>q estimated</source>
@@ -2684,8 +2680,8 @@
         <translation>Rayon</translation>
     </message>
     <message>
-        <source>Half its length; decides its size on the map.</source>
-        <translation>La moitié de sa longueur ; détermine sa taille sur la carte.</translation>
+        <source>Half its length: its size on the map, and how far outside the area it is still monitored.</source>
+        <translation>La moitié de sa longueur : sa taille sur la carte, et jusqu&apos;à quelle distance hors de la zone il est encore surveillé.</translation>
     </message>
     <message>
         <source>Change radius</source>
@@ -3122,7 +3118,7 @@
         <translation>Temps de planification</translation>
     </message>
     <message>
-        <source>How long a plan takes in flight; until it is there the UAV flies the last one on.</source>
+        <source>How long a plan takes in flight; until it is there the UAV continues with the previous plan.</source>
         <translation>Temps que prend un plan en vol ; d&apos;ici là, le drone poursuit le précédent.</translation>
     </message>
     <message>
@@ -3150,8 +3146,8 @@
         <translation>Barrière virtuelle</translation>
     </message>
     <message>
-        <source>The UAVs stay inside the area.</source>
-        <translation>Les drones restent dans la zone.</translation>
+        <source>UAVs that start clear of its edge stay inside the area.</source>
+        <translation>Les drones qui partent à l&apos;écart du bord restent dans la zone.</translation>
     </message>
     <message>
         <source>Change geofence</source>
@@ -3306,8 +3302,8 @@
         <translation>Modifier le groupement des icebergs proches</translation>
     </message>
     <message>
-        <source>Longest flight: it is home before that; at 0 it never lands.</source>
-        <translation>Vol le plus long : il est à la base avant ; à 0, il ne se pose jamais.</translation>
+        <source>Longest flight: it is home before that; at 0 it lands only when told to return.</source>
+        <translation>Vol le plus long : il est à la base avant ; à 0, il ne se pose que sur ordre de retour.</translation>
     </message>
     <message>
         <source>Visited by</source>
@@ -4118,8 +4114,8 @@ Zone adjacente %4</translation>
         <translation>L&apos;autonomie est insuffisante pour aller du départ à la base.</translation>
     </message>
     <message>
-        <source>Home counts with a limited endurance only.</source>
-        <translation>La base ne compte que si l&apos;autonomie est limitée.</translation>
+        <source>Without a limited endurance, home is used only when you order a return or export with the return home.</source>
+        <translation>Sans autonomie limitée, la base n&apos;est utilisée que si vous ordonnez un retour ou exportez avec le retour à la base.</translation>
     </message>
     <message>
         <source>The time between two commands of the autopilot is too long for the UAV to follow a leg.</source>
@@ -4134,8 +4130,8 @@ Zone adjacente %4</translation>
         <translation>Doit se trouver à l&apos;intérieur de la zone, qui est une barrière virtuelle.</translation>
     </message>
     <message>
-        <source>This policy plans icebergs one by one: several in one field of view are not planned as one point.</source>
-        <translation>Cette stratégie planifie les icebergs un par un : plusieurs icebergs dans un même champ de vision ne sont pas planifiés comme un seul point.</translation>
+        <source>This policy plans icebergs one by one; nearby icebergs are not grouped.</source>
+        <translation>Cette stratégie planifie les icebergs un par un ; les icebergs proches ne sont pas groupés.</translation>
     </message>
     <message>
         <source>A scenario holds at most %2 no-fly areas, not %3.</source>
@@ -4974,16 +4970,16 @@ Zone adjacente %4</translation>
         <translation>part à moins de separation_m d&apos;un autre drone de la même tranche d&apos;altitude</translation>
     </message>
     <message>
-        <source>is too short for the way home from the start</source>
+        <source>is too short for the path home from the start</source>
         <translation>est insuffisante pour rentrer à la base depuis le départ</translation>
     </message>
     <message>
-        <source>is too short for the way to the nearest iceberg and back</source>
+        <source>is too short for the path to the nearest iceberg and back</source>
         <translation>est insuffisante pour aller à l&apos;iceberg le plus proche et en revenir</translation>
     </message>
     <message>
-        <source>is used with a limited endurance only</source>
-        <translation>n&apos;est utilisé qu&apos;avec une autonomie limitée</translation>
+        <source>is used, without a limited endurance, only when you order a return or export with the return home</source>
+        <translation>n&apos;est utilisé, sans autonomie limitée, que si vous ordonnez un retour ou exportez avec le retour à la base</translation>
     </message>
     <message>
         <source>is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home</source>
@@ -5098,8 +5094,8 @@ Zone adjacente %4</translation>
         <translation>plus qu&apos;il n&apos;est possible d&apos;en prouver optimal ; le plan est accompagné d&apos;une borne</translation>
     </message>
     <message>
-        <source>the policy plans icebergs one by one, so clusters are not made</source>
-        <translation>la stratégie planifie les icebergs un par un ; ils ne sont donc pas groupés</translation>
+        <source>the policy plans icebergs one by one; nearby icebergs are not grouped</source>
+        <translation>la stratégie planifie les icebergs un par un ; les icebergs proches ne sont pas groupés</translation>
     </message>
     <message>
         <source>cannot plan so many icebergs; the back end auto can</source>
@@ -5256,8 +5252,8 @@ Zone adjacente %4</translation>
 <context>
     <name>Main</name>
     <message>
-        <source>Write map.png, zeta.png and sigma.png of the run or the scenario flown to its end into &lt;folder&gt;.</source>
-        <translation>Écrire map.png, zeta.png et sigma.png du vol, ou du scénario joué jusqu&apos;à la fin, dans &lt;dossier&gt;.</translation>
+        <source>Write map.png, zeta.png and sigma.png of a run, or of a scenario&apos;s complete run, into &lt;folder&gt;; with --theme both also map-dark.png, zeta-dark.png and sigma-dark.png.</source>
+        <translation>Écrire map.png, zeta.png et sigma.png d&apos;un vol, ou du vol complet d&apos;un scénario, dans &lt;dossier&gt; ; avec --theme both, aussi map-dark.png, zeta-dark.png et sigma-dark.png.</translation>
     </message>
     <message>
         <source>Overwrite files that exist.</source>
@@ -5301,8 +5297,8 @@ Zone adjacente %4</translation>
         <translation>--pictures : le nom d&apos;un dossier manque.</translation>
     </message>
     <message>
-        <source>Bergwatch draws missions of a UAV that keeps watch over drifting icebergs.</source>
-        <translation>Bergwatch dessine les missions d&apos;un drone qui surveille des icebergs à la dérive.</translation>
+        <source>Opens the planner&apos;s window on a scenario; with --pictures it only draws.</source>
+        <translation>Ouvre la fenêtre du planificateur sur un scénario ; avec --pictures, le programme dessine seulement.</translation>
     </message>
     <message>
         <source>file</source>
@@ -5617,8 +5613,8 @@ Zone adjacente %4</translation>
         <translation>Base</translation>
     </message>
     <message>
-        <source>Geofence: flown inside only</source>
-        <translation>Barrière virtuelle : vol à l&apos;intérieur</translation>
+        <source>Geofence: kept if the start is clear</source>
+        <translation>Barrière virtuelle : respectée si le départ en est dégagé</translation>
     </message>
     <message>
         <source>Geofence</source>
@@ -7029,11 +7025,11 @@ Zone adjacente %4</translation>
         <translation>compromis τ</translation>
     </message>
     <message>
-        <source>Differences to the reference; the numbers are in the table of differences</source>
+        <source>Differences vs the reference; the numbers are in the table of differences</source>
         <translation>Différences avec la référence ; les nombres sont dans le tableau des différences</translation>
     </message>
     <message>
-        <source>mean difference of ζ to %1, %</source>
+        <source>mean difference of ζ vs %1, %</source>
         <translation>différence moyenne de ζ avec %1, %</translation>
     </message>
     <message>
@@ -7185,7 +7181,7 @@ Zone adjacente %4</translation>
         <translation>ζ selon τ</translation>
     </message>
     <message>
-        <source>Differences to the reference</source>
+        <source>Differences vs the reference</source>
         <translation>Différences par rapport à la référence</translation>
     </message>
     <message>
@@ -7201,7 +7197,7 @@ Zone adjacente %4</translation>
         <translation>Bloqué : deux icebergs au plus comme cibles dans la seconde moitié du vol.</translation>
     </message>
     <message>
-        <source>ζ of the case and its difference to %1.</source>
+        <source>ζ of the case and its difference vs %1.</source>
         <translation>ζ du cas et sa différence avec %1.</translation>
     </message>
     <message>
@@ -7245,7 +7241,7 @@ Zone adjacente %4</translation>
         <translation>Médiane</translation>
     </message>
     <message>
-        <source>Differences of ζ to %1, case by case, with 95 % intervals of the mean. Worst: the largest difference of a case.</source>
+        <source>Differences of ζ vs %1, case by case, with 95 % intervals of the mean. Worst: the largest difference of a case.</source>
         <translation>Différences de ζ avec %1, cas par cas, avec les intervalles à 95 % de la moyenne. Pire : la plus grande différence d’un cas.</translation>
     </message>
     <message>
@@ -7711,16 +7707,16 @@ vers le %2</translation>
 <context>
     <name>berg::ComparisonChart</name>
     <message>
-        <source>Accumulated uncertainty of two runs</source>
-        <translation>Incertitude cumulée de deux vols</translation>
+        <source>Comparison of accumulated uncertainty</source>
+        <translation>Comparaison de l&apos;incertitude cumulée</translation>
     </message>
     <message>
         <source>Zeta ζ, m² s</source>
         <translation>Zêta ζ, m² s</translation>
     </message>
     <message>
-        <source>Two runs of the same scenario are compared here.</source>
-        <translation>Deux vols d&apos;un même scénario sont comparés ici.</translation>
+        <source>The comparison of runs of one scenario is shown here.</source>
+        <translation>La comparaison de vols d&apos;un même scénario est affichée ici.</translation>
     </message>
     <message>
         <source>%1.
@@ -7772,7 +7768,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>τ</translation>
     </message>
     <message>
-        <source>Trade-off τ to be flown</source>
+        <source>Trade-off τ to fly</source>
         <translation>Compromis τ pour le vol</translation>
     </message>
     <message>
@@ -7944,7 +7940,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
 <context>
     <name>berg::DifferenceChart</name>
     <message>
-        <source>Differences to the reference</source>
+        <source>Differences vs the reference</source>
         <translation>Différences par rapport à la référence</translation>
     </message>
     <message>
@@ -7960,7 +7956,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Moyenne des cas avec son intervalle de confiance à 95 %</translation>
     </message>
     <message>
-        <source>Difference of ζ to %1, %</source>
+        <source>Difference of ζ vs %1, %</source>
         <translation>Différence de ζ par rapport à %1, %</translation>
     </message>
     <message>
@@ -8074,8 +8070,8 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>démarrage à chaud</translation>
     </message>
     <message>
-        <source>last plan kept</source>
-        <translation>dernier plan conservé</translation>
+        <source>previous plan kept</source>
+        <translation>plan précédent conservé</translation>
     </message>
 </context>
 <context>
@@ -8369,8 +8365,8 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Borne inférieure</translation>
     </message>
     <message>
-        <source>No flight can have a lower ζ in this world, whatever the policy.</source>
-        <translation>Aucun vol ne peut avoir un ζ inférieur dans ces conditions, quelle que soit la stratégie.</translation>
+        <source>Lower bound on ζ for these conditions, whatever the policy.</source>
+        <translation>Borne inférieure de ζ dans ces conditions, quelle que soit la stratégie.</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -9697,6 +9693,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>The scenario has changed meanwhile. Nothing was exported.</source>
         <translation>Le scénario a été modifié entre-temps. Rien n&apos;a été exporté.</translation>
     </message>
+    <message>
+        <source>The run has ended. Stop and edit to fly it differently.</source>
+        <translation>Le vol est terminé. « Arrêter et modifier » permet de le jouer autrement.</translation>
+    </message>
 </context>
 <context>
     <name>berg::MissionWorker</name>
@@ -9707,10 +9707,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Flown again, this run comes out differently: %1</source>
         <translation>Rejoué, ce vol donne un autre résultat : %1</translation>
-    </message>
-    <message>
-        <source>The run has ended. Stop and edit to fly it differently.</source>
-        <translation>Le vol est terminé. « Arrêter et modifier » permet de le jouer autrement.</translation>
     </message>
 </context>
 <context>
@@ -10451,6 +10447,10 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <source>The run is saved when the plan under way is made.</source>
         <translation>Le vol sera enregistré une fois terminé le plan en cours.</translation>
     </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Enregistrement de %1</translation>
+    </message>
 </context>
 <context>
     <name>berg::RunMarkDelegate</name>
@@ -10607,6 +10607,10 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
     <message>
         <source>No files yet</source>
         <translation>Aucun fichier pour l&apos;instant</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Lecture de %1</translation>
     </message>
 </context>
 <context>
@@ -11746,6 +11750,10 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
     <message>
         <source>%1, in flight</source>
         <translation>%1, en vol</translation>
+    </message>
+    <message>
+        <source>Reading unsaved work</source>
+        <translation>Lecture du travail non enregistré</translation>
     </message>
 </context>
 <context>

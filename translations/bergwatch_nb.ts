@@ -203,10 +203,6 @@
         <translation>%1: %2 og %3 motsier hverandre: én av de to tar feil. Stol ikke på denne rekkefølgen.</translation>
     </message>
     <message>
-        <source>--mu is for problem files; a scenario is planned with --tau</source>
-        <translation>--mu gjelder problemfiler; et scenario planlegges med --tau</translation>
-    </message>
-    <message>
         <source>there is not enough memory for this</source>
         <translation>det er ikke nok minne til dette</translation>
     </message>
@@ -1080,8 +1076,8 @@
         <translation>Isfjell som veipunkter, rekkefølgen som rute, en bane eller det som er fløyet som spor med tider.</translation>
     </message>
     <message>
-        <source>UAVs and icebergs moving in time over the globe, with ways, area and asset.</source>
-        <translation>UAV-er og isfjell som beveger seg i tid over kloden, med veier, område og objekt.</translation>
+        <source>UAVs and icebergs moving in time over the globe, with paths, area and asset.</source>
+        <translation>UAV-er og isfjell som beveger seg i tid over kloden, med baner, område og objekt.</translation>
     </message>
     <message>
         <source>The same as KML, packed into one small file.</source>
@@ -1289,8 +1285,8 @@
         <translation>Nettlesere</translation>
     </message>
     <message>
-        <source>Page with planned and flown, zeta against prediction, all sightings and deviations, in English.</source>
-        <translation>Side med planlagt og fløyet, zeta mot prognosen, alle observasjoner og avvik, på engelsk.</translation>
+        <source>Page with planned and flown, zeta against prediction, all sightings and deviations.</source>
+        <translation>Side med planlagt og fløyet, zeta mot prognosen, alle observasjoner og avvik.</translation>
     </message>
     <message>
         <source>To print and take along: map, order with coordinates, legs and times, wind, warnings; with an operation volume, a second page about it.</source>
@@ -1755,8 +1751,8 @@
         <translation>%1 og %2 er %3 fra hverandre</translation>
     </message>
     <message>
-        <source>They fly at about the same altitude and are to stay %1 apart.</source>
-        <translation>De flyr i omtrent samme høyde og skal holde %1 avstand.</translation>
+        <source>They fly at about the same altitude. The separation set is %1.</source>
+        <translation>De flyr i omtrent samme høyde. Innstilt avstand er %1.</translation>
     </message>
     <message>
         <source>Wind above its limit: %1, limit %2</source>
@@ -2025,7 +2021,7 @@
 <context>
     <name>IcebergPasteText</name>
     <message>
-        <source>There is no text to be pasted.</source>
+        <source>There is no text to paste.</source>
         <translation>Det er ingen tekst å lime inn.</translation>
     </message>
     <message>
@@ -2218,8 +2214,8 @@
         <translation>hastigheten er fra filen</translation>
     </message>
     <message>
-        <source>velocity limited to 5 m/s</source>
-        <translation>hastigheten er begrenset til 5 m/s</translation>
+        <source>velocity limited to 5 m/s per axis</source>
+        <translation>hastigheten er begrenset til 5 m/s per akse</translation>
     </message>
     <message>
         <source>q estimated</source>
@@ -2684,8 +2680,8 @@
         <translation>Halvlengde</translation>
     </message>
     <message>
-        <source>Half its length; decides its size on the map.</source>
-        <translation>Halve lengden; bestemmer størrelsen på kartet.</translation>
+        <source>Half its length: its size on the map, and how far outside the area it is still monitored.</source>
+        <translation>Halve lengden: størrelsen på kartet, og hvor langt utenfor området det fortsatt overvåkes.</translation>
     </message>
     <message>
         <source>Change radius</source>
@@ -3122,8 +3118,8 @@
         <translation>Planleggingstid</translation>
     </message>
     <message>
-        <source>How long a plan takes in flight; until it is there the UAV flies the last one on.</source>
-        <translation>Hvor lang tid en plan tar i luften; til den foreligger, flyr UAV-en den forrige videre.</translation>
+        <source>How long a plan takes in flight; until it is there the UAV continues with the previous plan.</source>
+        <translation>Hvor lang tid en plan tar i luften; til den foreligger, fortsetter UAV-en med den forrige planen.</translation>
     </message>
     <message>
         <source>Change planning time</source>
@@ -3150,8 +3146,8 @@
         <translation>Geogjerde</translation>
     </message>
     <message>
-        <source>The UAVs stay inside the area.</source>
-        <translation>UAV-ene holder seg innenfor området.</translation>
+        <source>UAVs that start clear of its edge stay inside the area.</source>
+        <translation>UAV-er som starter klar av kanten, holder seg innenfor området.</translation>
     </message>
     <message>
         <source>Change geofence</source>
@@ -3306,8 +3302,8 @@
         <translation>Endre gruppering av nære isfjell</translation>
     </message>
     <message>
-        <source>Longest flight: it is home before that; at 0 it never lands.</source>
-        <translation>Lengste flytur: den er hjemme før det; ved 0 lander den aldri.</translation>
+        <source>Longest flight: it is home before that; at 0 it lands only when told to return.</source>
+        <translation>Lengste flytur: den er hjemme før det; ved 0 lander den bare når den får ordre om å fly hjem.</translation>
     </message>
     <message>
         <source>Visited by</source>
@@ -4118,8 +4114,8 @@ Tilstøtende område %4</translation>
         <translation>Utholdenheten er for kort til hjemveien fra startstedet.</translation>
     </message>
     <message>
-        <source>Home counts with a limited endurance only.</source>
-        <translation>Hjemstedet har bare betydning når utholdenheten er begrenset.</translation>
+        <source>Without a limited endurance, home is used only when you order a return or export with the return home.</source>
+        <translation>Uten begrenset utholdenhet brukes hjemstedet bare når du gir ordre om hjemflyging eller eksporterer med hjemflyging.</translation>
     </message>
     <message>
         <source>The time between two commands of the autopilot is too long for the UAV to follow a leg.</source>
@@ -4134,8 +4130,8 @@ Tilstøtende område %4</translation>
         <translation>Må ligge innenfor området, som er et geogjerde.</translation>
     </message>
     <message>
-        <source>This policy plans icebergs one by one: several in one field of view are not planned as one point.</source>
-        <translation>Denne strategien planlegger isfjell ett for ett: flere i ett synsfelt planlegges ikke som ett punkt.</translation>
+        <source>This policy plans icebergs one by one; nearby icebergs are not grouped.</source>
+        <translation>Denne strategien planlegger isfjell ett for ett; nære isfjell grupperes ikke.</translation>
     </message>
     <message>
         <source>A scenario holds at most %2 no-fly areas, not %3.</source>
@@ -4974,16 +4970,16 @@ Tilstøtende område %4</translation>
         <translation>starter innenfor separation_m fra en annen UAV i samme høydelag</translation>
     </message>
     <message>
-        <source>is too short for the way home from the start</source>
+        <source>is too short for the path home from the start</source>
         <translation>er for kort til hjemveien fra startstedet</translation>
     </message>
     <message>
-        <source>is too short for the way to the nearest iceberg and back</source>
+        <source>is too short for the path to the nearest iceberg and back</source>
         <translation>er for kort til veien til nærmeste isfjell og tilbake</translation>
     </message>
     <message>
-        <source>is used with a limited endurance only</source>
-        <translation>brukes bare når utholdenheten er begrenset</translation>
+        <source>is used, without a limited endurance, only when you order a return or export with the return home</source>
+        <translation>brukes, uten begrenset utholdenhet, bare når du gir ordre om hjemflyging eller eksporterer med hjemflyging</translation>
     </message>
     <message>
         <source>is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home</source>
@@ -5098,8 +5094,8 @@ Tilstøtende område %4</translation>
         <translation>flere enn det kan bevises optimum for; planen kommer med en skranke</translation>
     </message>
     <message>
-        <source>the policy plans icebergs one by one, so clusters are not made</source>
-        <translation>strategien planlegger isfjell ett for ett, så grupper lages ikke</translation>
+        <source>the policy plans icebergs one by one; nearby icebergs are not grouped</source>
+        <translation>strategien planlegger isfjell ett for ett; nære isfjell grupperes ikke</translation>
     </message>
     <message>
         <source>cannot plan so many icebergs; the back end auto can</source>
@@ -5256,8 +5252,8 @@ Tilstøtende område %4</translation>
 <context>
     <name>Main</name>
     <message>
-        <source>Write map.png, zeta.png and sigma.png of the run or the scenario flown to its end into &lt;folder&gt;.</source>
-        <translation>Skriv map.png, zeta.png og sigma.png av turen, eller av scenariet fløyet til ende, i &lt;mappe&gt;.</translation>
+        <source>Write map.png, zeta.png and sigma.png of a run, or of a scenario&apos;s complete run, into &lt;folder&gt;; with --theme both also map-dark.png, zeta-dark.png and sigma-dark.png.</source>
+        <translation>Skriv map.png, zeta.png og sigma.png av en flyging, eller av hele flygingen av et scenario, i &lt;mappe&gt;; med --theme both også map-dark.png, zeta-dark.png og sigma-dark.png.</translation>
     </message>
     <message>
         <source>Overwrite files that exist.</source>
@@ -5301,8 +5297,8 @@ Tilstøtende område %4</translation>
         <translation>--pictures: navnet på en mappe mangler.</translation>
     </message>
     <message>
-        <source>Bergwatch draws missions of a UAV that keeps watch over drifting icebergs.</source>
-        <translation>Bergwatch tegner oppdrag for et ubemannet fly som holder øye med drivende isfjell.</translation>
+        <source>Opens the planner&apos;s window on a scenario; with --pictures it only draws.</source>
+        <translation>Åpner planleggerens vindu med et scenario; med --pictures tegner programmet bare.</translation>
     </message>
     <message>
         <source>file</source>
@@ -5617,8 +5613,8 @@ Tilstøtende område %4</translation>
         <translation>Hjem</translation>
     </message>
     <message>
-        <source>Geofence: flown inside only</source>
-        <translation>Geogjerde: flys bare innenfor</translation>
+        <source>Geofence: kept if the start is clear</source>
+        <translation>Geogjerde: holdes når starten er klar av det</translation>
     </message>
     <message>
         <source>Geofence</source>
@@ -7029,11 +7025,11 @@ Tilstøtende område %4</translation>
         <translation>avveining τ</translation>
     </message>
     <message>
-        <source>Differences to the reference; the numbers are in the table of differences</source>
+        <source>Differences vs the reference; the numbers are in the table of differences</source>
         <translation>Forskjeller fra referansen; tallene står i tabellen over forskjeller</translation>
     </message>
     <message>
-        <source>mean difference of ζ to %1, %</source>
+        <source>mean difference of ζ vs %1, %</source>
         <translation>midlere forskjell i ζ fra %1, %</translation>
     </message>
     <message>
@@ -7185,7 +7181,7 @@ Tilstøtende område %4</translation>
         <translation>ζ mot τ</translation>
     </message>
     <message>
-        <source>Differences to the reference</source>
+        <source>Differences vs the reference</source>
         <translation>Forskjeller fra referansen</translation>
     </message>
     <message>
@@ -7201,7 +7197,7 @@ Tilstøtende område %4</translation>
         <translation>Fastlåst: høyst to isfjell som mål i siste halvdel av flygingen.</translation>
     </message>
     <message>
-        <source>ζ of the case and its difference to %1.</source>
+        <source>ζ of the case and its difference vs %1.</source>
         <translation>ζ for tilfellet og forskjellen fra %1.</translation>
     </message>
     <message>
@@ -7245,7 +7241,7 @@ Tilstøtende område %4</translation>
         <translation>Median</translation>
     </message>
     <message>
-        <source>Differences of ζ to %1, case by case, with 95 % intervals of the mean. Worst: the largest difference of a case.</source>
+        <source>Differences of ζ vs %1, case by case, with 95 % intervals of the mean. Worst: the largest difference of a case.</source>
         <translation>Forskjeller i ζ fra %1, tilfelle for tilfelle, med 95 %-intervaller for middelet. Verst: den største forskjellen i et tilfelle.</translation>
     </message>
     <message>
@@ -7711,16 +7707,16 @@ mot %2</translation>
 <context>
     <name>berg::ComparisonChart</name>
     <message>
-        <source>Accumulated uncertainty of two runs</source>
-        <translation>Samlet usikkerhet for to flyginger</translation>
+        <source>Comparison of accumulated uncertainty</source>
+        <translation>Sammenligning av samlet usikkerhet</translation>
     </message>
     <message>
         <source>Zeta ζ, m² s</source>
         <translation>Zeta ζ, m² s</translation>
     </message>
     <message>
-        <source>Two runs of the same scenario are compared here.</source>
-        <translation>Her sammenlignes to flyginger av samme scenario.</translation>
+        <source>The comparison of runs of one scenario is shown here.</source>
+        <translation>Her vises sammenligningen av flyginger av samme scenario.</translation>
     </message>
     <message>
         <source>%1.
@@ -7772,7 +7768,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>τ</translation>
     </message>
     <message>
-        <source>Trade-off τ to be flown</source>
+        <source>Trade-off τ to fly</source>
         <translation>Avveining τ som skal flys</translation>
     </message>
     <message>
@@ -7944,7 +7940,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 <context>
     <name>berg::DifferenceChart</name>
     <message>
-        <source>Differences to the reference</source>
+        <source>Differences vs the reference</source>
         <translation>Forskjeller fra referansen</translation>
     </message>
     <message>
@@ -7960,7 +7956,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Middel av tilfellene med 95 % konfidensintervall</translation>
     </message>
     <message>
-        <source>Difference of ζ to %1, %</source>
+        <source>Difference of ζ vs %1, %</source>
         <translation>Forskjell i ζ fra %1, %</translation>
     </message>
     <message>
@@ -8074,7 +8070,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>varmstart</translation>
     </message>
     <message>
-        <source>last plan kept</source>
+        <source>previous plan kept</source>
         <translation>forrige plan beholdt</translation>
     </message>
 </context>
@@ -8369,8 +8365,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Nedre grense</translation>
     </message>
     <message>
-        <source>No flight can have a lower ζ in this world, whatever the policy.</source>
-        <translation>Ingen flyging kan ha en lavere ζ i denne verdenen, uansett strategi.</translation>
+        <source>Lower bound on ζ for these conditions, whatever the policy.</source>
+        <translation>Nedre grense for ζ under disse forholdene, uansett strategi.</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -9697,13 +9693,13 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>The scenario has changed meanwhile. Nothing was exported.</source>
         <translation>Scenariet er endret i mellomtiden. Ingenting ble eksportert.</translation>
     </message>
-</context>
-<context>
-    <name>berg::MissionWorker</name>
     <message>
         <source>The run has ended. Stop and edit to fly it differently.</source>
         <translation>Flygingen er slutt. Stopp og rediger for å fly den annerledes.</translation>
     </message>
+</context>
+<context>
+    <name>berg::MissionWorker</name>
     <message>
         <source>There is no run to save: the scenario cannot be planned.</source>
         <translation>Det er ingen flyging å lagre: scenarioet kan ikke planlegges.</translation>
@@ -10451,6 +10447,10 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <source>The run is saved when the plan under way is made.</source>
         <translation>Flygingen lagres når planen som er under arbeid, er laget.</translation>
     </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Lagrer %1</translation>
+    </message>
 </context>
 <context>
     <name>berg::RunMarkDelegate</name>
@@ -10607,6 +10607,10 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>No files yet</source>
         <translation>Ingen filer ennå</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Leser %1</translation>
     </message>
 </context>
 <context>
@@ -11746,6 +11750,10 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>%1, in flight</source>
         <translation>%1, under flyging</translation>
+    </message>
+    <message>
+        <source>Reading unsaved work</source>
+        <translation>Leser arbeid som ikke er lagret</translation>
     </message>
 </context>
 <context>

@@ -125,7 +125,8 @@ void addBenchmarkCommand(CLI::App& app, Action& action)
     const auto arguments = std::make_shared<BenchmarkArguments>();
     BenchmarkArguments& a = *arguments;
     command
-        ->add_option("--sizes", a.sizes, "Numbers of icebergs, with commas (2 to 80, as the paper)")
+        ->add_option("--sizes", a.sizes,
+                     "Numbers of icebergs, with commas (2 to 80; the paper's end at 20)")
         ->delimiter(',')
         ->transform(wholeFrom(0, 500));
     command->add_option("--repeat", a.repeat, "Instances of each size (10)")

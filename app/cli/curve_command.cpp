@@ -125,7 +125,8 @@ int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
 void addCurveCommand(CLI::App& app, Action& action)
 {
     CLI::App* command =
-        app.add_subcommand("curve", "All optimal plans from a scenario's start, for every tau");
+        app.add_subcommand("curve", "All optimal plans from a scenario's start, for every tau "
+                                    "from 0 to --tau-max (5)");
     const auto arguments = std::make_shared<CurveArguments>();
     CurveArguments& a = *arguments;
     command->add_option("SCENARIO", a.file, "The file to plan from")->required();

@@ -212,7 +212,8 @@ void addOptions(CLI::App& command, ExportArguments& arguments)
         ->check(numberFrom(limits::kAirspeed_mps.low, limits::kAirspeed_mps.high));
     command
         .add_option("--acceptance", options.acceptance_m,
-                    "Radius within which a waypoint counts as reached, m (the field of view's)")
+                    "Radius within which a waypoint counts as reached, m (the scenario's "
+                    "acceptance radius, else the field of view's)")
         ->check(numberFrom(limits::kExtent_m.low, limits::kExtent_m.high));
     command.add_option("--loiter", options.loiterTurns, "Turns over each iceberg (0)")
         ->transform(wholeFrom(0, kMostLoiterTurns));

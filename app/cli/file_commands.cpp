@@ -63,7 +63,8 @@ int validateFiles(const std::vector<std::string>& files, bool json, const std::s
 
 void addValidate(CLI::App& app, Action& action)
 {
-    CLI::App* command = app.add_subcommand("validate", "Check files and name every fault in them");
+    CLI::App* command = app.add_subcommand(
+        "validate", "Check files and name the faults in them (the first 100 of each)");
     const auto files = std::make_shared<std::vector<std::string>>();
     const auto json = std::make_shared<bool>(false);
     command->add_option("FILE", *files, "Scenarios, problems, runs and studies")->required();

@@ -23,7 +23,7 @@ struct SolveArguments
 {
     std::string file;
     std::optional<double> tau;
-    std::optional<double> mu;
+    std::optional<double> mu;         ///< `solve` alone
     std::optional<PolicyKind> policy; ///< `plan` alone: a problem file has none
     std::optional<Backend> backend;
     std::optional<Formulation> formulation;
@@ -37,27 +37,40 @@ struct SolveArguments
     bool json = false;
 };
 
-std::shared_ptr<SolveArguments> addArguments(CLI::App& command, const std::string& fileName)
+/** How `solve` and `plan` differ: what is in the file, and what holds where nothing is given. */
+struct FileWords
 {
+    std::string name;
+    std::string solver;
+    std::string formulation;
+    bool takesMu = false; ///< the distance weight itself in place of tau
+};
+
+std::shared_ptr<SolveArguments> addArguments(CLI::App& command, const FileWords& words)
+{
+    const std::string unlimited =
+        "(none; auto and heuristic stop after about a second's work, exact goes on to the proof)";
     auto arguments = std::make_shared<SolveArguments>();
     SolveArguments& a = *arguments;
-    command.add_option(fileName, a.file, "The file to plan from")->required();
+    command.add_option(words.name, a.file, "The file to plan from")->required();
     command
         .add_option("-t,--tau", a.tau,
                     "Trade-off: 0 most uncertain first, large shortest path (the file's)")
         ->check(numberFrom(0.0, 100.0));
-    command.add_option("--mu", a.mu, "Distance weight, in place of tau (that of tau)")
-        ->check(numberFrom(0.0, kLargestProblemNumber));
-    addNamed(command, "--backend", a.backend, kBackendNames, "Solver (auto)");
+    if (words.takesMu)
+        command.add_option("--mu", a.mu, "Distance weight, in place of tau (the file's)")
+            ->check(numberFrom(0.0, kLargestProblemNumber));
+    addNamed(command, "--backend", a.backend, kBackendNames, "Solver (" + words.solver + ')');
     addNamed(command, "--formulation", a.formulation, kFormulationNames,
-             "MILP of the cbc solver, also of --verify (position)");
+             "MILP of cbc (" + words.formulation +
+                 "); of --verify (position up to 16 icebergs, reduced beyond)");
     addNamed(command, "--route", a.route, kRouteNames, "Path or round trip (the file's)");
     command.add_flag("--verify", a.verify, "Solve with a second, independent solver and compare");
-    command.add_option("--time-limit", a.timeLimit_s, "Seconds (no limit)")
+    command.add_option("--time-limit", a.timeLimit_s, "Seconds " + unlimited)
         ->check(numberFrom(0.0, 1e9));
     command
         .add_option("--work-limit", a.workLimit,
-                    "Steps of the solver's own kind, the same every time (no limit)")
+                    "Steps of the solver's own kind, the same every time " + unlimited)
         ->transform(wholeFrom(0, std::int64_t{1} << 60));
     command.add_option("--gap", a.gap, "Stop within this relative gap, such as 0.01 (0)")
         ->check(numberFrom(0.0, 1.0));
@@ -285,9 +298,6 @@ int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
 
 int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
 {
-    if (arguments.mu)
-        throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine", "--mu is for problem files; a scenario is planned with --tau"));
     checkSolveFiles(arguments);
     Scenario scenario = reading([&] { return loadScenario(arguments.file); });
     PlannerSettings& planner = scenario.planner;
@@ -310,12 +320,14 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
 void addPlanCommands(CLI::App& app, Action& action)
 {
     CLI::App* solve = app.add_subcommand("solve", "Solve one path-planning problem");
-    const auto problem = addArguments(*solve, "PROBLEM");
+    const auto problem = addArguments(
+        *solve, {.name = "PROBLEM", .solver = "auto", .formulation = "position", .takesMu = true});
     solve->callback([problem, &action] {
         action = [problem](const std::stop_token& stop) { return solveProblem(*problem, stop); };
     });
     CLI::App* plan = app.add_subcommand("plan", "Plan the visiting order from a scenario's start");
-    const auto scenario = addArguments(*plan, "SCENARIO");
+    const auto scenario = addArguments(
+        *plan, {.name = "SCENARIO", .solver = "the scenario's", .formulation = "the scenario's"});
     addNamed(*plan, "--policy", scenario->policy, kPolicyNames,
              "How the order is chosen (the scenario's)");
     plan->callback([scenario, &action] {

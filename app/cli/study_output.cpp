@@ -66,7 +66,7 @@ std::string recommendedText(const StudySummary& summary)
     const auto name = [&](std::size_t s) { return settingText(summary.settings[s].setting); };
     return (best.isSure ? "recommended: " : "no policy is surely the best; lowest: ") +
            name(best.setting) + ", " + percent(best.relative.mean) + " (" +
-           intervalText(best.relative) + ") to " + name(*best.next) +
+           intervalText(best.relative) + ") vs " + name(*best.next) +
            ", the best of another policy\n";
 }
 
@@ -78,7 +78,7 @@ std::string tableText(const StudySummary& summary)
         text += rowText(summary.settings[i], summary.differences.at(i));
     text += "zeta in m2 s; stuck: two icebergs at most in the last half of the run\n";
     if (summary.reference < summary.settings.size())
-        text += "difference: case by case to " +
+        text += "difference: case by case vs " +
                 settingText(summary.settings[summary.reference].setting) +
                 "; lower: share of cases below it; worst: the largest difference of a case\n";
     if (summary.bestTau)

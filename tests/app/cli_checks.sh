@@ -112,6 +112,10 @@ check "plan: proven" json 'd["status"] == "optimal"'
 check "plan 40" exits 0 "$cli" plan "$source_dir/resources/scenarios/scoresby-sund-40.berg" --json
 check "plan 40: an honest gap" json 'd["bound"] is not None and 0 <= d["gap"] < 0.1 and d["bound"] <= d["objective"]'
 check "plan with --mu is refused" exits 2 "$cli" plan "$default" --mu 1
+check "plan with --mu is refused: says so" says "--mu"
+check "plan --help offers no --mu" test -z "$("$cli" plan --help | grep -e --mu)"
+check "solve --help offers --mu" grep -q -e "--mu FLOAT" <("$cli" solve --help)
+check "plan --help: defaults of the scenario" test "$("$cli" plan --help | tr -s ' \n' ' ' | grep -o "(the scenario's)" | wc -l)" -eq 3
 python3 - "$default" <<'PY'
 import json, sys
 scenario = json.load(open(sys.argv[1]))

@@ -14,6 +14,12 @@ json.dump(scenario, open("small.berg", "w"))
 P
 pictures() { "$bergwatch" --pictures "$@"; }
 
+for option in --help --help-all; do
+    check "$option opens no window" exits 0 timeout 60 "$bergwatch" $option
+    check "$option: names --pictures" grep -q -e --pictures stdout.txt
+    check "$option: names the dark pictures" grep -q -e zeta-dark.png stdout.txt
+done
+
 check "pictures" exits 0 pictures out $scenario
 check "pictures: three files" test "$(ls out | tr '\n' ' ')" = "map.png sigma.png zeta.png "
 echo mine >out/zeta.png

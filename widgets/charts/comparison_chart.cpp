@@ -191,10 +191,10 @@ void ComparisonChart::setCursor_s(std::optional<double> time_s)
 
 Figure ComparisonChart::figure() const
 {
-    Figure figure{.name = utf8(tr("Accumulated uncertainty of two runs"))};
+    Figure figure{.name = utf8(tr("Comparison of accumulated uncertainty"))};
     figure.title = figure.name;
     if (!m_comparison) {
-        figure.emptyText = utf8(tr("Two runs of the same scenario are compared here."));
+        figure.emptyText = utf8(tr("The comparison of runs of one scenario is shown here."));
         return figure;
     }
     const ComparedRun& reference = *m_comparison->reference;

@@ -24,7 +24,7 @@ DifferenceChart::DifferenceChart(const Theme& theme, QWidget* parent) : StudyPic
 
 Figure DifferenceChart::figure() const
 {
-    Figure figure = titled(tr("Differences to the reference"),
+    Figure figure = titled(tr("Differences vs the reference"),
                            tr("Here each setting is compared with a reference, case by case."));
     if (!hasCases())
         return figure;
@@ -40,7 +40,7 @@ Figure DifferenceChart::figure() const
                 const QString sign = percent < 0 ? u"−"_s : percent > 0 ? u"+"_s : QString();
                 return utf8(sign + fixedText(std::abs(percent), decimals, locale));
             },
-        .title = utf8(tr("Difference of ζ to %1, %").arg(nameOfReference()))};
+        .title = utf8(tr("Difference of ζ vs %1, %").arg(nameOfReference()))};
     figure.y = {.ends = AxisEnds::Rows, .hasGrid = false};
     figure.lines.push_back(
         {.points = {{0, -kPlotEdge}, {0, kPlotEdge}}, .ink = {.of = InkOf::Uav}, .width_px = 1.4});

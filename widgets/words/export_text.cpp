@@ -63,7 +63,7 @@ ExportFormatText mapText(std::string_view id)
                 .name = u"CZML"_s,
                 .tool = u"Cesium"_s,
                 .about = ExportText::tr("UAVs and icebergs moving in time over the globe, with "
-                                        "ways, area and asset.")};
+                                        "paths, area and asset.")};
     return {.group = group,
             .name = id == "kmz" ? u"KMZ"_s : u"KML"_s,
             .tool = u"Google Earth"_s,
@@ -89,7 +89,7 @@ ExportFormatText tableText(std::string_view id)
         return {.name = ExportText::tr("Flight log"),
                 .tool = ExportText::tr("Browsers"),
                 .about = ExportText::tr("Page with planned and flown, zeta against prediction, all "
-                                        "sightings and deviations, in English.")};
+                                        "sightings and deviations.")};
     if (id == "zeta-csv")
         return {.name = ExportText::tr("Zeta"),
                 .tool = ExportText::tr("Spreadsheets"),

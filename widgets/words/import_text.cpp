@@ -127,7 +127,7 @@ QString importNoteSentence(ImportNote note)
     case ImportNote::VelocityGiven:
         return ImportWords::tr("velocity from the file");
     case ImportNote::VelocityClamped:
-        return ImportWords::tr("velocity limited to 5 m/s");
+        return ImportWords::tr("velocity limited to 5 m/s per axis");
     case ImportNote::GrowthEstimated:
         return ImportWords::tr("q estimated");
     case ImportNote::GrowthClamped:

@@ -124,7 +124,8 @@ constexpr std::array<SentenceRow, kScenarioIssueIds> kSentences{{
      QT_TRANSLATE_NOOP("IssueText",
                        "The endurance is too short for the path to the nearest iceberg and back.")},
     {IssueId::HomeUnused,
-     QT_TRANSLATE_NOOP("IssueText", "Home counts with a limited endurance only.")},
+     QT_TRANSLATE_NOOP("IssueText", "Without a limited endurance, home is used only when you order "
+                                    "a return or export with the return home.")},
     {IssueId::HomeNearFence,
      QT_TRANSLATE_NOOP("IssueText", "Home is so near the geofence or a no-fly area that the UAV "
                                     "cannot take off there again and be sure to come home.")},
@@ -207,8 +208,8 @@ constexpr std::array<SentenceRow, kScenarioIssueIds> kSentences{{
      QT_TRANSLATE_NOOP("IssueText",
                        "More icebergs than can be proven optimal; the plan comes with a bound.")},
     {IssueId::ClustersIgnored,
-     QT_TRANSLATE_NOOP("IssueText", "This policy plans icebergs one by one: several in one field "
-                                    "of view are not planned as one point.")},
+     QT_TRANSLATE_NOOP("IssueText", "This policy plans icebergs one by one; nearby icebergs are "
+                                    "not grouped.")},
     {IssueId::SolverUnable,
      QT_TRANSLATE_NOOP("IssueText", "This solver cannot plan so many icebergs. Choose Automatic.")},
     {IssueId::LongProof,

@@ -217,9 +217,9 @@ std::string differenceChart(const StudySummary& summary, const ReportWords& word
     const std::vector<std::size_t> drawn = drawnDifferences(summary);
     Figure figure;
     figure.name = words.text(QT_TRANSLATE_NOOP(
-        "Report", "Differences to the reference; the numbers are in the table of differences"));
+        "Report", "Differences vs the reference; the numbers are in the table of differences"));
     figure.x = axisFor(AxisEnds::Round, 52,
-                       words.text(QT_TRANSLATE_NOOP("Report", "mean difference of ζ to %1, %"),
+                       words.text(QT_TRANSLATE_NOOP("Report", "mean difference of ζ vs %1, %"),
                                   {settingName(summary.settings[summary.reference].setting)}));
     figure.x.largest = 0;
     figure.y = {.ends = AxisEnds::Rows, .hasGrid = false};

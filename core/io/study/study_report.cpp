@@ -72,7 +72,7 @@ std::string figuresHtml(const StudySummary& summary, const ReportWords& words)
 {
     return figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "ζ against τ")),
                       zetaChart(summary, words), zetaCaption(summary, words)) +
-           figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "Differences to the reference")),
+           figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "Differences vs the reference")),
                       differenceChart(summary, words), differenceCaption(summary, words)) +
            figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "Best τ of each case")),
                       bestTauChart(summary, words),

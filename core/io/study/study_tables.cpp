@@ -51,7 +51,7 @@ std::string oneCaseTable(const StudySummary& summary, const ReportWords& words)
 {
     const int decimals = zetaDecimals(summary);
     HtmlTable table(
-        words.html(QT_TRANSLATE_NOOP("Report", "ζ of the case and its difference to %1."),
+        words.html(QT_TRANSLATE_NOOP("Report", "ζ of the case and its difference vs %1."),
                    {settingName(summary.settings[summary.reference].setting)}) +
             ' ' + words.html(kStuckMeans),
         words.heads({QT_TRANSLATE_NOOP("Report", "Setting"), "ζ, m² s",
@@ -99,7 +99,7 @@ std::string differencesTable(const StudySummary& summary, const ReportWords& wor
     const int decimals = zetaDecimals(summary);
     HtmlTable table(
         words.html(QT_TRANSLATE_NOOP("Report",
-                                     "Differences of ζ to %1, case by case, with 95 % intervals of "
+                                     "Differences of ζ vs %1, case by case, with 95 % intervals of "
                                      "the mean. Worst: the largest difference of a case."),
                    {settingName(summary.settings[summary.reference].setting)}),
         words.heads(

@@ -297,7 +297,7 @@ void addPlaceRows(RowList& rows, const MapPicture& picture, const Theme& theme,
              MapLegend::tr("Radio range"),
              [&](QPainter& p, const QRectF& r) { drawRingSwatch(p, r, linkRingPen(theme)); });
     rows.add(picture.isFenced && !picture.area_m.empty(),
-             MapLegend::tr("Geofence: flown inside only"), MapLegend::tr("Geofence"),
+             MapLegend::tr("Geofence: kept if the start is clear"), MapLegend::tr("Geofence"),
              [&](QPainter& p, const QRectF& r) { drawFenceSwatch(p, r, theme); });
     const auto hasClosed = [&](bool isRing) {
         return std::any_of(picture.closed.begin(), picture.closed.end(),

@@ -81,7 +81,7 @@ EventModel::Row EventModel::rowOf(const MissionEvent& event, const PlanEvent* pl
         if (plan->warmStarted && !plan->sameSolve)
             row.details += u" · "_s + tr("warm start");
         if (plan->fellBack)
-            row.details += u" · "_s + tr("last plan kept");
+            row.details += u" · "_s + tr("previous plan kept");
         row.toolTip = planOrderText(*plan, icebergs);
         if (!state.details.isEmpty())
             row.toolTip += u'\n' + state.details;

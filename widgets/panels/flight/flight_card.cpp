@@ -95,7 +95,7 @@ FlightCard::FlightCard(QWidget* map)
     m_range = addRow(*column, u"flightCardRange"_s, tr("Predicted range"),
                      tr("ζ of nine flights in ten was predicted to lie in this range."));
     m_bound = addRow(*column, u"flightCardBound"_s, tr("Lower bound"),
-                     tr("No flight can have a lower ζ in this world, whatever the policy."));
+                     tr("Lower bound on ζ for these conditions, whatever the policy."));
     m_visits = addRow(*column, u"flightCardVisits"_s, tr("Visits"), tr("Targets reached."));
     m_unseen = addRow(*column, u"flightCardUnseen"_s, tr("Longest unseen"),
                       tr("The iceberg that was out of view longest."));

@@ -99,8 +99,8 @@ void addClose(std::vector<FlightNotice>& notices, const FlightRecord& record, co
                  .text = FlightNotices::tr("%1 and %2 are %3 apart")
                              .arg(shownName(uavs[a]), shownName(uavs[b]),
                                   distanceText(distance_m, locale)),
-                 .toolTip = FlightNotices::tr("They fly at about the same altitude and are to stay "
-                                              "%1 apart.")
+                 .toolTip = FlightNotices::tr("They fly at about the same altitude. The separation "
+                                              "set is %1.")
                                 .arg(distanceText(record.scenario.separation_m, locale))});
         }
 }

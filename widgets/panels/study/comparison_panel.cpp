@@ -116,7 +116,7 @@ void ComparisonPanel::addActions()
     m_tauLabel = new QLabel(tr("τ"));
     m_tau = new NumberField;
     m_tau->setObjectName(u"comparedTau"_s);
-    m_tau->setAccessibleName(tr("Trade-off τ to be flown"));
+    m_tau->setAccessibleName(tr("Trade-off τ to fly"));
     m_tau->setToolTip(tr("0: most uncertain first; the larger, the shorter the route."));
     m_tau->setNumberFormat({.least = 2, .most = 4}, {});
     m_tau->setSingleStep(0.25);

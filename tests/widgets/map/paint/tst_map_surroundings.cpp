@@ -318,7 +318,7 @@ private slots:
         QVERIFY(!legendOf(withScenario({}, scenario)).join(u' ').contains(u"Geofence"_s));
         scenario.geofence = true;
         const MapPicture picture = withScenario({}, scenario);
-        QVERIFY(legendOf(picture).contains(u"Geofence: flown inside only"_s));
+        QVERIFY(legendOf(picture).contains(u"Geofence: kept if the start is clear"_s));
         MapPicture open = picture;
         open.isFenced = false;
         const MapLayout layout = layoutOf(picture, kSize_px);
