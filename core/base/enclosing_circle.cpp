@@ -1,13 +1,18 @@
 #include "core/base/enclosing_circle.h"
 
 #include "core/base/error.h"
+#include "core/base/random.h"
 
 #include <array>
+#include <utility>
+#include <vector>
 
 namespace berg {
 
 namespace {
 
+/** So many take the cube of their number in no time, whatever their order. */
+constexpr std::size_t kFew = 50;
 /** Points this little outside, by the radius, are on the circle: rounding. */
 constexpr double kRounding = 1e-12;
 
@@ -59,16 +64,31 @@ Circle withOneOn(const Point& a_m, std::span<const Point> points_m)
     return circle;
 }
 
-} // namespace
-
-Circle enclosingCircle(std::span<const Point> points_m)
+Circle around(std::span<const Point> points_m)
 {
-    require(!points_m.empty(), "enclosingCircle: no points");
     Circle circle{.centre_m = points_m.front()};
     for (std::size_t i = 1; i < points_m.size(); ++i)
         if (!isInside(circle, points_m[i]))
             circle = withOneOn(points_m[i], points_m.first(i));
     return circle;
+}
+
+/** The same each time. Along a path nearly every point is outside the circle of those before. */
+std::vector<Point> shuffled(std::span<const Point> points_m)
+{
+    std::vector<Point> places_m(points_m.begin(), points_m.end());
+    Random random(0, points_m.size());
+    for (std::size_t i = places_m.size() - 1; i > 0; --i)
+        std::swap(places_m[i], places_m[random.below(i + 1)]);
+    return places_m;
+}
+
+} // namespace
+
+Circle enclosingCircle(std::span<const Point> points_m)
+{
+    require(!points_m.empty(), "enclosingCircle: no points");
+    return points_m.size() > kFew ? around(shuffled(points_m)) : around(points_m);
 }
 
 } // namespace berg

@@ -14,7 +14,8 @@ struct Circle
 
 /**
  * The smallest circle round the points, exact but for rounding, whatever their order; needs one
- * point at least, and of one alone it is that point. Cost: linear as a rule, the cube at worst.
+ * point at least, and of one alone it is that point. Cost: linear, as the order they are taken in
+ * is drawn; of few, the cube at worst.
  * Welzl, Smallest enclosing disks (1991), in its iterative form.
  */
 [[nodiscard]] Circle enclosingCircle(std::span<const Point> points_m);

@@ -106,6 +106,21 @@ private slots:
         }
     }
 
+    /** Each point lies outside the circle of those before: taken in that order it takes hours. */
+    void alongAPathOutwards()
+    {
+        std::vector<Point> points;
+        for (int i = 0; i < 40'000; ++i) {
+            const double turn_rad = 1e-3 * i;
+            points.emplace_back(turn_rad * std::cos(turn_rad), turn_rad * std::sin(turn_rad));
+        }
+        const Circle circle = enclosingCircle(points);
+        QVERIFY(holds(circle, points));
+        std::ranges::reverse(points); // in this order it is soon done
+        points.resize(10'000);        // the last turns are those that count
+        COMPARE_NEAR(circle.radius_m, enclosingCircle(points).radius_m, 1e-9);
+    }
+
     /** Far from the origin the points of a line are in line only but for rounding. */
     void inALineFarAway()
     {
