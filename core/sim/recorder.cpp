@@ -50,6 +50,9 @@ std::vector<UavSample> uavSamples(const WorldState& state)
 
 namespace {
 
+/** So many tracks of a keyframe take as much of a file as one search. */
+constexpr std::size_t kSearchTracks = 70;
+
 double weightedSum_m2(const Simulation& simulation)
 {
     if (!simulation.world().asset())
@@ -71,7 +74,8 @@ void Recorder::keep(const Simulation& keyframe)
     m_keyframes.push_back(keyframe);
     m_wholeRowDue = m_wholeRowDue || m_keyframeCount % m_stride == 0;
     ++m_keyframeCount;
-    m_keyframeTracks += toIndex(keyframe.icebergCount() + 2 * keyframe.uavCount());
+    m_keyframeTracks += toIndex(keyframe.icebergCount() + 2 * keyframe.uavCount()) +
+                        kSearchTracks * keyframe.observer().searches().count();
     const std::size_t stride = std::bit_ceil(m_keyframeTracks / kMostKeyframeTracks + 1);
     if (stride == m_stride)
         return;

@@ -100,7 +100,8 @@ using SampleSink = std::function<void(const Sample&, std::span<const IcebergSamp
 class Recorder
 {
 public:
-    /** Of all keyframes but the last, a UAV counted as two: about 60 MB, or 15 MB of a file. */
+    /** Of all keyframes but the last, a UAV counted as two and a search as 70: about 60 MB, or 15
+     * MB of a file. */
     static constexpr std::size_t kMostKeyframeTracks = 100'000;
 
     /** `interval_s` between samples, `keyframe_s` between keyframes; both rounded to steps. */

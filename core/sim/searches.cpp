@@ -5,6 +5,13 @@
 
 namespace berg {
 
+std::size_t Searches::count() const
+{
+    const auto underWay = std::ranges::count_if(
+        m_byUav, [](const std::optional<Search>& search) { return search.has_value(); });
+    return m_givenUp.size() + static_cast<std::size_t>(underWay);
+}
+
 Search Searches::take(int uav)
 {
     return std::move(*std::exchange(m_byUav[toIndex(uav)], std::nullopt));

@@ -15,6 +15,8 @@ public:
 
     [[nodiscard]] const std::optional<Search>& of(int uav) const { return m_byUav[toIndex(uav)]; }
     [[nodiscard]] const std::vector<Search>& givenUp() const { return m_givenUp; }
+    /** Those under way and those given up. */
+    [[nodiscard]] std::size_t count() const;
 
     void begin(int uav, Search search) { m_byUav[toIndex(uav)] = std::move(search); }
     /** Of a UAV that leaves it to somebody else; it must have one. */

@@ -1,3 +1,5 @@
+#include "core/scenario/presets.h"
+#include "core/sim/mission.h"
 #include "core/sim/recorder.h"
 #include "tests/support/approx.h"
 #include "tests/support/scenario_builder.h"
@@ -182,6 +184,24 @@ private slots:
         recorder.handOn([&](const Sample&, std::span<const IcebergSample> icebergs) {
             QVERIFY(isState(row++, icebergs));
         });
+    }
+
+    /** A search takes as much as 70 tracks: a day of 40 lost icebergs made a file of 715 MB. */
+    void keyframesOfSearchesAreFew()
+    {
+        Scenario scenario = randomScenario(5, {.icebergs = 40});
+        scenario.duration_s = 4 * 3600;
+        scenario.observer = {.model = ObserverModel::Kalman, .search = SearchPattern::Square};
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.velocitySd_mps = 0.5;
+        scenario.planner.policy = PolicyKind::Nearest;
+        Mission mission(scenario);
+        mission.advance(scenario.duration_s);
+        QVERIFY(mission.simulation().observer().searches().count() > 20);
+        std::size_t tracks = 0;
+        for (const Simulation& keyframe : mission.recorder().keyframes())
+            tracks += 42 + 70 * keyframe.observer().searches().count();
+        QVERIFY2(tracks < Recorder::kMostKeyframeTracks + 10'000, std::to_string(tracks).c_str());
     }
 
     /** 32 bytes for each iceberg of each row were 830 MB for 300 icebergs and a day. */
