@@ -75,9 +75,11 @@ void Observer::reportSighting(int iceberg, StepReport& report)
     require(active(iceberg), "reportSighting: the iceberg has not appeared");
     Track& track = m_tracks[toIndex(iceberg)];
     const bool inView = track.inView;
-    if (m_world.observer().model == ObserverModel::Simple)
+    if (m_world.observer().model == ObserverModel::Simple) {
         track.seen(m_world.truth_m(iceberg), m_world.time_s());
-    else
+        if (track.status != TrackStatus::Tracked)
+            found(iceberg, -1, report);
+    } else
         measure(iceberg, m_world.truth_m(iceberg), -1, report);
     track.inView = inView;
 }
