@@ -6,6 +6,7 @@
 #include "core/scenario/fence.h"
 #include "core/scenario/findings.h"
 #include "core/scenario/operation.h"
+#include "core/vehicle/safety_guard.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +17,6 @@
 namespace berg {
 
 namespace {
-
-/** Part of the airspeed above which wind makes flight times grow without much warning. */
-
-/** Slower autopilots cannot be told when home must be gone for: `pathTo`. */
-constexpr double kSlowestHoming_s = 1;
 
 void checkRun(const Scenario& s, Findings& findings)
 {

@@ -69,6 +69,15 @@ double SafetyGuard::homeCommand_radps(const DubinsState& pose, bool maySearch)
     return path ? path->takeNext_radps() : limitedToFence_radps(pose, homeRate_radps(pose));
 }
 
+void SafetyGuard::needHome(const SortieSpec& home)
+{
+    if (m_uav.sortie)
+        return;
+    m_uav.sortie = home;
+    const std::int64_t slowest = std::llround(kSlowestHoming_s / m_uav.clock.dt_s);
+    m_uav.clock.steps = std::min(m_uav.clock.steps, std::max<std::int64_t>(1, slowest));
+}
+
 void SafetyGuard::proveReturn(const DubinsState& pose, double u_radps, std::int64_t step)
 {
     m_sortie.returnPath.reset();

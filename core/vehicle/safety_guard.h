@@ -8,6 +8,9 @@
 
 namespace berg {
 
+/** Slower autopilots do not come home for sure, nor can it be told when they must be gone. */
+inline constexpr double kSlowestHoming_s = 1;
+
 /** What the guard knows of its UAV. */
 struct GuardedUav
 {
@@ -44,12 +47,11 @@ public:
     /** Made for the wind that blows; null: none from now on. */
     void setFence(std::shared_ptr<const Geofence> fence) { m_uav.fence = std::move(fence); }
 
-    /** From now on it can come home, although its endurance is unlimited. */
-    void needHome(const SortieSpec& home)
-    {
-        if (!m_uav.sortie)
-            m_uav.sortie = home;
-    }
+    /**
+     * From now on it can come home, although its endurance is unlimited, and is commanded no slower
+     * than `kSlowestHoming_s`.
+     */
+    void needHome(const SortieSpec& home);
 
     /** The command for this wish, from now on; none: it has to go home, `homeCommand_radps`. */
     [[nodiscard]] std::optional<double> command_radps(const DubinsState& pose, double wished_radps);

@@ -57,6 +57,33 @@ private slots:
         QTest::newRow("limited") << 900.0;
     }
 
+    void returnsWithASlowAutopilot_data()
+    {
+        QTest::addColumn<double>("wind_mps");
+        QTest::newRow("calm") << 0.0;
+        QTest::newRow("wind") << 15.0;
+    }
+
+    /** A command each minute misses home for ever. */
+    void returnsWithASlowAutopilot()
+    {
+        QFETCH(double, wind_mps);
+        for (const double heading_deg : {0.0, 70.0, 140.0, 210.0, 290.0}) {
+            Scenario s = randomScenario(4);
+            s.duration_s = 2000;
+            s.wind_mps = Point(wind_mps, 0);
+            s.uavs.front().heading_deg = heading_deg;
+            s.uavs.front().spec.autopilot_s = 60;
+            Mission mission(s);
+            mission.advance(333);
+            mission.intervene(command(s.uavs.front().id.c_str(), FlightOrder::ReturnNow));
+            mission.advance(s.duration_s);
+            QVERIFY2(mission.simulation().uav(0).mode == FlightMode::Ground,
+                     std::to_string(heading_deg).c_str());
+            replays(mission);
+        }
+    }
+
     /** It flies home, lands and stays there, until it is told to resume. */
     void returnNow()
     {
