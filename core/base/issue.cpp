@@ -155,6 +155,8 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
     {IssueId::ThinReserve,
      QT_TRANSLATE_NOOP("IssueText",
                        "in one flight of twenty %1 s of the reserve are used to come home")},
+    {IssueId::MayNotReturn,
+     QT_TRANSLATE_NOOP("IssueText", "in one flight of twenty the wind is too strong to come home")},
     {IssueId::NoContact,
      QT_TRANSLATE_NOOP("IssueText",
                        "the plan leads out of the range of the ground station for %1 s")},

@@ -76,8 +76,9 @@ enum class IssueId
     WindLimit, ///< wind, limit
     GustLimit, ///< gusts, limit
     Icing,
-    CrowdedReturn,   ///< seconds that waiting for other UAVs may take
-    ThinReserve,     ///< seconds of the reserve that are used
+    CrowdedReturn, ///< seconds that waiting for other UAVs may take
+    ThinReserve,   ///< seconds of the reserve that are used
+    MayNotReturn,
     NoContact,       ///< seconds
     AirspaceEntered, ///< its kind and name, floor in metres
     FenceUnplanned,

@@ -184,10 +184,10 @@ std::vector<Issue> sortieIssues(std::size_t index, const SortieOutlook& outlook,
 {
     std::vector<Issue> issues;
     if (lowMargin_s && *lowMargin_s < 0)
-        issues.push_back(
-            Issue{Severity::Warning,
-                  entryPath("uavs", index) + ".endurance_s",
-                  {.id = IssueId::ThinReserve, .arguments = {std::round(-*lowMargin_s)}}});
+        issues.push_back(Issue{Severity::Warning, entryPath("uavs", index) + ".endurance_s",
+                               std::isfinite(*lowMargin_s)
+                                   ? IssueReason{IssueId::ThinReserve, {std::round(-*lowMargin_s)}}
+                                   : IssueReason{IssueId::MayNotReturn}});
     if (outlook.noContact_s >= 1)
         issues.push_back(
             Issue{Severity::Warning,

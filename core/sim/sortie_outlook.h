@@ -46,8 +46,9 @@ struct SortieOutlook
 /**
  * The 5th percentile of the margin when wind and airspeed are not quite what they are taken for: of
  * 1,000 flights of the same path, the wind off by a normal error of 1 m/s + 15 % of its speed along
- * each axis, the airspeed by 3 % (standard deviations), drawn in the same way each time. None:
- * unlimited endurance. About 0.2 ms for a dozen icebergs.
+ * each axis, the airspeed by 3 % (standard deviations), drawn in the same way each time. Minus
+ * infinity: against such a wind they never come home. None: unlimited endurance. About 0.2 ms for a
+ * dozen icebergs.
  */
 [[nodiscard]] std::optional<double> lowMargin_s(const Uav& uav, const PlannedPath& path);
 

@@ -67,6 +67,8 @@ QString changeText(double share, const QLocale& locale)
 
 QString clockText(double time_s)
 {
+    if (!std::isfinite(time_s))
+        return u"∞"_s;
     const auto total = std::max(0LL, std::llround(time_s));
     const auto hours = total / 3600;
     const QString rest =

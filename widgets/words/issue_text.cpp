@@ -158,6 +158,10 @@ constexpr std::array<SentenceRow, kScenarioIssueIds> kSentences{{
      QT_TRANSLATE_NOOP("IssueText",
                        "With wind and airspeed off their values, one flight in twenty uses %2 or "
                        "more of the reserve to come home.")},
+    {IssueId::MayNotReturn,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "With wind and airspeed off their values, in one flight in twenty the wind "
+                       "is too strong to come home.")},
     {IssueId::NoContact,
      QT_TRANSLATE_NOOP("IssueText",
                        "The plan leads out of the range of the ground station for %2.")},

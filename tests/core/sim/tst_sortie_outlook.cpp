@@ -178,6 +178,19 @@ private slots:
         QVERIFY(issues[1].reason.id == IssueId::NoContact);
         QVERIFY(issues[1].message().find("90 s") != std::string::npos);
     }
+
+    /** 22 m/s against 17: one wind in twenty is stronger than the UAV is fast. */
+    void windTooStrongToComeHomeIsSaid()
+    {
+        Uav uav;
+        uav.spec.endurance_s = 7200;
+        const std::optional<double> low_s =
+            lowMargin_s(uav, {.places_m = {Point(0, 0), Point(1000, 0)}, .wind_mps = Point(17, 0)});
+        QVERIFY(low_s.has_value() && std::isinf(*low_s) && *low_s < 0);
+        const std::vector<Issue> issues = sortieIssues(0, {.margin_s = 5000}, low_s);
+        QCOMPARE(issues.size(), std::size_t{1});
+        QVERIFY(issues[0].reason.id == IssueId::MayNotReturn);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestSortieOutlook)
