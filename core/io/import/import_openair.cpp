@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "core/io/import/import_airspace.h"
 #include "core/io/import/import_fields.h"
+#include "core/io/text/utc_time.h"
 
 #include <algorithm>
 #include <charconv>
@@ -165,8 +166,12 @@ private:
             return;
         }
         const auto& [from, until] = *times;
-        m_area->fromUtc = m_area->fromUtc.empty() ? from : std::min(m_area->fromUtc, from);
-        m_area->untilUtc = std::max(m_area->untilUtc, until);
+        const auto isBefore = [](const std::string& a, const std::string& b) {
+            return parseUtc(a) < parseUtc(b);
+        };
+        m_area->fromUtc =
+            m_area->fromUtc.empty() ? from : std::min(m_area->fromUtc, from, isBefore);
+        m_area->untilUtc = std::max(m_area->untilUtc, until, isBefore);
     }
 
     void setCeiling(std::string_view value)

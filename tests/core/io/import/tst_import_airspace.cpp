@@ -112,6 +112,9 @@ private slots:
             QCOMPARE(area(both).fromUtc, std::string("2026-05-01T06:00Z"));
             QCOMPARE(area(both).untilUtc, std::string("2026-05-02T08:00Z"));
         }
+        const auto finer = area(first + "AA 2026-05-01T06:00:30Z/2026-05-01T08:00:45Z\n");
+        QCOMPARE(finer.fromUtc, std::string("2026-05-01T06:00Z"));
+        QCOMPARE(finer.untilUtc, std::string("2026-05-01T08:00:45Z"));
         for (const std::string& odd : {first + "AA NONE\n", "AA NONE\n" + first}) {
             QVERIFY(area(odd).fromUtc.empty());
             QVERIFY(area(odd).untilUtc.empty());
