@@ -15,7 +15,7 @@ Track initialTrack(const Iceberg& iceberg, ObserverModel model, const Point& cur
                 .q_m2ps = iceberg.q_m2ps,
                 .velocity_m2ps2 = iceberg.velocitySd_mps * iceberg.velocitySd_mps,
                 .mean_mps = current_mps,
-                .velocitySpread_mps = iceberg.velocitySpread_mps,
+                .velocitySpread_mps = iceberg.velocityTime_s > 0 ? iceberg.velocitySpread_mps : 0,
                 .velocityTime_s = iceberg.velocityTime_s};
     track.setVariances(grown(track.variances(), track.process(), iceberg.observed_s));
     if (model == ObserverModel::Simple) { // from now on the velocity is the one given
