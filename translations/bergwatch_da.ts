@@ -502,6 +502,14 @@
         <source>%1 excludes %2</source>
         <translation>%1 udelukker %2</translation>
     </message>
+    <message>
+        <source>--bound is for all icebergs; in this run one was removed</source>
+        <translation>--bound gælder alle isbjerge; i denne flyvning blev ét fjernet</translation>
+    </message>
+    <message>
+        <source>--output: this format has a file for each UAV; choose one with --uav</source>
+        <translation>--output: dette format har en fil for hver drone; vælg én med --uav</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -5116,6 +5124,14 @@ Tilstødende område %4</translation>
     <message>
         <source>the MILP formulation %1 is offered for at most %2 icebergs, not for %3</source>
         <translation>MILP-formuleringen %1 tilbydes for højst %2 isbjerge, ikke for %3</translation>
+    </message>
+    <message>
+        <source>With wind and airspeed off their values, in one flight in twenty the wind is too strong to come home.</source>
+        <translation>Når vind og flyvefart afviger fra deres værdier, er vinden for stærk til at komme hjem i én flyvning ud af tyve.</translation>
+    </message>
+    <message>
+        <source>in one flight of twenty the wind is too strong to come home</source>
+        <translation>i én flyvning ud af tyve er vinden for stærk til at komme hjem</translation>
     </message>
 </context>
 <context>

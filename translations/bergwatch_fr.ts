@@ -502,6 +502,14 @@
         <source>%1 excludes %2</source>
         <translation>%1 exclut %2</translation>
     </message>
+    <message>
+        <source>--bound is for all icebergs; in this run one was removed</source>
+        <translation>--bound vaut pour tous les icebergs ; dans ce vol, un a été retiré</translation>
+    </message>
+    <message>
+        <source>--output: this format has a file for each UAV; choose one with --uav</source>
+        <translation>--output : ce format a un fichier par drone ; choisissez-en un avec --uav</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -5116,6 +5124,14 @@ Zone adjacente %4</translation>
     <message>
         <source>the MILP formulation %1 is offered for at most %2 icebergs, not for %3</source>
         <translation>la formulation MILP %1 est proposée pour %2 icebergs au plus, pas pour %3</translation>
+    </message>
+    <message>
+        <source>With wind and airspeed off their values, in one flight in twenty the wind is too strong to come home.</source>
+        <translation>Quand le vent et la vitesse air s&apos;écartent de leurs valeurs, le vent est trop fort pour rentrer à la base un vol sur vingt.</translation>
+    </message>
+    <message>
+        <source>in one flight of twenty the wind is too strong to come home</source>
+        <translation>un vol sur vingt, le vent est trop fort pour rentrer à la base</translation>
     </message>
 </context>
 <context>

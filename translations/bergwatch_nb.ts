@@ -502,6 +502,14 @@
         <source>%1 excludes %2</source>
         <translation>%1 utelukker %2</translation>
     </message>
+    <message>
+        <source>--bound is for all icebergs; in this run one was removed</source>
+        <translation>--bound gjelder alle isfjell; i denne flygingen ble ett fjernet</translation>
+    </message>
+    <message>
+        <source>--output: this format has a file for each UAV; choose one with --uav</source>
+        <translation>--output: dette formatet har en fil for hver UAV; velg én med --uav</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -5116,6 +5124,14 @@ Tilstøtende område %4</translation>
     <message>
         <source>the MILP formulation %1 is offered for at most %2 icebergs, not for %3</source>
         <translation>MILP-formuleringen %1 tilbys for høyst %2 isfjell, ikke for %3</translation>
+    </message>
+    <message>
+        <source>With wind and airspeed off their values, in one flight in twenty the wind is too strong to come home.</source>
+        <translation>Når vind og flyfart avviker, er vinden for sterk til å komme hjem i én av tjue flyginger.</translation>
+    </message>
+    <message>
+        <source>in one flight of twenty the wind is too strong to come home</source>
+        <translation>i én av tjue flyginger er vinden for sterk til å komme hjem</translation>
     </message>
 </context>
 <context>

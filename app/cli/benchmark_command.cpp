@@ -122,8 +122,7 @@ void addBenchmarkCommand(CLI::App& app, Action& action)
 {
     CLI::App* command =
         app.add_subcommand("benchmark", "Solution times beside Table 2 of the paper");
-    const auto arguments = std::make_shared<BenchmarkArguments>();
-    BenchmarkArguments& a = *arguments;
+    BenchmarkArguments& a = argumentsOf(*command, action, benchmark);
     command
         ->add_option("--sizes", a.sizes,
                      "Numbers of icebergs, with commas (2 to 80; the paper's end at 20)")
@@ -138,9 +137,6 @@ void addBenchmarkCommand(CLI::App& app, Action& action)
     addOutputFile(*command, "-o,--output", a.outputFile, "CSV file for the table");
     addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");
-    command->callback([arguments, &action] {
-        action = [arguments](const std::stop_token& stop) { return benchmark(*arguments, stop); };
-    });
 }
 
 } // namespace berg::cli

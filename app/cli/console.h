@@ -65,6 +65,17 @@ auto reading(Read&& read)
     return std::forward<Read>(read)();
 }
 
+/** The result of `make`; what it throws names the file. */
+template <class Make>
+auto naming(const std::string& file, const Make& make)
+{
+    try {
+        return make();
+    } catch (const Error& error) {
+        throw Error(error.code(), file, error.issues());
+    }
+}
+
 /**
  * A text of a file fit for a terminal: control characters, escapes and marks that turn the writing
  * direction are `?`; `word` also has no line end.

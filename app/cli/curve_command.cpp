@@ -42,7 +42,7 @@ std::string curveTable(const CurveReport& report)
                 column(fixed(interval.reward_m2, 2), 12) +
                 column(interval.proven ? "yes" : "no", 8) + ' ';
         for (std::size_t k = 0; k < interval.plan.size(); ++k) {
-            text += k == 0 ? "" : std::string{' ', kBetweenOrders};
+            text += k == 0 ? std::string() : ' ' + std::string(kBetweenOrders);
             for (const int number : icebergNumbers(report, interval.plan[k]))
                 text += ' ' + std::to_string(number);
         }
@@ -127,8 +127,7 @@ void addCurveCommand(CLI::App& app, Action& action)
     CLI::App* command =
         app.add_subcommand("curve", "All optimal plans from a scenario's start, for every tau "
                                     "from 0 to --tau-max (5)");
-    const auto arguments = std::make_shared<CurveArguments>();
-    CurveArguments& a = *arguments;
+    CurveArguments& a = argumentsOf(*command, action, runCurve);
     command->add_option("SCENARIO", a.file, "The file to plan from")->required();
     command->add_option("--tau-max", a.tauMax, "Largest trade-off (5)")
         ->check(numberFrom(1e-6, 100.0));
@@ -137,9 +136,6 @@ void addCurveCommand(CLI::App& app, Action& action)
                   "File for proofs of the orders that others can check");
     addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");
-    command->callback([arguments, &action] {
-        action = [arguments](const std::stop_token& stop) { return runCurve(*arguments, stop); };
-    });
 }
 
 } // namespace berg::cli

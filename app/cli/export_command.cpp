@@ -19,10 +19,7 @@ namespace {
 
 std::string formatIds()
 {
-    std::string ids;
-    for (const ExportFormat& format : exportFormats())
-        ids += (ids.empty() ? "" : ", ") + std::string(format.id);
-    return ids;
+    return joined(exportFormats(), ", ", &ExportFormat::id);
 }
 
 struct ExportArguments
@@ -102,7 +99,11 @@ void checkOutputs(const ExportArguments& arguments, const ExportFormat& format,
             arguments.options.uav.empty() || arguments.options.uav == id)
             uavs.push_back({.row = row, .id = id});
     CommandFiles files{.inputs = {arguments.file}, .outputs = {}, .force = arguments.force};
-    for (const std::string& path : exportPaths(format, uavs, arguments.outputFile))
+    const std::vector<std::string> paths = exportPaths(format, uavs, arguments.outputFile);
+    if (paths.size() > 1 && isOpenDescriptor(arguments.outputFile))
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine", "--output: this format has a file for each UAV; choose one with --uav"));
+    for (const std::string& path : paths)
         files.outputs.push_back({.option = "--output", .path = path});
     checkFiles(files);
 }
@@ -135,7 +136,8 @@ void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat
                         sampleTables(run.scenario, run.interventions));
     else if (!format.holds.flownOnly && !format.holds.painted)
         sink = pointsInto(flown, run.scenario.uavs.size(), format.holds.path);
-    const Mission mission = replay(run, stop, {}, std::move(sink));
+    const Mission mission =
+        naming(arguments.file, [&] { return replay(run, stop, {}, std::move(sink)); });
     if (stop.stop_requested())
         throw Interrupted{};
     const PlanAnswer plan = planned(run.scenario);
@@ -234,12 +236,9 @@ ExportArguments& addCommand(CLI::App& app, Action& action)
     CLI::App* command = app.add_subcommand(
         "export",
         "Write a scenario's plan or a run's flight in another tool's format, or on paper");
-    const auto arguments = std::make_shared<ExportArguments>();
-    addOptions(*command, *arguments);
-    command->callback([arguments, &action] {
-        action = [arguments](const std::stop_token& stop) { return exportFile(*arguments, stop); };
-    });
-    return *arguments;
+    ExportArguments& arguments = argumentsOf(*command, action, exportFile);
+    addOptions(*command, arguments);
+    return arguments;
 }
 
 } // namespace

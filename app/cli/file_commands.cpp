@@ -61,7 +61,9 @@ int validateFiles(const std::vector<std::string>& files, bool json, const std::s
     return bad ? kBadInput : kDone;
 }
 
-void addValidate(CLI::App& app, Action& action)
+} // namespace
+
+void addFileCommands(CLI::App& app, Action& action)
 {
     CLI::App* command = app.add_subcommand(
         "validate", "Check files and name the faults in them (the first 100 of each)");
@@ -74,13 +76,6 @@ void addValidate(CLI::App& app, Action& action)
             return validateFiles(*files, *json, stop);
         };
     });
-}
-
-} // namespace
-
-void addFileCommands(CLI::App& app, Action& action)
-{
-    addValidate(app, action);
 }
 
 } // namespace berg::cli

@@ -51,10 +51,7 @@ constexpr const char* kAirspaceFormat = "airspace"; ///< no sightings: added to 
 
 std::string formatList()
 {
-    std::string ids = "auto";
-    for (const ImportFormat& format : importFormats())
-        ids += ", " + std::string(format.id);
-    return ids + ", " + kAirspaceFormat;
+    return "auto, " + joined(importFormats(), ", ", &ImportFormat::id) + ", " + kAirspaceFormat;
 }
 
 std::optional<UtcTime> timeOf(const std::string& option, const std::string& text)
@@ -307,7 +304,7 @@ int importAirspaceFile(const ImportArguments& arguments)
     return kDone;
 }
 
-int importFile(const ImportArguments& arguments)
+int importFile(const ImportArguments& arguments, const std::stop_token& /*stop*/)
 {
     if (arguments.format == kAirspaceFormat)
         return importAirspaceFile(arguments);
@@ -344,40 +341,36 @@ void addImportCommand(CLI::App& app, Action& action)
 {
     CLI::App* command =
         app.add_subcommand("import", "Make a scenario of sightings of real icebergs");
-    const auto arguments = std::make_shared<ImportArguments>();
-    command->add_option("FILE", arguments->file, "File of sightings")->required();
-    command->add_option("-f,--format", arguments->format, formatList())->capture_default_str();
-    addOutputFile(*command, "-o,--output", arguments->outputFile, "Scenario to write")->required();
-    addForce(*command, arguments->force);
-    command->add_option("--into", arguments->intoFile, "Scenario to add to (a new one)");
-    command->add_option("--map", arguments->mappings,
+    ImportArguments& a = argumentsOf(*command, action, importFile);
+    command->add_option("FILE", a.file, "File of sightings")->required();
+    command->add_option("-f,--format", a.format, formatList())->capture_default_str();
+    addOutputFile(*command, "-o,--output", a.outputFile, "Scenario to write")->required();
+    addForce(*command, a.force);
+    command->add_option("--into", a.intoFile, "Scenario to add to (a new one)");
+    command->add_option("--map", a.mappings,
                         "FIELD=COLUMN (columns by their names): " +
                             allowedNames(kSightingFieldNames));
-    addNamed(*command, "--dates", arguments->dates, kDateOrderNames,
+    addNamed(*command, "--dates", a.dates, kDateOrderNames,
              "Dates such as 05/02/2021 (as the file's other dates tell)");
-    command->add_option("--at", arguments->at, "Start, UTC (the last sighting)");
-    command->add_option("--since", arguments->since, "Leave out what was sighted before, UTC");
-    command->add_option("--until", arguments->until, "Leave out what was sighted after, UTC");
-    command->add_option("--area", arguments->area, "SOUTH,WEST,NORTH,EAST in degrees (everywhere)");
-    command->add_option("--position-error", arguments->positionError,
+    command->add_option("--at", a.at, "Start, UTC (the last sighting)");
+    command->add_option("--since", a.since, "Leave out what was sighted before, UTC");
+    command->add_option("--until", a.until, "Leave out what was sighted after, UTC");
+    command->add_option("--area", a.area, "SOUTH,WEST,NORTH,EAST in degrees (everywhere)");
+    command->add_option("--position-error", a.positionError,
                         "Standard deviation of positions where the file has none: metres, " +
                             allowedNames(kPositionErrorNames) + " (by the format)");
     command
-        ->add_option("--drift-variation", arguments->spread_mps,
+        ->add_option("--drift-variation", a.spread_mps,
                      "Standard deviation of velocities that are not known, m/s (0.15)")
         ->check(numberFrom(0, kLargestVelocity_mps));
     command
-        ->add_option("--drift-time", arguments->velocityTime_s,
+        ->add_option("--drift-time", a.velocityTime_s,
                      "Time in which velocities change, s; 0: never (36000)")
         ->check(numberFrom(0, kLargestTime_s));
-    command->add_option("--q", arguments->q_m2ps, "q where it cannot be estimated, m^2/s (0.025)")
+    command->add_option("--q", a.q_m2ps, "q where it cannot be estimated, m^2/s (0.025)")
         ->check(numberFrom(0, kLargestGrowth_m2ps));
-    command->add_flag("--with-tracks", arguments->withTracks,
-                      "Sightings after --at become the true motion");
-    command->add_flag("--json", arguments->json, "Print one JSON document");
-    command->callback([arguments, &action] {
-        action = [arguments](const std::stop_token&) { return importFile(*arguments); };
-    });
+    command->add_flag("--with-tracks", a.withTracks, "Sightings after --at become the true motion");
+    command->add_flag("--json", a.json, "Print one JSON document");
 }
 
 } // namespace berg::cli

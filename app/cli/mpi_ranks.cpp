@@ -153,7 +153,7 @@ private:
 
     void add(const SentOutcome& outcome)
     {
-        m_study.outcomes.at(outcome.place) = unpacked(outcome);
+        m_study.outcomes.at(outcome.place) = outcome.outcome;
         ++m_done;
     }
 

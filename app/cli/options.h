@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/usage.h"
 #include "core/base/number_text.h"
@@ -10,6 +11,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -67,6 +69,18 @@ inline CLI::Validator numberFrom(double low, double high)
                              : std::string();
             },
             "(" + numberText(low) + " to " + numberText(high) + ")"};
+}
+
+/** What the options of a command are read into; `run` does its work when it is given. */
+template <class Arguments>
+Arguments& argumentsOf(CLI::App& command, Action& action,
+                       int (*run)(const Arguments&, const std::stop_token&))
+{
+    const auto arguments = std::make_shared<Arguments>();
+    command.callback([arguments, run, &action] {
+        action = [arguments, run](const std::stop_token& stop) { return run(*arguments, stop); };
+    });
+    return *arguments;
 }
 
 } // namespace berg::cli

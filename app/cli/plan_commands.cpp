@@ -46,12 +46,10 @@ struct FileWords
     bool takesMu = false; ///< the distance weight itself in place of tau
 };
 
-std::shared_ptr<SolveArguments> addArguments(CLI::App& command, const FileWords& words)
+void addArguments(CLI::App& command, SolveArguments& a, const FileWords& words)
 {
     const std::string unlimited =
         "(none; auto and heuristic stop after about a second's work, exact goes on to the proof)";
-    auto arguments = std::make_shared<SolveArguments>();
-    SolveArguments& a = *arguments;
     command.add_option(words.name, a.file, "The file to plan from")->required();
     command
         .add_option("-t,--tau", a.tau,
@@ -78,7 +76,6 @@ std::shared_ptr<SolveArguments> addArguments(CLI::App& command, const FileWords&
                   "File for a proof of the bound that others can check");
     addForce(command, a.force);
     command.add_flag("--json", a.json, "Print one JSON document");
-    return arguments;
 }
 
 SolveOptions optionsOf(const SolveArguments& arguments, const std::stop_token& stop)
@@ -100,7 +97,7 @@ std::string solverWords(const FleetProblem& problem, const SolveOutcome& outcome
 {
     std::optional<double> gap;
     if (outcome.bound)
-        gap = fleetGap(problem, outcome.objective, *outcome.bound);
+        gap = relativeGap(problem, outcome.objective, *outcome.bound);
     return provenWords(outcome.status, gap);
 }
 
@@ -320,19 +317,14 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
 void addPlanCommands(CLI::App& app, Action& action)
 {
     CLI::App* solve = app.add_subcommand("solve", "Solve one path-planning problem");
-    const auto problem = addArguments(
-        *solve, {.name = "PROBLEM", .solver = "auto", .formulation = "position", .takesMu = true});
-    solve->callback([problem, &action] {
-        action = [problem](const std::stop_token& stop) { return solveProblem(*problem, stop); };
-    });
+    addArguments(*solve, argumentsOf(*solve, action, solveProblem),
+                 {.name = "PROBLEM", .solver = "auto", .formulation = "position", .takesMu = true});
     CLI::App* plan = app.add_subcommand("plan", "Plan the visiting order from a scenario's start");
-    const auto scenario = addArguments(
-        *plan, {.name = "SCENARIO", .solver = "the scenario's", .formulation = "the scenario's"});
-    addNamed(*plan, "--policy", scenario->policy, kPolicyNames,
+    SolveArguments& scenario = argumentsOf(*plan, action, planScenario);
+    addArguments(*plan, scenario,
+                 {.name = "SCENARIO", .solver = "the scenario's", .formulation = "the scenario's"});
+    addNamed(*plan, "--policy", scenario.policy, kPolicyNames,
              "How the order is chosen (the scenario's)");
-    plan->callback([scenario, &action] {
-        action = [scenario](const std::stop_token& stop) { return planScenario(*scenario, stop); };
-    });
 }
 
 } // namespace berg::cli

@@ -4,29 +4,6 @@
 
 namespace berg::cli {
 
-namespace {
-
-SentOutcome packed(std::size_t place, const MissionOutcome& outcome)
-{
-    return {.place = place,
-            .zeta_m2s = outcome.metrics.zeta_m2s,
-            .flown_m = outcome.metrics.flown_m,
-            .visits = outcome.metrics.visits,
-            .replans = outcome.metrics.replans,
-            .stuck = outcome.stuck ? 1 : 0};
-}
-
-} // namespace
-
-MissionOutcome unpacked(const SentOutcome& sent)
-{
-    return {.metrics = {.zeta_m2s = sent.zeta_m2s,
-                        .visits = sent.visits,
-                        .replans = sent.replans,
-                        .flown_m = sent.flown_m},
-            .stuck = sent.stuck != 0};
-}
-
 ShardFlight::ShardFlight(Study study, StudyOptions options)
     : m_study(std::move(study))
     , m_taken(missionCount(m_study.spec))
@@ -74,7 +51,7 @@ void ShardFlight::collect(const Study& study)
     for (std::size_t i = 0; i < study.outcomes.size(); ++i)
         if (study.outcomes[i] && !m_taken[i]) {
             m_taken[i] = true;
-            m_collected.push_back(packed(i, *study.outcomes[i]));
+            m_collected.push_back({.place = i, .outcome = *study.outcomes[i]});
         }
 }
 

@@ -16,15 +16,9 @@ namespace berg::cli {
 struct SentOutcome
 {
     std::uint64_t place = 0; ///< among `Study::outcomes`
-    double zeta_m2s = 0;
-    double flown_m = 0;
-    std::int32_t visits = 0;
-    std::int32_t replans = 0;
-    std::int64_t stuck = 0;
+    MissionOutcome outcome;
 };
 static_assert(std::is_trivially_copyable_v<SentOutcome>);
-
-[[nodiscard]] MissionOutcome unpacked(const SentOutcome& sent);
 
 /** A shard being flown by a thread of its own, its outcomes handed over bit by bit. */
 class ShardFlight

@@ -73,7 +73,8 @@ Flown flyScenario(const SimulateArguments& arguments, const std::string& text,
     printWarnings(arguments.file, validate(scenario));
     MissionOptions options;
     options.record = !arguments.outputFolder.empty();
-    Flown flown{.files = nullptr, .mission = Mission(scenario, options)};
+    Flown flown{.files = nullptr,
+                .mission = naming(arguments.file, [&] { return Mission(scenario, options); })};
     flown.files = filesOf(arguments, scenario, {});
     if (flown.files)
         flown.mission.handSamplesOn(flown.files->sink());
@@ -100,10 +101,11 @@ Flown replayRun(const SimulateArguments& arguments, const std::string& text,
     const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
     std::unique_ptr<FlightFiles> files = filesOf(arguments, run.scenario, run.interventions);
     ProgressBar bar(said(QT_TRANSLATE_NOOP("CommandLine", "replaying"), {}), !arguments.json);
-    Mission mission = replay(
-        run, stop,
-        [&](double time_s) { bar.update(run.flownUntil_s > 0 ? time_s / run.flownUntil_s : 1); },
-        files ? files->sink() : dropped);
+    const auto show = [&](double time_s) {
+        bar.update(run.flownUntil_s > 0 ? time_s / run.flownUntil_s : 1);
+    };
+    Mission mission = naming(
+        arguments.file, [&] { return replay(run, stop, show, files ? files->sink() : dropped); });
     if (stop.stop_requested())
         throw Interrupted{};
     if (std::vector<Issue> issues = compareRun(run, runOf(mission)); !issues.empty())
@@ -125,6 +127,10 @@ std::optional<double> lowerBound_m2s(const Mission& mission, bool quiet,
                             [](const Intervention& change) { return change.wind_mps.has_value(); }))
         throw UsageError(QT_TRANSLATE_NOOP(
             "CommandLine", "--bound is for the scenario's wind; in this run it changed"));
+    if (std::ranges::any_of(mission.interventions(),
+                            [](const Intervention& change) { return change.removed.has_value(); }))
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine", "--bound is for all icebergs; in this run one was removed"));
     ProgressBar bar(said(QT_TRANSLATE_NOOP("CommandLine", "bounding"), {}), !quiet);
     const ZetaBound bound = zetaLowerBound(
         mission.scenario(), {.stop = stop, .onProgress = [&](const BoundProgress& progress) {
@@ -210,8 +216,7 @@ void addSimulateCommand(CLI::App& app, Action& action)
 {
     CLI::App* command = app.add_subcommand(
         "simulate", "Fly a scenario and measure zeta, or replay and check a run");
-    const auto arguments = std::make_shared<SimulateArguments>();
-    SimulateArguments& a = *arguments;
+    SimulateArguments& a = argumentsOf(*command, action, simulate);
     command->add_option("FILE", a.file, "Scenario (.berg) or run (.bergrun)")->required();
     command->add_option("-t,--tau", a.tau, "Trade-off of the policy visitation (the scenario's)")
         ->check(numberFrom(0.0, 100.0));
@@ -230,9 +235,6 @@ void addSimulateCommand(CLI::App& app, Action& action)
                         "Folder for tables and the run file (none is written)");
     addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");
-    command->callback([arguments, &action] {
-        action = [arguments](const std::stop_token& stop) { return simulate(*arguments, stop); };
-    });
 }
 
 } // namespace berg::cli

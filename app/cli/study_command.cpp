@@ -1,4 +1,4 @@
-#include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "app/cli/study_file.h"
 #include "app/cli/study_output.h"
 #include "core/io/study/study_json.h"
@@ -39,7 +39,7 @@ Study merged(const std::vector<std::string>& files)
     return whole;
 }
 
-int showStudy(const StudyArguments& arguments)
+int showStudy(const StudyArguments& arguments, const std::stop_token& /*stop*/)
 {
     const StudyOutput& output = arguments.output;
     checkFiles(filesOf(output, arguments.files));
@@ -59,14 +59,10 @@ void addStudyCommand(CLI::App& app, Action& action)
 {
     CLI::App* command =
         app.add_subcommand("study", "Merge the files of sweeps and show what came of them");
-    const auto arguments = std::make_shared<StudyArguments>();
-    command
-        ->add_option("FILE", arguments->files, "Files written by 'sweep --study', or their reports")
+    StudyArguments& a = argumentsOf(*command, action, showStudy);
+    command->add_option("FILE", a.files, "Files written by 'sweep --study', or their reports")
         ->required();
-    addStudyOutput(*command, arguments->output, "Write them as one file");
-    command->callback([arguments, &action] {
-        action = [arguments](const std::stop_token&) { return showStudy(*arguments); };
-    });
+    addStudyOutput(*command, a.output, "Write them as one file");
 }
 
 } // namespace berg::cli

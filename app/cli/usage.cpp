@@ -1,6 +1,7 @@
 #include "app/cli/usage.h"
 
 #include "core/io/text/read_budget.h"
+#include "core/plan/solve/names.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -114,14 +115,6 @@ std::string indented(std::string_view lines, const std::string& before)
     std::string text;
     for (std::string line; std::getline(in, line);)
         text.append(text.empty() ? "" : "\n").append(before).append(line);
-    return text;
-}
-
-std::string joined(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (const std::string& word : words)
-        text += (text.empty() ? "" : " ") + word;
     return text;
 }
 
@@ -301,8 +294,8 @@ std::string bashCompletion(const CLI::App& app)
     std::string cases;
     for (const CLI::App* command : commandsOf(app)) {
         names.push_back(command->get_name());
-        cases += "        " + command->get_name() + ") words=\"" + joined(optionsOf(*command)) +
-                 "\" ;;\n";
+        cases += "        " + command->get_name() + ") words=\"" +
+                 joined(optionsOf(*command), " ") + "\" ;;\n";
     }
     return "# Completion of " + app.get_name() +
            " for bash.\n"
@@ -310,7 +303,7 @@ std::string bashCompletion(const CLI::App& app)
            "    local current=${COMP_WORDS[COMP_CWORD]} words=\"\"\n"
            "    if [ \"$COMP_CWORD\" -eq 1 ] || [ \"${COMP_WORDS[1]}\" = help ]; then\n"
            "        mapfile -t COMPREPLY < <(compgen -W \"" +
-           joined(names) +
+           joined(names, " ") +
            " --help --version\" -- \"$current\")\n"
            "        return\n"
            "    fi\n"

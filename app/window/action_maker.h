@@ -19,8 +19,8 @@ struct ActionSpec
 {
     const char* name; ///< object name, for tests and settings
     QString text;
-    QKeySequence shortcut;
-    std::optional<IconName> icon;
+    QKeySequence shortcut = {};
+    std::optional<IconName> icon = {};
 };
 
 /** An entry of the menu bar that does something. */

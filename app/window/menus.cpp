@@ -81,44 +81,38 @@ void Menus::buildFileMenu()
         [this] { m_targets.dialogs.newScenario(); });
     add(menu, {"openAction", tr("&Open..."), QKeySequence::Open, IconName::Open},
         [this] { m_targets.files.openScenario(); });
-    add(menu, {"startPageAction", tr("S&tart page"), {}, std::nullopt},
-        [this] { m_targets.start.showPage(); });
+    add(menu, {"startPageAction", tr("S&tart page")}, [this] { m_targets.start.showPage(); });
     QMenu& recent = *menu.addMenu(tr("Open &recent"));
     connect(&recent, &QMenu::aboutToShow, this,
             [this, &recent] { m_targets.files.fillRecentMenu(recent); });
-    add(menu,
-        {"importAction", tr("&Import sightings..."), QKeySequence(Qt::CTRL | Qt::Key_I),
-         std::nullopt},
+    add(menu, {"importAction", tr("&Import sightings..."), QKeySequence(Qt::CTRL | Qt::Key_I)},
         [this] { m_targets.sightings.chooseSightings(); });
-    add(menu, {"airspaceAction", tr("Import airspa&ce..."), {}, std::nullopt},
+    add(menu, {"airspaceAction", tr("Import airspa&ce...")},
         [this] { m_targets.sightings.chooseAirspace(); });
     menu.addSeparator();
     add(menu, {"saveAction", tr("&Save"), QKeySequence::Save, IconName::Save},
         [this] { m_targets.files.saveScenario(); });
-    add(menu,
-        {"saveAsAction", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
-         std::nullopt},
+    add(menu, {"saveAsAction", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
         [this] { m_targets.files.saveScenarioAs(); });
-    addSwitch(menu, {"keepOldAction", tr("Keep a &backup copy"), {}, std::nullopt},
-              m_targets.files.keepsOld(), [this](bool on) { m_targets.files.setKeepsOld(on); })
+    addSwitch(menu, {"keepOldAction", tr("Keep a &backup copy")}, m_targets.files.keepsOld(),
+              [this](bool on) { m_targets.files.setKeepsOld(on); })
         ->setStatusTip(tr("Before a file is first overwritten, a copy is kept as NAME.berg~"));
-    add(menu, {"recoverAction", tr("Reco&ver unsaved work..."), {}, std::nullopt}, [this] {
+    add(menu, {"recoverAction", tr("Reco&ver unsaved work...")}, [this] {
         if (!m_targets.safety.offerRecoveries())
             showMessage(tr("No unsaved work is left to recover"), kMessage_ms);
     });
-    add(menu,
-        {"saveRunAction", tr("Save r&un..."), QKeySequence(Qt::CTRL | Qt::Key_R), std::nullopt},
+    add(menu, {"saveRunAction", tr("Save r&un..."), QKeySequence(Qt::CTRL | Qt::Key_R)},
         [this] { m_targets.results.saveRun(); });
     m_shared.exportPlan = add(menu,
                               {"exportAction", tr("&Export plan..."),
                                QKeySequence(Qt::CTRL | Qt::Key_E), IconName::ExportPlan},
                               [this] { m_targets.results.exportPlan(); });
-    add(menu, {"briefAction", tr("Flight brie&f..."), QKeySequence::Print, std::nullopt},
-        [this] { m_targets.results.exportBrief(); });
-    m_shared.log = add(menu, {"logAction", tr("Flight &log..."), {}, std::nullopt},
-                       [this] { m_targets.results.exportReport(); });
+    add(menu, {"briefAction", tr("Flight brie&f..."), QKeySequence::Print},
+        [this] { m_targets.results.chooseExport("brief"); });
+    m_shared.log = add(menu, {"logAction", tr("Flight &log...")},
+                       [this] { m_targets.results.chooseExport("log"); });
     menu.addSeparator();
-    add(menu, {"quitAction", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), std::nullopt},
+    add(menu, {"quitAction", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q)},
         [this] { window().close(); });
 }
 
@@ -128,35 +122,33 @@ void Menus::buildEditMenu()
     buildHistoryActions(menu);
     MapView* map = panels().map;
     menu.addSeparator();
-    m_shared.cut = add(menu, {"cutAction", tr("Cu&t"), QKeySequence::Cut, std::nullopt},
+    m_shared.cut = add(menu, {"cutAction", tr("Cu&t"), QKeySequence::Cut},
                        [map] { map->edits().cutSelected(); });
-    m_shared.copy = add(menu, {"copyAction", tr("&Copy"), QKeySequence::Copy, std::nullopt},
+    m_shared.copy = add(menu, {"copyAction", tr("&Copy"), QKeySequence::Copy},
                         [map] { map->edits().copySelected(); });
-    QAction* paste = add(menu, {"pasteAction", tr("&Paste"), QKeySequence::Paste, std::nullopt},
+    QAction* paste = add(menu, {"pasteAction", tr("&Paste"), QKeySequence::Paste},
                          [map] { map->edits().paste(); });
     add(menu,
         {"copyPictureAction", tr("Copy p&icture of the map"),
-         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), std::nullopt},
+         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)},
         [this] { m_targets.results.copyPicture(); });
     m_shared.duplicate =
-        add(menu,
-            {"duplicateAction", tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D), std::nullopt},
+        add(menu, {"duplicateAction", tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D)},
             [map] { map->edits().duplicateSelected(); });
-    m_shared.remove = add(menu, {"deleteAction", tr("&Delete"), QKeySequence::Delete, std::nullopt},
+    m_shared.remove = add(menu, {"deleteAction", tr("&Delete"), QKeySequence::Delete},
                           [map] { map->edits().deleteSelected(); });
-    QAction* addUav = add(
-        menu, {"addUavAction", tr("Add UA&V"), QKeySequence(Qt::CTRL | Qt::Key_U), std::nullopt},
-        [map] { map->edits().addUav(); });
-    m_shared.generate = add(menu, {"generateAction", tr("&Generate icebergs..."), {}, std::nullopt},
+    QAction* addUav =
+        add(menu, {"addUavAction", tr("Add UA&V"), QKeySequence(Qt::CTRL | Qt::Key_U)},
+            [map] { map->edits().addUav(); });
+    m_shared.generate = add(menu, {"generateAction", tr("&Generate icebergs...")},
                             [this] { m_targets.dialogs.generateIcebergs(); });
     m_shared.selectAll =
-        add(menu,
-            {"selectAllAction", tr("Select &all icebergs"), QKeySequence::SelectAll, std::nullopt},
+        add(menu, {"selectAllAction", tr("Select &all icebergs"), QKeySequence::SelectAll},
             [map] { map->edits().selectAll(); });
     menu.addSeparator();
-    QAction* move =
-        add(menu, {"moveScenarioAction", tr("&Move the scenario…"), {}, std::nullopt},
-            [this] { m_targets.dialogs.moveScenario(workspace().document().scenario().origin); });
+    QAction* move = add(menu, {"moveScenarioAction", tr("&Move the scenario…")}, [this] {
+        m_targets.dialogs.moveScenario(workspace().document().scenario().origin);
+    });
     m_editActions = {m_shared.undo,   m_shared.redo, m_shared.cut,      paste, m_shared.duplicate,
                      m_shared.remove, addUav,        m_shared.generate, move};
 }
@@ -193,22 +185,22 @@ void Menus::buildViewMenu()
 {
     QMenu& menu = addMenu(tr("&View"));
     buildMapActions(menu);
-    add(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7, std::nullopt},
+    add(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7},
         [this] { m_targets.checks.openChecks(); });
-    add(menu, {"studyAction", tr("S&tudy of τ and policies"), {}, std::nullopt},
+    add(menu, {"studyAction", tr("S&tudy of τ and policies")},
         [this] { m_targets.study.showStudy(); });
-    add(menu, {"solveTimeAction", tr("&Solve time study"), {}, std::nullopt},
+    add(menu, {"solveTimeAction", tr("&Solve time study")},
         [this] { m_targets.solveTimes.show(); });
     menu.addSeparator();
     addLayouts(*menu.addMenu(tr("La&youts")));
     QMenu& docks = *menu.addMenu(tr("&Panels"));
     for (const QDockWidget* dock : m_targets.docks.all())
         docks.addAction(dock->toggleViewAction());
-    add(menu, {"resetLayoutAction", tr("&Reset layout"), {}, std::nullopt},
-        [this] { m_targets.docks.reset(); });
-    m_shared.fullScreen = addSwitch(
-        menu, {"fullScreenAction", tr("F&ull screen"), Qt::Key_F11, std::nullopt}, false,
-        [this] { window().setWindowState(window().windowState() ^ Qt::WindowFullScreen); });
+    add(menu, {"resetLayoutAction", tr("&Reset layout")}, [this] { m_targets.docks.reset(); });
+    m_shared.fullScreen =
+        addSwitch(menu, {"fullScreenAction", tr("F&ull screen"), Qt::Key_F11}, false, [this] {
+            window().setWindowState(window().windowState() ^ Qt::WindowFullScreen);
+        });
     menu.addSeparator();
     m_targets.preferences.build(menu);
 }
@@ -222,27 +214,25 @@ void Menus::buildMapActions(QMenu& menu)
         addSwitch(menu, {"followAction", tr("Follo&w the UAV"), Qt::Key_L, IconName::Follow}, false,
                   [map](bool on) { map->setFollowUav(on); });
     connect(map, &MapView::followUavChanged, m_shared.follow, &QAction::setChecked);
-    add(menu, {"zoomInAction", tr("Zoom &in"), QKeySequence::ZoomIn, std::nullopt},
+    add(menu, {"zoomInAction", tr("Zoom &in"), QKeySequence::ZoomIn},
         [map] { map->zoomBy(1.25, QRectF(map->rect()).center()); });
-    add(menu, {"zoomOutAction", tr("Zoom &out"), QKeySequence::ZoomOut, std::nullopt},
+    add(menu, {"zoomOutAction", tr("Zoom &out"), QKeySequence::ZoomOut},
         [map] { map->zoomBy(0.8, QRectF(map->rect()).center()); });
-    add(menu, {"findAction", tr("Find or &go to…"), QKeySequence::Find, std::nullopt}, [this] {
+    add(menu, {"findAction", tr("Find or &go to…"), QKeySequence::Find}, [this] {
         m_targets.dialogs.openFind();
     })->setShortcuts({QKeySequence::Find, QKeySequence(Qt::CTRL | Qt::Key_G)});
-    addSwitch(menu, {"overviewAction", tr("O&verview"), Qt::Key_O, std::nullopt},
+    addSwitch(menu, {"overviewAction", tr("O&verview"), Qt::Key_O},
               m_targets.mapLinks.overviewIsShown(),
               [this](bool on) { m_targets.mapLinks.setOverviewShown(on); });
     addPanelMenu(*menu.addMenu(tr("Panels on the map")));
-    add(menu, {"backdropAction", tr("&Background map…"), {}, std::nullopt},
-        [this] { m_targets.backdrop.choose(); });
+    add(menu, {"backdropAction", tr("&Background map…")}, [this] { m_targets.backdrop.choose(); });
     FlightView& flight = m_targets.flightView;
     MapLinks& links = m_targets.mapLinks;
-    const QAction* swept =
-        addSwitch(menu, {"sweptAction", tr("Swept ar&ea"), {}, std::nullopt}, links.sweptIsShown(),
-                  [&links](bool on) { links.setSweptShown(on); });
+    const QAction* swept = addSwitch(menu, {"sweptAction", tr("Swept ar&ea")}, links.sweptIsShown(),
+                                     [&links](bool on) { links.setSweptShown(on); });
     connect(&links, &MapLinks::sweptShown, swept, &QAction::setChecked);
-    addSwitch(menu, {"truthAction", tr("S&how true positions"), {}, std::nullopt},
-              flight.truthIsShown(), [&flight](bool on) { flight.setTruthShown(on); })
+    addSwitch(menu, {"truthAction", tr("S&how true positions")}, flight.truthIsShown(),
+              [&flight](bool on) { flight.setTruthShown(on); })
         ->setStatusTip(tr("Where the icebergs are in truth, beside where the observer "
                           "believes them to be; off: only what an operator would see"));
 }
@@ -251,7 +241,7 @@ void Menus::addLayouts(QMenu& menu)
 {
     auto* layouts = new QActionGroup(&menu);
     const auto addLayout = [&](const char* name, const QString& text, Qt::Key key, Layout layout) {
-        QAction* action = addSwitch(menu, {name, text, QKeySequence(Qt::CTRL | key), std::nullopt},
+        QAction* action = addSwitch(menu, {name, text, QKeySequence(Qt::CTRL | key)},
                                     m_targets.docks.layout() == layout,
                                     [this, layout] { m_targets.docks.showLayout(layout); });
         layouts->addAction(action);
@@ -267,7 +257,7 @@ void Menus::addPanelMenu(QMenu& menu)
 {
     const auto add = [&](const char* name, const QString& text, MapPanel panel) {
         m_shared.panels[static_cast<std::size_t>(panel)] =
-            addSwitch(menu, {name, text, {}, std::nullopt}, m_targets.mapLinks.panelIsShown(panel),
+            addSwitch(menu, {name, text}, m_targets.mapLinks.panelIsShown(panel),
                       [this, panel](bool on) { m_targets.mapLinks.setPanelShown(panel, on); });
     };
     add("titlePanelAction", tr("&Title and figures"), MapPanel::Title);
@@ -280,44 +270,42 @@ void Menus::addPanelMenu(QMenu& menu)
 void Menus::buildFlightMenu()
 {
     QMenu& menu = addMenu(tr("F&light"));
-    QAction* play = add(menu, {"playAction", tr("Fly"), Qt::Key_Space, std::nullopt},
+    QAction* play = add(menu, {"playAction", tr("Fly"), Qt::Key_Space},
                         [this] { m_targets.flight.togglePlay(); });
-    add(menu, {"stepAction", tr("&Step one second"), Qt::Key_Period, std::nullopt},
+    add(menu, {"stepAction", tr("&Step one second"), Qt::Key_Period},
         [this] { workspace().step(); });
-    add(menu,
-        {"resetAction", tr("Stop and &edit"), QKeySequence(Qt::CTRL | Qt::Key_Home), std::nullopt},
+    add(menu, {"resetAction", tr("Stop and &edit"), QKeySequence(Qt::CTRL | Qt::Key_Home)},
         [this] { workspace().reset(); });
     QAction* bringBack = add(menu,
                              {"bringBackAction", tr("Bring the flight b&ack"),
-                              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Home), std::nullopt},
+                              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Home)},
                              [this] { workspace().bringBackFlight(); });
     menu.addSeparator();
     add(menu,
-        {"shorterPlanAction", tr("Prefer s&horter route"), QKeySequence(Qt::ALT | Qt::Key_Right),
-         std::nullopt},
+        {"shorterPlanAction", tr("Prefer s&horter route"), QKeySequence(Qt::ALT | Qt::Key_Right)},
         [this] { panels().tradeoff->stepPlan(+1); });
     add(menu,
         {"uncertainPlanAction", tr("Prefer more un&certain first"),
-         QKeySequence(Qt::ALT | Qt::Key_Left), std::nullopt},
+         QKeySequence(Qt::ALT | Qt::Key_Left)},
         [this] { panels().tradeoff->stepPlan(-1); });
     menu.addSeparator();
-    m_shared.seen = add(menu, {"seenAction", tr("Report as seen no&w"), Qt::Key_N, std::nullopt},
+    m_shared.seen = add(menu, {"seenAction", tr("Report as seen no&w"), Qt::Key_N},
                         [this] { workspace().reportSeen(workspace().selection().ids()); });
     const auto addOrder = [&](const char* name, const QString& text, FlightOrder order) {
-        m_shared.orders[order] = add(menu, {name, text, {}, std::nullopt},
-                                     [this, order] { workspace().order(orderedUavs(), order); });
+        m_shared.orders[order] =
+            add(menu, {name, text}, [this, order] { workspace().order(orderedUavs(), order); });
     };
     addOrder("returnAction", tr("&Return home now"), FlightOrder::ReturnNow);
     addOrder("holdAction", tr("Hold here"), FlightOrder::HoldHere);
     addOrder("resumeAction", tr("Res&ume"), FlightOrder::None);
-    m_shared.wind = add(menu, {"windAction", tr("Win&d..."), Qt::Key_W, std::nullopt},
+    m_shared.wind = add(menu, {"windAction", tr("Win&d..."), Qt::Key_W},
                         [this] { m_targets.dialogs.askWind(); });
     menu.addSeparator();
     buildLookBackActions(menu);
     menu.addSeparator();
-    add(menu, {"fasterAction", tr("&Faster"), Qt::Key_BracketRight, std::nullopt},
+    add(menu, {"fasterAction", tr("&Faster"), Qt::Key_BracketRight},
         [this] { panels().playback->stepRate(+1); });
-    add(menu, {"slowerAction", tr("S&lower"), Qt::Key_BracketLeft, std::nullopt},
+    add(menu, {"slowerAction", tr("S&lower"), Qt::Key_BracketLeft},
         [this] { panels().playback->stepRate(-1); });
 
     const auto showPlaying = [this, play] {
@@ -334,41 +322,31 @@ void Menus::buildFlightMenu()
 
 void Menus::buildLookBackActions(QMenu& menu)
 {
-    add(menu, {"stepBackAction", tr("Step &back one second"), Qt::Key_Comma, std::nullopt},
+    add(menu, {"stepBackAction", tr("Step &back one second"), Qt::Key_Comma},
         [this] { workspace().stepBack(); });
-    add(menu,
-        {"tickAction", tr("Step one &tick"), QKeySequence(Qt::CTRL | Qt::Key_Period), std::nullopt},
+    add(menu, {"tickAction", tr("Step one &tick"), QKeySequence(Qt::CTRL | Qt::Key_Period)},
         [this] { workspace().stepTicks(+1); });
-    add(menu,
-        {"tickBackAction", tr("Step back one t&ick"), QKeySequence(Qt::CTRL | Qt::Key_Comma),
-         std::nullopt},
+    add(menu, {"tickBackAction", tr("Step back one t&ick"), QKeySequence(Qt::CTRL | Qt::Key_Comma)},
         [this] { workspace().stepTicks(-1); });
-    add(menu,
-        {"nextEventAction", tr("&Next event"), QKeySequence(Qt::CTRL | Qt::Key_Right),
-         std::nullopt},
+    add(menu, {"nextEventAction", tr("&Next event"), QKeySequence(Qt::CTRL | Qt::Key_Right)},
         [this] { workspace().stepToEvent(+1); });
-    add(menu,
-        {"previousEventAction", tr("&Previous event"), QKeySequence(Qt::CTRL | Qt::Key_Left),
-         std::nullopt},
+    add(menu, {"previousEventAction", tr("&Previous event"), QKeySequence(Qt::CTRL | Qt::Key_Left)},
         [this] { workspace().stepToEvent(-1); });
-    add(menu,
-        {"goToTimeAction", tr("&Go to time"), QKeySequence(Qt::CTRL | Qt::Key_T), std::nullopt},
+    add(menu, {"goToTimeAction", tr("&Go to time"), QKeySequence(Qt::CTRL | Qt::Key_T)},
         [this] { panels().playback->editTime(); });
-    add(menu,
-        {"newestAction", tr("Bac&k to latest"), QKeySequence(Qt::CTRL | Qt::Key_End), std::nullopt},
+    add(menu, {"newestAction", tr("Bac&k to latest"), QKeySequence(Qt::CTRL | Qt::Key_End)},
         [this] { workspace().seekLatest(); });
 }
 
 void Menus::buildHelpMenu()
 {
     QMenu& menu = addMenu(tr("&Help"));
-    add(menu, {"manualAction", tr("&Manual"), QKeySequence::HelpContents, std::nullopt},
+    add(menu, {"manualAction", tr("&Manual"), QKeySequence::HelpContents},
         [this] { m_targets.manual.open(); });
-    add(menu, {"shortcutsAction", tr("Keyboard &shortcuts"), Qt::Key_Question, std::nullopt},
+    add(menu, {"shortcutsAction", tr("Keyboard &shortcuts"), Qt::Key_Question},
         [this] { showShortcuts(); });
-    add(menu, {"tourAction", tr("&Tour"), {}, std::nullopt},
-        [this] { m_targets.start.startTour(); });
-    add(menu, {"aboutAction", tr("&About Bergwatch"), {}, std::nullopt}, [this] { showAbout(); });
+    add(menu, {"tourAction", tr("&Tour")}, [this] { m_targets.start.startTour(); });
+    add(menu, {"aboutAction", tr("&About Bergwatch")}, [this] { showAbout(); });
 }
 
 void Menus::addTool(QActionGroup& tools, MapToolKind kind, const ActionSpec& spec)

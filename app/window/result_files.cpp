@@ -8,7 +8,6 @@
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/print/export_painter.h"
-#include "widgets/words/error_text.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -75,15 +74,13 @@ bool ResultFiles::saveRunNow()
 
 bool ResultFiles::writeRun(const QString& path, const RunFile& run)
 {
-    try {
-        awaited(interaction(), &window(), tr("Saving %1").arg(QFileInfo(path).fileName()),
-                [&](const std::stop_token&) {
-                    berg::saveRun(run, QFile::encodeName(path).toStdString());
-                });
-    } catch (const Error& error) {
-        interaction().showError(&window(), errorReport(error));
+    if (!attempt([&] {
+            awaited(interaction(), &window(), tr("Saving %1").arg(QFileInfo(path).fileName()),
+                    [&](const std::stop_token&) {
+                        berg::saveRun(run, QFile::encodeName(path).toStdString());
+                    });
+        }))
         return false;
-    }
     workspace().noteSaved(run);
     showMessage(tr("Saved %1").arg(path), kMessage_ms);
     return true;
@@ -94,20 +91,10 @@ void ResultFiles::exportPlan()
     chooseExport(settings().value("export/format").toString().toStdString());
 }
 
-void ResultFiles::exportBrief()
-{
-    chooseExport("brief");
-}
-
 void ResultFiles::copyPicture()
 {
     QApplication::clipboard()->setPixmap(panels().map->grab());
     showMessage(tr("Picture of the map copied"), kMessage_ms);
-}
-
-void ResultFiles::exportReport()
-{
-    chooseExport("log");
 }
 
 void ResultFiles::chooseExport(const std::string& formatId)
@@ -160,15 +147,13 @@ void ResultFiles::writeExport(const std::vector<ExportFile>& files)
         exportPlan();
     if (answer != Interaction::Overwrite::Overwrite || !isStillOf(generation))
         return;
-    try {
+    attempt([&] {
         writeFileSet(files);
         showMessage(files.size() == 1
                         ? tr("Exported %1").arg(pathOf(files.front()))
                         : tr("Exported %n files", nullptr, static_cast<int>(files.size())),
                     kMessage_ms);
-    } catch (const Error& error) {
-        interaction().showError(&window(), errorReport(error));
-    }
+    });
 }
 
 void ResultFiles::exportChart(const ChartPanel& chart)
@@ -177,12 +162,10 @@ void ResultFiles::exportChart(const ChartPanel& chart)
         interaction().savePath(&window(), chart.exportName(), ChartPanel::exportFilters());
     if (path.isEmpty())
         return;
-    try {
+    attempt([&] {
         chart.exportChart(path);
         showMessage(tr("Exported %1").arg(path), kMessage_ms);
-    } catch (const Error& error) {
-        interaction().showError(&window(), errorReport(error));
-    }
+    });
 }
 
 } // namespace berg

@@ -24,15 +24,12 @@ public:
     /** The same before the window goes: pauses the flight; false when it is in no file then. */
     [[nodiscard]] bool saveRunNow();
     void exportPlan();
-    /** The page to fly by, likewise. */
-    void exportBrief();
+    /** In that format ("brief": the page to fly by, "log": of the run) unless another is chosen. */
+    void chooseExport(const std::string& formatId);
     /** The map as it is, for other programs to paste. */
     void copyPicture();
-    /** The log of the run, unless another format is chosen. */
-    void exportReport();
 
 private:
-    void chooseExport(const std::string& formatId);
     [[nodiscard]] bool isStillOf(std::uint64_t generation);
     void writeExport(const std::vector<ExportFile>& files);
     [[nodiscard]] QString runPath();

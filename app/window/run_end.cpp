@@ -25,7 +25,8 @@ RunEnd::RunEnd(WindowContext& context, const Docks& docks, ResultFiles& results)
     connect(m_card, &FlightCard::compareRequested, this,
             [&docks] { docks.raise(Dock::Comparison); });
     connect(m_card, &FlightCard::saveRequested, this, [&results] { results.saveRun(); });
-    connect(m_card, &FlightCard::reportRequested, this, [&results] { results.exportReport(); });
+    connect(m_card, &FlightCard::reportRequested, this,
+            [&results] { results.chooseExport("log"); });
     showEnd();
 }
 

@@ -11,7 +11,6 @@
 #include "widgets/model/workspace.h"
 #include "widgets/panels/dialogs/find_box.h"
 #include "widgets/panels/dialogs/generate_dialog.h"
-#include "widgets/words/error_text.h"
 
 #include <QAction>
 #include <QMainWindow>
@@ -160,18 +159,15 @@ void ScenarioDialogs::setFavourite(const QString& key, bool isFavourite)
 void ScenarioDialogs::placeNewScenario(const LatLon& origin)
 {
     ScenarioDocument& document = workspace().document();
-    try {
+    attempt([&] {
         const Scenario placed = movedTo(document.scenario(), origin, MoveMode::KeepLayout);
         if (document.isClean() && document.filePath().isEmpty() && placed.icebergs.empty())
             document.reset(placed); // it is still new: nothing of it is unsaved
         else
             document.edit(tr("Place the new scenario"),
                           [&](Scenario& scenario) { scenario = placed; });
-    } catch (const Error& error) {
-        interaction().showError(&window(), errorReport(error));
-        return;
-    }
-    panels().map->fit();
+        panels().map->fit();
+    });
 }
 
 void ScenarioDialogs::showPlace(const LatLon& place, const QString& name)

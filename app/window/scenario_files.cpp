@@ -8,7 +8,6 @@
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "widgets/model/workspace.h"
-#include "widgets/words/error_text.h"
 
 #include <QDir>
 #include <QFile>
@@ -170,26 +169,20 @@ bool ScenarioFiles::openFile(const QString& path)
     }
     if (!mayLeaveScene())
         return false;
-    try {
-        if (!openUnlessInUse(path))
-            return false;
-        remember(path);
-        return true;
-    } catch (const Error& error) {
-        interaction().showError(&window(), errorReport(error));
-        return false;
-    }
+    bool isOpen = false;
+    attempt([&] {
+        isOpen = openUnlessInUse(path);
+        if (isOpen)
+            remember(path);
+    });
+    return isOpen;
 }
 
 void ScenarioFiles::openExample(const QString& path)
 {
     if (!mayLeaveScene())
         return;
-    try {
-        workspace().document().reset(loadExample(path));
-    } catch (const Error& error) {
-        interaction().showError(&window(), errorReport(error));
-    }
+    attempt([&] { workspace().document().reset(loadExample(path)); });
 }
 
 bool ScenarioFiles::saveScenario()
@@ -239,18 +232,14 @@ bool ScenarioFiles::saveTo(const QString& path)
     case Interaction::Overwrite::Cancel:
         return false;
     }
-    try {
+    return attempt([&] {
         const bool keepOld = keepsOld();
         const bool kept = workspace().file().save(path, keepOld);
         remember(path);
         showMessage(
             (kept ? tr("Saved %1") : tr("Saved %1; its folder takes no backup copy")).arg(path),
             kMessage_ms);
-        return true;
-    } catch (const Error& error) {
-        interaction().showError(&window(), errorReport(error));
-        return false;
-    }
+    });
 }
 
 void ScenarioFiles::remember(const QString& path)

@@ -11,7 +11,6 @@
 #include "widgets/model/workspace.h"
 #include "widgets/panels/study/solve_time_panel.h"
 #include "widgets/panels/study/study_panel.h"
-#include "widgets/words/error_text.h"
 
 #include <QFile>
 #include <QMainWindow>
@@ -63,12 +62,11 @@ bool SolveTimeDesk::save()
         return false;
     const QString path = withExtension(chosen, u"csv"_s);
     BenchmarkRunner& benchmark = workspace().benchmark();
-    try {
-        writeFileAtomically(QFile::encodeName(path).toStdString(), benchmarkCsv(benchmark.rows()));
-    } catch (const Error& error) {
-        interaction().showError(&window(), errorReport(error));
+    if (!attempt([&] {
+            writeFileAtomically(QFile::encodeName(path).toStdString(),
+                                benchmarkCsv(benchmark.rows()));
+        }))
         return false;
-    }
     benchmark.noteSaved();
     showMessage(tr("Saved %1").arg(path), kLongMessage_ms);
     return true;

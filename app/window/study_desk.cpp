@@ -8,7 +8,6 @@
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/study/study_panel.h"
 #include "widgets/panels/study/study_results.h"
-#include "widgets/words/error_text.h"
 
 #include <QFile>
 #include <QMainWindow>
@@ -135,14 +134,10 @@ bool StudyDesk::saveStudyNow()
     if (path.isEmpty())
         return false;
     StudyRunner& study = workspace().study();
-    try {
+    return attempt([&] {
         berg::saveStudy(study.result()->study, QFile::encodeName(path).toStdString());
         study.noteSaved(study.savePoint());
-        return true;
-    } catch (const Error& error) {
-        interaction().showError(&window(), errorReport(error));
-        return false;
-    }
+    });
 }
 
 Interaction::Unsaved StudyDesk::askAboutStudy()
@@ -181,12 +176,10 @@ void StudyDesk::saveStudyPicture()
                                                 ChartPanel::pictureFilters().join(u";;"_s));
     if (path.isEmpty())
         return;
-    try {
+    attempt([&] {
         panels().study->results().writePicture(withExtension(path, u"png"_s));
         panels().study->showNote(tr("Saved %1").arg(path));
-    } catch (const Error& error) {
-        interaction().showError(&window(), errorReport(error));
-    }
+    });
 }
 
 void StudyDesk::showStudy()

@@ -1,8 +1,11 @@
 #include "app/window/window_part.h"
 
+#include "app/dialogs/interaction.h"
 #include "app/window/panels.h"
+#include "core/base/error.h"
 #include "widgets/panels/flight/message_list.h"
 #include "widgets/theme/announcer.h"
+#include "widgets/words/error_text.h"
 
 #include <QMainWindow>
 #include <QStatusBar>
@@ -18,6 +21,17 @@ void WindowPart::showMessage(const QString& text, int duration_ms) const
 {
     window().statusBar()->showMessage(text, duration_ms);
     announce(text);
+}
+
+bool WindowPart::attempt(const std::function<void()>& work) const
+{
+    try {
+        work();
+        return true;
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+        return false;
+    }
 }
 
 void WindowPart::announce(const QString& text) const

@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <QObject>
 
+#include <functional>
+
 class QMainWindow;
 class QSettings;
 
@@ -46,6 +48,8 @@ protected:
     void showMessage(const QString& text, int duration_ms) const;
     /** In the list of messages, and to screen readers. */
     void announce(const QString& text) const;
+    /** Does the work, or shows what `Error` ends it: false then. */
+    bool attempt(const std::function<void()>& work) const;
 
 private:
     WindowContext& m_context;

@@ -3,6 +3,7 @@
 #include "core/base/angles.h"
 #include "core/scenario/checks.h"
 #include "core/scenario/field_draws.h"
+#include "core/scenario/findings.h"
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
 
@@ -19,72 +20,56 @@ namespace {
 constexpr int kMostMisses = 5000;
 constexpr double kAnySpread_deg = 180;
 
-/** Gathers what is wrong with a request. */
-class RequestFaults
+void checkSpan(const char* lowField, const char* highField, const Span& span, const Limits& limits,
+               Findings& faults)
 {
-public:
-    void check(const char* field, double value, const Limits& limits)
-    {
-        if (std::optional<IssueReason> fault = outOfLimits(value, limits))
-            add(field, std::move(*fault));
-    }
-    /** A range from `low` to `high` within `limits`. */
-    void check(const char* lowField, const char* highField, const Span& span, const Limits& limits)
-    {
-        check(lowField, span.low, limits);
-        check(highField, span.high, limits);
-        if (span.low > span.high)
-            add(highField, {IssueId::BelowOther, {lowField}});
-    }
-    void add(const char* field, IssueReason reason)
-    {
-        m_issues.push_back({Severity::Error, field, std::move(reason)});
-    }
-    void raise() const
-    {
-        if (!m_issues.empty())
-            throw Error(ErrorCode::InvalidInput, "generate", m_issues);
-    }
+    faults.inRange(span.low, limits, lowField);
+    faults.inRange(span.high, limits, highField);
+    if (span.low > span.high)
+        faults.error(highField, IssueId::BelowOther, {lowField});
+}
 
-private:
-    std::vector<Issue> m_issues;
-};
+void raise(Findings& faults)
+{
+    if (std::vector<Issue> issues = faults.take(); !issues.empty())
+        throw Error(ErrorCode::InvalidInput, "generate", std::move(issues));
+}
 
-void checkArea(const std::vector<Point>& area_m, RequestFaults& faults)
+void checkArea(const std::vector<Point>& area_m, Findings& faults)
 {
     const auto isPlace = [](const Point& p_m) {
         return p_m.allFinite() && p_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m;
     };
     if (area_m.size() < 3 || area_m.size() > kMostAreaCorners)
-        faults.add("area_m",
-                   {IssueId::AreaCorners, {countOf(kMostAreaCorners), countOf(area_m.size())}});
+        faults.error("area_m", IssueId::AreaCorners,
+                     {countOf(kMostAreaCorners), countOf(area_m.size())});
     else if (!std::all_of(area_m.begin(), area_m.end(), isPlace))
-        faults.add("area_m", {IssueId::CornersTooFar, {kLargestCoordinate_m}});
+        faults.error("area_m", IssueId::CornersTooFar, {kLargestCoordinate_m});
     else if (!isSimplePolygon(area_m))
-        faults.add("area_m", {IssueId::AreaNotSimple});
+        faults.error("area_m", IssueId::AreaNotSimple);
 }
 
 void check(const Scenario& scenario, const FieldRequest& request)
 {
-    RequestFaults faults;
+    Findings faults(Findings::Kind::All);
     const double room =
         static_cast<double>(kMostIcebergs) - static_cast<double>(scenario.icebergs.size());
     if (room < 1)
-        faults.add("icebergs", {IssueId::NoRoom});
+        faults.error("icebergs", IssueId::NoRoom);
     else
-        faults.check("icebergs", request.icebergs, {.low = 1, .high = room});
+        faults.inRange(request.icebergs, {.low = 1, .high = room}, "icebergs");
     checkArea(request.area_m, faults);
-    faults.check("speedMin_mps", "speedMax_mps", {request.speedMin_mps, request.speedMax_mps},
-                 limits::kSpeed_mps);
-    faults.check("towards_deg", request.towards_deg, {.low = -360, .high = 360});
-    faults.check("spread_deg", request.spread_deg, {.low = 0, .high = kAnySpread_deg});
-    faults.check("sigmaMin_m2", "sigmaMax_m2", {request.sigmaMin_m2, request.sigmaMax_m2},
-                 limits::kSigma_m2);
-    faults.check("q_m2ps", request.q_m2ps, limits::kGrowth_m2ps);
+    checkSpan("speedMin_mps", "speedMax_mps", {request.speedMin_mps, request.speedMax_mps},
+              limits::kSpeed_mps, faults);
+    faults.inRange(request.towards_deg, {.low = -360, .high = 360}, "towards_deg");
+    faults.inRange(request.spread_deg, {.low = 0, .high = kAnySpread_deg}, "spread_deg");
+    checkSpan("sigmaMin_m2", "sigmaMax_m2", {request.sigmaMin_m2, request.sigmaMax_m2},
+              limits::kSigma_m2, faults);
+    faults.inRange(request.q_m2ps, limits::kGrowth_m2ps, "q_m2ps");
     if (request.seed < 0)
-        faults.add("seed", {IssueId::Negative});
-    faults.check("spacing_m", request.spacing_m, limits::kLength_m);
-    faults.raise();
+        faults.error("seed", IssueId::Negative);
+    faults.inRange(request.spacing_m, limits::kLength_m, "spacing_m");
+    raise(faults);
 }
 
 FieldDraws drawsOf(const FieldRequest& request)
@@ -178,14 +163,14 @@ private:
 
 [[noreturn]] void refuse(std::size_t placed, const FieldRequest& request)
 {
-    RequestFaults faults;
+    Findings faults(Findings::Kind::All);
     const IssueArgument found = countOf(placed);
     if (request.spacing_m > 0)
-        faults.add("spacing_m",
-                   {IssueId::PlacesTooFew, {found, request.icebergs, request.spacing_m}});
+        faults.error("spacing_m", IssueId::PlacesTooFew,
+                     {found, request.icebergs, request.spacing_m});
     else
-        faults.add("area_m", {IssueId::AreaTooThin, {found, request.icebergs}});
-    faults.raise();
+        faults.error("area_m", IssueId::AreaTooThin, {found, request.icebergs});
+    raise(faults);
     throw std::logic_error("refuse: nothing to refuse");
 }
 

@@ -194,6 +194,22 @@ check "replay: the same bytes" cmp -s first.json replayed.json
 sed 's/"tau": *1\(\.0\)\?/"tau": 0.9/' out/run.bergrun >tampered.bergrun
 check "tampered run differs" test "$(cmp -s out/run.bergrun tampered.bergrun; echo $?)" = 1
 check "tampered run is refused" exits 1 "$cli" simulate tampered.bergrun
+check "what options make wrong names the file" exits 3 "$cli" simulate "$four" --dt 1 --duration 0.5
+check "what options make wrong: named" grep -q 'disko-bay-4.berg: dt_s: ' stderr.txt
+cat >removed.bergrun <<'EOF'
+{"format": "bergwatch-run", "version": 1,
+ "scenario": {"format": "bergwatch-scenario", "version": 1, "duration_s": 60, "dt_s": 0.1, "uavs": [{"id": "u",
+   "position_m": [0, 0], "heading_deg": 45}], "icebergs": [{"id": "a", "position_m": [3000, 3000], "sigma0_m2": 5},
+   {"id": "b", "position_m": [-9000, 1000], "sigma0_m2": 1000}], "planner": {"policy": "visitation", "tau": 1}},
+ "options": {}, "flown_until_s": 60, "interventions": [{"time_s": 0, "removed": "b"}],
+ "plans": [{"time_s": 0, "target": 1, "order": [1, 0]}, {"time_s": 0, "target": 0, "order": [0]}],
+ "metrics": {"zeta_m2s": 345.0750000000071, "visits": 0, "replans": 2, "flown_m": 1320.0000000000148},
+ "keyframes": []}
+EOF
+sed 's/"removed": "b"}/"removed": "b"}, {"time_s": 1, "seen": "b"}/' removed.bergrun >removed-seen.bergrun
+check "an intervention that cannot be" exits 3 "$cli" simulate removed-seen.bergrun
+check "an intervention that cannot be: named" grep -q 'removed-seen.bergrun: interventions\[1\].seen: ' stderr.txt
+check "no bound where an iceberg was removed" exits 2 "$cli" simulate removed.bergrun --bound
 check "replay takes no changes" exits 2 "$cli" simulate out/run.bergrun --tau 2
 check "other seed, other zeta" exits 0 "$cli" simulate "$default" --seed 99 --json
 check "other seed differs" test "$(grep -v '"seconds"' stdout.txt | cmp -s - first.json; echo $?)" = 1
@@ -229,6 +245,8 @@ sigma = [b["sigma0_m2"] for b in s["icebergs"]]
 reward = sum(sigma[i - 1] * (17 - t) for u in d["uavs"] for t, i in enumerate(u["order"], 2))
 raise SystemExit(0 if ok and abs(-reward + d["mu"] * d["distance_m"] - d["objective"]) < 1e-6 else 1)'
 check "fleet: plan: gap" json '0 <= d["gap"] < 0.01 and d["bound"] <= d["objective"]'
+check "fleet: standard output takes one file" exits 2 "$cli" export "$fleet" --format plan --output -
+check "fleet: one UAV on standard output" exits 0 "$cli" export "$fleet" --format plan --output - --uav uav-1
 check "fleet: plan in words" exits 0 "$cli" plan "$fleet"
 check "fleet: plan in words: a line each" grep -q "^uav-2  *berg-[0-9 berg-]*(.* m)" stdout.txt
 check "fleet: plan by coverage" exits 0 "$cli" plan "$fleet" --policy coverage --json

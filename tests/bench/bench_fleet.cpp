@@ -90,7 +90,7 @@ void run(const Row& row, int instances)
         std::vector<Report> reports;
         const double start_s = cpu_s();
         const auto add = [&](double objective, const std::optional<double>& bound) {
-            const double gap = bound ? fleetGap(problem, objective, *bound) : 1.0;
+            const double gap = bound ? relativeGap(problem, objective, *bound) : 1.0;
             reports.push_back({cpu_s() - start_s, objective, gap});
         };
         SolveOptions options;
@@ -103,7 +103,7 @@ void run(const Row& row, int instances)
         worstGap = std::max(worstGap, reports.back().gap);
         note(first, reports, [](const Report&) { return true; });
         note(good, reports, [&](const Report& report) {
-            return fleetGap(problem, report.objective, outcome.objective) <= 0.01;
+            return relativeGap(problem, report.objective, outcome.objective) <= 0.01;
         });
         note(two, reports, [](const Report& report) { return report.gap <= 0.02; });
         note(third, reports, [](const Report& report) { return report.gap <= 0.003; });

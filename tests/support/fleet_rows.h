@@ -36,7 +36,7 @@ inline FleetProblem fetchedFleet(std::uint64_t seed, int uavs, int icebergs)
 inline bool sameObjective(const FleetProblem& problem, double a, double b)
 {
     constexpr double kRounding = 1e-11; // of sums of a few hundred numbers
-    return std::abs(a - b) <= kRounding * (std::abs(b) + fleetObjectiveShift(problem));
+    return std::abs(a - b) <= kRounding * (std::abs(b) + objectiveShift(problem));
 }
 
 } // namespace berg::test

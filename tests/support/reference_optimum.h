@@ -138,7 +138,7 @@ private:
     return table.optimum(table.all());
 }
 
-/** Least cost of all plans: objective + `fleetObjectiveShift`. */
+/** Least cost of all plans: objective + `objectiveShift`. */
 [[nodiscard]] inline long double referenceFleetCost(const FleetProblem& problem)
 {
     using Set = ReferenceTable::Set;

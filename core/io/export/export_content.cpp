@@ -98,14 +98,6 @@ ExportIceberg presentIceberg(const Mission& mission, std::size_t row, ExportWhat
     return now;
 }
 
-/** Only what comes before the second visit; home after it is the options' business. */
-std::vector<Visit> firstVisit(std::vector<Visit> visits)
-{
-    if (visits.size() > 1)
-        visits.resize(1);
-    return visits;
-}
-
 /** The flight home added or taken away, as chosen. */
 void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& wind_mps)
 {
@@ -173,8 +165,8 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
     if (content.options.airspeed_mps)
         order.legs.clear(); // planned for another speed
     uav.visits = plannedVisits(scene, order.icebergs, order.clusters);
-    if (content.what == ExportWhat::FirstLeg)
-        uav.visits = firstVisit(std::move(uav.visits));
+    if (content.what == ExportWhat::FirstLeg && uav.visits.size() > 1)
+        uav.visits.resize(1);
     endAtHome(uav, content.options.returnHome, scene.wind_mps);
     if (content.what == ExportWhat::Path) {
         const bool home = !uav.visits.empty() && uav.visits.back().iceberg < 0;
@@ -390,10 +382,7 @@ std::string titleOf(const ExportContent& content, const Visit& visit)
         return "Home";
     if (visit.members.empty())
         return titleOf(content.icebergs.at(static_cast<std::size_t>(visit.iceberg)).iceberg);
-    std::string title;
-    for (const std::string& id : idsOf(content, visit))
-        title += (title.empty() ? "" : ", ") + id;
-    return title;
+    return joined(idsOf(content, visit), ", ");
 }
 
 const std::string& titleOf(const Iceberg& iceberg)

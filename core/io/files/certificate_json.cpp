@@ -59,18 +59,11 @@ std::string stepText(const ProofStep& step)
     return object.inLine();
 }
 
-const char* nameOf(ProofMethod method)
-{
-    switch (method) {
-    case ProofMethod::Enumeration:
-        return "enumeration";
-    case ProofMethod::Sorting:
-        return "sorting";
-    case ProofMethod::Relaxation:
-        return "relaxation";
-    }
-    return "";
-}
+constexpr std::array<Named<ProofMethod>, 3> kMethodNames{{
+    {ProofMethod::Enumeration, "enumeration"},
+    {ProofMethod::Sorting, "sorting"},
+    {ProofMethod::Relaxation, "relaxation"},
+}};
 
 /** In words, for whoever opens the file. */
 std::string claimOf(const Proof& proof)
@@ -86,24 +79,17 @@ std::string claimOf(const Proof& proof)
 
 std::string proofText(const Proof& proof)
 {
-    std::vector<std::string> orders;
-    for (const VisitOrder& order : proof.orders)
-        orders.push_back(jsonArrayOf(order));
     JsonObject object;
     object.add("claim", claimOf(proof));
     object.add("mu", proof.mu);
-    object.addText("orders", jsonArray(orders));
+    object.addText("orders", jsonArray(textsOf(proof.orders, jsonArrayOf<int>)));
     object.add("cost", proof.cost);
     object.add("bound", proof.bound);
-    object.add("method", nameOf(proof.method));
+    object.add("method", nameOf(kMethodNames, proof.method));
     if (!proof.rises.empty())
         object.addText("rises", jsonArrayOf(proof.rises));
-    if (!proof.steps.empty()) {
-        std::vector<std::string> steps;
-        for (const ProofStep& step : proof.steps)
-            steps.push_back(stepText(step));
-        object.addText("steps", jsonLines(steps, 3));
-    }
+    if (!proof.steps.empty())
+        object.addText("steps", jsonLines(textsOf(proof.steps, stepText), 3));
     return object.inLines(2);
 }
 
@@ -118,24 +104,10 @@ std::string certificateJson(const Certificate& certificate)
     object.add("criterion", problem.criterion == Criterion::Latency ? "latency" : "visitation");
     object.add("route", nameOf(kRouteNames, problem.route));
     object.addText("sigma", jsonArrayOf(problem.sigma_m2));
-    std::vector<std::string> matrices;
-    for (const Eigen::MatrixXd& distance_m : problem.distance_m)
-        matrices.push_back(matrixText(distance_m));
-    object.addText("distance_m", jsonLines(matrices, 1));
-    if (!problem.allowed.empty()) {
-        std::vector<std::string> rows;
-        for (const std::vector<bool>& row : problem.allowed) {
-            std::vector<std::string> entries;
-            for (const bool entry : row)
-                entries.push_back(jsonText(entry));
-            rows.push_back(jsonArray(entries));
-        }
-        object.addText("allowed", jsonLines(rows, 1));
-    }
-    std::vector<std::string> proofs;
-    for (const Proof& proof : certificate.proofs)
-        proofs.push_back(proofText(proof));
-    object.addText("proofs", jsonLines(proofs, 1));
+    object.addText("distance_m", jsonLines(textsOf(problem.distance_m, matrixText), 1));
+    if (!problem.allowed.empty())
+        object.addText("allowed", jsonLines(textsOf(problem.allowed, jsonArrayOf<bool>), 1));
+    object.addText("proofs", jsonLines(textsOf(certificate.proofs, proofText), 1));
     return object.inLines(0) + '\n';
 }
 

@@ -3,8 +3,6 @@
 #include "core/io/files/scenario_parts.h"
 #include "core/scenario/validate.h"
 
-#include <algorithm>
-
 namespace berg {
 
 namespace {
@@ -30,13 +28,10 @@ void addFindings(std::vector<Iceberg> icebergs, Faults& faults)
 
 std::string icebergsToJson(std::span<const Iceberg> icebergs)
 {
-    std::vector<std::string> texts;
-    texts.reserve(icebergs.size());
-    std::transform(icebergs.begin(), icebergs.end(), std::back_inserter(texts), &icebergText);
     JsonObject object;
     object.add("format", kFormat);
     object.add("version", 1);
-    object.addText("icebergs", jsonLines(texts, 1));
+    object.addText("icebergs", jsonLines(textsOf(icebergs, icebergText), 1));
     return object.inLines(0) + '\n';
 }
 

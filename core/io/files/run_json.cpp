@@ -72,17 +72,10 @@ std::string planText(const RecordedPlan& plan)
     object.addUnless("uav", plan.uav, 0);
     object.add("target", plan.target);
     object.addText("order", jsonArrayOf(plan.order));
-    if (!plan.clusters.empty()) {
-        std::vector<std::string> clusters;
-        std::transform(plan.clusters.begin(), plan.clusters.end(), std::back_inserter(clusters),
-                       [](const std::vector<int>& members) { return jsonArrayOf(members); });
-        object.addText("clusters", jsonArray(clusters));
-    }
-    if (!plan.legs.empty()) {
-        std::vector<std::string> legs;
-        std::transform(plan.legs.begin(), plan.legs.end(), std::back_inserter(legs), legText);
-        object.addText("legs", jsonArray(legs));
-    }
+    if (!plan.clusters.empty())
+        object.addText("clusters", jsonArray(textsOf(plan.clusters, jsonArrayOf<int>)));
+    if (!plan.legs.empty())
+        object.addText("legs", jsonArray(textsOf(plan.legs, legText)));
     return object.inLine();
 }
 
@@ -146,14 +139,11 @@ UavCommand readCommand(const Json& value, const std::string& path, Faults& fault
 
 std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil_s)
 {
-    std::vector<Intervention> interventions;
-    const Json* list = run.array("interventions");
-    makeRoom(interventions, list, run.faults());
-    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
-        ObjectReader object((*list)[i], entryPath(run.path("interventions"), i), run.faults());
+    double before_s = 0;
+    return readEach(run, "interventions", [&](const Json& value, const std::string& path) {
+        ObjectReader object(value, path, run.faults());
         Intervention intervention;
-        intervention.time_s =
-            readTime(object, flownUntil_s, i == 0 ? 0 : interventions.back().time_s);
+        intervention.time_s = before_s = readTime(object, flownUntil_s, before_s);
         intervention.tau = object.optionalNumber("tau", limits::kTau);
         if (object.find("policy") != nullptr)
             intervention.policy = object.choice("policy", PolicyKind::Visitation, kPolicyNames);
@@ -173,9 +163,8 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
         if (const Json* commanded = object.find("commanded"))
             intervention.commanded =
                 readCommand(*commanded, object.path("commanded"), run.faults());
-        interventions.push_back(std::move(intervention));
-    }
-    return interventions;
+        return intervention;
+    });
 }
 
 /** Of the whole run, those that appear included. */
@@ -298,43 +287,22 @@ void checkAppearing(const RunFile& file, Faults& faults)
 /** Groups of at least two icebergs, no iceberg in two of them. */
 std::vector<std::vector<int>> readClusters(ObjectReader& object, const RunContext& context)
 {
-    std::vector<std::vector<int>> clusters;
-    if (object.find("clusters") == nullptr)
-        return clusters;
     std::vector<bool> seen(context.icebergs, false);
-    const Json* list = object.array("clusters");
-    makeRoom(clusters, list, object.faults());
-    for (std::size_t k = 0; list != nullptr && k < list->size(); ++k) {
-        const std::string path = entryPath(object.path("clusters"), k);
-        clusters.push_back(readIcebergs((*list)[k], path, object.faults(), context, seen));
-        if (clusters.back().size() < 2)
+    return readEach(object, "clusters", [&](const Json& value, const std::string& path) {
+        std::vector<int> members = readIcebergs(value, path, object.faults(), context, seen);
+        if (members.size() < 2)
             object.faults().add(path, {IssueId::LeastEntries, {2}});
-    }
-    return clusters;
-}
-
-std::vector<AimedLeg> readLegs(ObjectReader& object, const RunContext& context)
-{
-    std::vector<AimedLeg> legs;
-    if (object.find("legs") == nullptr)
-        return legs;
-    const Json* list = object.array("legs");
-    makeRoom(legs, list, object.faults());
-    for (std::size_t k = 0; list != nullptr && k < list->size(); ++k)
-        legs.push_back(
-            readLeg((*list)[k], entryPath(object.path("legs"), k), object.faults(), context));
-    return legs;
+        return members;
+    });
 }
 
 std::vector<RecordedPlan> readPlans(ObjectReader& run, const RunContext& context)
 {
-    std::vector<RecordedPlan> plans;
-    const Json* list = run.array("plans");
-    makeRoom(plans, list, run.faults());
-    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
-        ObjectReader object((*list)[i], entryPath(run.path("plans"), i), run.faults());
+    double before_s = 0;
+    return readEach(run, "plans", [&](const Json& value, const std::string& path) {
+        ObjectReader object(value, path, run.faults());
         RecordedPlan plan;
-        plan.time_s = readTime(object, context.flownUntil_s, i == 0 ? 0 : plans.back().time_s);
+        plan.time_s = before_s = readTime(object, context.flownUntil_s, before_s);
         plan.uav = asInt(object.whole(
             "uav", 0, {.low = 0, .high = static_cast<std::int64_t>(context.uavs) - 1}));
         plan.target = icebergOrNone(object, "target", context);
@@ -342,25 +310,23 @@ std::vector<RecordedPlan> readPlans(ObjectReader& run, const RunContext& context
         if (const Json* order = object.find("order"))
             plan.order = readIcebergs(*order, object.path("order"), run.faults(), context, seen);
         plan.clusters = readClusters(object, context);
-        plan.legs = readLegs(object, context);
-        plans.push_back(std::move(plan));
-    }
-    return plans;
+        plan.legs = readEach(object, "legs", [&](const Json& leg, const std::string& at) {
+            return readLeg(leg, at, run.faults(), context);
+        });
+        return plan;
+    });
 }
 
 std::vector<WorldState> readKeyframes(ObjectReader& run, const RunContext& context)
 {
-    std::vector<WorldState> keyframes;
-    const Json* list = run.array("keyframes");
-    makeRoom(keyframes, list, run.faults());
-    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
-        const std::string path = entryPath(run.path("keyframes"), i);
-        keyframes.push_back(readKeyframe((*list)[i], path, run.faults(), context));
-        const bool hasStep = !run.faults().has(path + ".step");
-        if (hasStep && i > 0 && keyframes[i].step <= keyframes[i - 1].step)
+    std::optional<std::int64_t> before;
+    return readEach(run, "keyframes", [&](const Json& value, const std::string& path) {
+        WorldState keyframe = readKeyframe(value, path, run.faults(), context);
+        if (!run.faults().has(path + ".step") && before && keyframe.step <= *before)
             run.faults().add(path + ".step", {IssueId::NotRising});
-    }
-    return keyframes;
+        before = keyframe.step;
+        return keyframe;
+    });
 }
 
 Metrics readMetrics(const Json& value, const std::string& path, Faults& faults)
@@ -473,11 +439,8 @@ std::string formatOf(std::string_view text, const std::string& subject, const st
     const std::optional<std::string> format = rootText(text, "format", budget);
     if (format && std::ranges::find(kFormats, *format) != kFormats.end())
         return *format;
-    std::string names;
-    for (const std::string_view known : kFormats)
-        names += (names.empty() ? "" : ", ") + std::string(known);
     throw Error(ErrorCode::WrongFormat, subject,
-                {{Severity::Error, "format", {IssueId::NotOneOf, {names}}}});
+                {{Severity::Error, "format", {IssueId::NotOneOf, {joined(kFormats, ", ")}}}});
 }
 
 } // namespace berg

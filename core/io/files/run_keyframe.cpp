@@ -394,9 +394,6 @@ std::vector<UavState> readOtherUavs(ObjectReader& keyframe, const RunContext& co
 
 std::string keyframeText(const WorldState& state)
 {
-    std::vector<std::string> tracks;
-    tracks.reserve(state.tracks.size());
-    std::transform(state.tracks.begin(), state.tracks.end(), std::back_inserter(tracks), trackText);
     JsonObject object;
     object.add("step", state.step);
     addUav(object, state.uavs.front());
@@ -404,12 +401,8 @@ std::string keyframeText(const WorldState& state)
     object.add("zeta_m2s", state.zeta_m2s);
     if (!state.unclustered.empty())
         object.addText("apart", jsonArrayOf(state.unclustered));
-    if (!state.givenUp.empty()) {
-        std::vector<std::string> searches;
-        std::transform(state.givenUp.begin(), state.givenUp.end(), std::back_inserter(searches),
-                       searchText);
-        object.addText("given_up", jsonLines(searches, 2));
-    }
+    if (!state.givenUp.empty())
+        object.addText("given_up", jsonLines(textsOf(state.givenUp, searchText), 2));
     if (state.closest_m)
         object.add("closest_m", *state.closest_m);
     std::vector<std::string> others;
@@ -420,7 +413,7 @@ std::string keyframeText(const WorldState& state)
     }
     if (!others.empty())
         object.addText("other_uavs", jsonLines(others, 2));
-    object.addText("tracks", jsonLines(tracks, 2));
+    object.addText("tracks", jsonLines(textsOf(state.tracks, trackText), 2));
     return object.inLine();
 }
 
@@ -439,13 +432,9 @@ WorldState readKeyframe(const Json& value, const std::string& path, Faults& faul
     state.sigmaSum_m2 = object.number("sigma_sum_m2", 0, kAmount);
     state.zeta_m2s = object.number("zeta_m2s", 0, kAmount);
     state.unclustered = readGroup(object, "apart", context);
-    if (object.find("given_up") != nullptr)
-        if (const Json* list = object.array("given_up")) {
-            makeRoom(state.givenUp, list, faults);
-            for (std::size_t i = 0; i < list->size(); ++i)
-                state.givenUp.push_back(
-                    readSearch((*list)[i], entryPath(object.path("given_up"), i), faults, context));
-        }
+    state.givenUp = readEach(object, "given_up", [&](const Json& search, const std::string& at) {
+        return readSearch(search, at, faults, context);
+    });
     state.closest_m = object.optionalNumber("closest_m", kAmount);
     state.tracks = readTracks(object, context);
     return state;

@@ -1,3 +1,4 @@
+#include "core/base/error.h"
 #include "core/io/files/run_json.h"
 #include "core/scenario/checks.h"
 
@@ -209,10 +210,18 @@ Mission replay(const RunFile& run, const std::stop_token& stop,
     Mission mission(run.scenario, run.options);
     if (sink)
         mission.handSamplesOn(std::move(sink));
-    for (const Intervention& intervention : run.interventions) {
-        if (mission.advance(intervention.time_s, stop, onProgress) == AdvanceStatus::Cancelled)
+    for (std::size_t i = 0; i < run.interventions.size(); ++i) {
+        if (mission.advance(run.interventions[i].time_s, stop, onProgress) ==
+            AdvanceStatus::Cancelled)
             return mission;
-        mission.intervene(intervention);
+        try {
+            mission.intervene(run.interventions[i]);
+        } catch (const Error& error) { // which knows no list of them
+            std::vector<Issue> issues = error.issues();
+            for (Issue& issue : issues)
+                issue.field = entryPath("interventions", i) + '.' + issue.field;
+            throw Error(error.code(), error.subject(), std::move(issues));
+        }
     }
     mission.advance(run.flownUntil_s, stop, onProgress);
     return mission;

@@ -4,7 +4,6 @@
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/validate.h"
 
-#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -175,17 +174,6 @@ std::string observerText(const Scenario& scenario)
         object.add("search", nameOf(kSearchNames, observer.search));
     object.addExtra(scenario.observerExtraJson);
     return object.inLine();
-}
-
-/** Text of each entry of a list. */
-template <class Entry>
-std::vector<std::string> textsOf(const std::vector<Entry>& entries,
-                                 std::string (*text)(const Entry&))
-{
-    std::vector<std::string> texts;
-    texts.reserve(entries.size());
-    std::transform(entries.begin(), entries.end(), std::back_inserter(texts), text);
-    return texts;
 }
 
 } // namespace

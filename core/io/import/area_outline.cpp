@@ -85,7 +85,7 @@ struct OutlineVertex
 };
 
 /** All stretches one after the other; empty when that makes no single ring. */
-std::vector<OutlineVertex> joined(const std::vector<Ring>& stretches)
+std::vector<OutlineVertex> chained(const std::vector<Ring>& stretches)
 {
     std::vector<OutlineVertex> outline;
     std::vector<bool> used(stretches.size(), false);
@@ -119,7 +119,7 @@ std::vector<OutlineVertex> verticesOf(std::span<const Ring> rings)
         stretches.insert(stretches.end(), added.begin(), added.end());
     }
     if (uncut == 0)
-        if (std::vector<OutlineVertex> outline = joined(stretches); !outline.empty())
+        if (std::vector<OutlineVertex> outline = chained(stretches); !outline.empty())
             return outline;
     std::vector<OutlineVertex> outline;
     if (rings.size() == 1)

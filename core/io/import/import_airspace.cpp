@@ -48,8 +48,8 @@ std::optional<double> limitOf(const Json& value)
 std::optional<double> heightAt(const Json* properties, const char* metres,
                                std::initializer_list<const char*> names)
 {
-    if (const Json* value = memberOf(properties, metres); value != nullptr && value->is_number())
-        return value->get<double>();
+    if (const std::optional<double> height_m = numberAt(properties, metres))
+        return height_m;
     for (const char* name : names)
         if (const Json* value = memberOf(properties, name))
             if (const std::optional<double> height_m = limitOf(*value))

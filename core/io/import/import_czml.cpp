@@ -73,7 +73,6 @@ private:
         if (id == "document")
             return;
         m_texts.clear();
-        m_drift = {};
         m_data.clear();
         readProperties(memberOf(&packet, "properties"));
         setName(m_texts, textOf(memberOf(&packet, "name")));
@@ -99,13 +98,10 @@ private:
             return;
         for (const auto& [name, value] : properties->items()) {
             std::string text = propertyText(value);
-            if (name == "drift_east_mps")
-                m_drift.east = text;
-            else if (name == "drift_north_mps")
-                m_drift.north = text;
-            else if (const std::optional<FieldUse> use = m_names.of(name);
-                     use && use->field != SightingField::Latitude &&
-                     use->field != SightingField::Longitude) // the place is the position's
+            const bool isDrift = name == "drift_east_mps" || name == "drift_north_mps";
+            if (const std::optional<FieldUse> use = isDrift ? std::nullopt : m_names.of(name);
+                use && use->field != SightingField::Latitude &&
+                use->field != SightingField::Longitude) // the place is the position's
                 m_texts.set(*use, text);
             m_data[name] = std::move(text);
         }
@@ -126,11 +122,7 @@ private:
             reject(IssueId::NoPosition);
             return;
         }
-        std::variant<Sighting, RejectedRow> row =
-            withDrift(sightingOf(m_texts, {}, m_packet), m_drift);
-        if (auto* const sighting = std::get_if<Sighting>(&row))
-            setData(*sighting, m_data);
-        addRow(m_table, std::move(row), m_source.budget);
+        addRow(m_table, withData(sightingOf(m_texts, {}, m_packet), m_data), m_source.budget);
     }
 
     void addTrack(const Json& degrees, const std::optional<UtcTime>& epoch)
@@ -200,7 +192,6 @@ private:
     bool m_isOwn = false; ///< an export of our own
     std::size_t m_packet = 0;
     FieldTexts m_texts;
-    DriftTexts m_drift;
     OwnData m_data;
 };
 

@@ -29,7 +29,7 @@ constexpr std::array kFormats{
     ImportFormat{"wpl", "ArduPilot: the places of a mission (QGC WPL)", false, kGps_m, isWpl,
                  readWpl},
     ImportFormat{"metno", "MET Norway and Copernicus: icebergs seen by radar", true, kRadar_m,
-                 isMetno, readMetno},
+                 isMetno, readGeoJson},
     ImportFormat{"geojson", "QGIS and other map programs: points and tracks", true, kGps_m,
                  isGeoJson, readGeoJson},
     ImportFormat{"iip", "International Ice Patrol sightings (NSIDC G00807)", false, kAircraft_m,
@@ -42,10 +42,7 @@ constexpr std::array kFormats{
 
 std::string formatIds()
 {
-    std::string ids;
-    for (const ImportFormat& format : kFormats)
-        ids += (ids.empty() ? "" : ", ") + std::string(format.id);
-    return ids;
+    return joined(kFormats, ", ", &ImportFormat::id);
 }
 
 /** What is not text is told apart as far as it helps the user. */

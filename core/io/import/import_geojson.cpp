@@ -81,12 +81,9 @@ DriftTexts driftOf(const Json* properties)
 /** Seconds from the time of an iceberg of such an export until it appears. */
 std::optional<double> appearsIn_s(const Json* properties)
 {
-    const Json* appears_s = memberOf(properties, "appears_s");
-    const Json* time_s = memberOf(properties, "time_s");
-    if (appears_s == nullptr || time_s == nullptr || !appears_s->is_number() ||
-        !time_s->is_number())
-        return std::nullopt;
-    return appears_s->get<double>() - time_s->get<double>();
+    const std::optional<double> appears_s = numberAt(properties, "appears_s");
+    const std::optional<double> time_s = numberAt(properties, "time_s");
+    return appears_s && time_s ? std::optional(*appears_s - *time_s) : std::nullopt;
 }
 
 /** The features of a collection, or the one that the file is. */
@@ -150,9 +147,9 @@ private:
         else if (type == "Polygon")
             addPoint(texts, middleOf(*coordinates), properties);
         else if (const Json* times = timesOf(properties); times && type == "LineString")
-            addTrack(texts, *coordinates, *times);
+            addCorners(texts, *coordinates, times);
         else if (m_isRoute && type == "LineString")
-            addRoute(*coordinates);
+            addCorners({}, *coordinates, nullptr);
         else
             reject(IssueId::NotAPoint, type);
     }
@@ -180,38 +177,22 @@ private:
             withDrift(sightingOf(texts, {}, m_feature), driftOf(properties));
         if (auto* const sighting = std::get_if<Sighting>(&row)) {
             sighting->appearsIn_s = appearsIn_s(properties);
-            sighting->change = changeOf([&](const char* name) {
-                const Json* const value = memberOf(properties, name);
-                return value != nullptr && value->is_number() ? std::optional(value->get<double>())
-                                                              : std::nullopt;
-            });
+            sighting->change =
+                changeOf([&](const char* name) { return numberAt(properties, name); });
         }
         addRow(m_table, std::move(row), m_source.budget);
     }
 
-    /** Corners of a line are places without a name of their own. */
-    void addRoute(const Json& corners)
-    {
-        for (std::size_t i = 0; corners.is_array() && i < corners.size(); ++i) {
-            m_source.budget.goOn();
-            FieldTexts texts;
-            if (setPlace(texts, corners[i]))
-                addRow(m_table, sightingOf(texts, {}, m_feature), m_source.budget);
-            else
-                reject(IssueId::NoPosition);
-        }
-    }
-
-    void addTrack(const FieldTexts& common, const Json& corners, const Json& times)
+    void addCorners(const FieldTexts& common, const Json& corners, const Json* times)
     {
         for (std::size_t i = 0; corners.is_array() && i < corners.size(); ++i) {
             m_source.budget.goOn();
             FieldTexts texts = common;
             const bool placed = setPlace(texts, corners[i]);
-            if (i < times.size())
-                texts.set(SightingField::Time, cellText(times[i]));
+            if (times != nullptr && i < times->size())
+                texts.set(SightingField::Time, cellText((*times)[i]));
             if (placed)
-                addRow(m_table, sightingOf(texts, {.timeNeeded = true}, m_feature),
+                addRow(m_table, sightingOf(texts, {.timeNeeded = times != nullptr}, m_feature),
                        m_source.budget);
             else
                 reject(IssueId::NoPosition);
@@ -241,11 +222,6 @@ SightingTable readGeoJson(const ImportText& source)
 bool isGeoJson(std::string_view text)
 {
     return isJsonObject(text) && text.find("\"coordinates\"") != std::string_view::npos;
-}
-
-SightingTable readMetno(const ImportText& source)
-{
-    return GeoJsonSightings(source).take();
 }
 
 bool isMetno(std::string_view text)

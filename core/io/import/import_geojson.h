@@ -25,7 +25,6 @@ namespace berg {
  * Icebergs seen by radar satellites as MET Norway and Copernicus publish them: GeoJSON with
  * BRGARE (area, m^2) and IA_BLN (largest length, m). Each feature is an iceberg of its own.
  */
-[[nodiscard]] SightingTable readMetno(const ImportText& source);
 [[nodiscard]] bool isMetno(std::string_view text);
 
 } // namespace berg

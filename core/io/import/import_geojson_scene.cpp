@@ -9,13 +9,6 @@ namespace berg {
 
 namespace {
 
-std::optional<double> numberAt(const Json* properties, const char* name)
-{
-    const Json* value = memberOf(properties, name);
-    return value != nullptr && value->is_number() ? std::optional(value->get<double>())
-                                                  : std::nullopt;
-}
-
 std::string nameAt(const Json* properties, const char* name, std::size_t most)
 {
     return cleanText(textOf(memberOf(properties, name)), most);

@@ -37,7 +37,6 @@ private:
         m_name.clear();
         m_type.clear();
         m_data.clear();
-        m_drift = {};
         m_texts.set(SightingField::Latitude, element.attribute("lat"));
         m_texts.set(SightingField::Longitude, element.attribute("lon"));
     }
@@ -71,10 +70,6 @@ private:
             m_texts.set(SightingField::Growth, element.text);
         else if (element.name == "radius_m")
             m_texts.set(SightingField::Radius, element.text);
-        else if (element.name == "drift_east_mps")
-            m_drift.east = element.text;
-        else if (element.name == "drift_north_mps")
-            m_drift.north = element.text;
     }
 
     void finish(const XmlElement& point)
@@ -88,11 +83,8 @@ private:
         if (point.name == "rtept")
             m_texts.drop(SightingField::Time);
         setName(m_texts, isTrack ? m_track : m_name);
-        std::variant<Sighting, RejectedRow> row =
-            withDrift(sightingOf(m_texts, {.timeNeeded = isTrack}, point.line), m_drift);
-        if (auto* const sighting = std::get_if<Sighting>(&row))
-            setData(*sighting, m_data);
-        addRow(m_table, std::move(row), m_source.budget);
+        addRow(m_table, withData(sightingOf(m_texts, {.timeNeeded = isTrack}, point.line), m_data),
+               m_source.budget);
     }
 
     /** Of an export of our own what is no iceberg; routes and tracks say nothing more. */
@@ -114,7 +106,6 @@ private:
     FieldTexts m_texts;
     std::string m_name;
     std::string m_type;
-    DriftTexts m_drift;
     OwnData m_data;
 };
 

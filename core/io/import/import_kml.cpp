@@ -61,7 +61,6 @@ private:
         m_texts.clear();
         m_name.clear();
         m_style.clear();
-        m_drift = {};
         m_point.clear();
         m_data.clear();
         m_rings.clear();
@@ -124,11 +123,9 @@ private:
     void property(const std::string& name, const std::string& text)
     {
         m_data[name] = text;
-        if (name == "drift_east_mps")
-            m_drift.east = text;
-        else if (name == "drift_north_mps")
-            m_drift.north = text;
-        else if (const std::optional<FieldUse> use = m_names.of(name))
+        if (name == "drift_east_mps" || name == "drift_north_mps")
+            return;
+        if (const std::optional<FieldUse> use = m_names.of(name))
             m_texts.set(*use, text);
     }
 
@@ -146,11 +143,7 @@ private:
                    m_source.budget);
         } else {
             setPlace(m_texts, m_point, ",");
-            std::variant<Sighting, RejectedRow> row =
-                withDrift(sightingOf(m_texts, {}, m_line), m_drift);
-            if (auto* const sighting = std::get_if<Sighting>(&row))
-                setData(*sighting, m_data);
-            addRow(m_table, std::move(row), m_source.budget);
+            addRow(m_table, withData(sightingOf(m_texts, {}, m_line), m_data), m_source.budget);
         }
     }
 
@@ -217,7 +210,6 @@ private:
     FieldTexts m_texts;
     std::string m_name;
     std::string m_style;
-    DriftTexts m_drift;
     std::string m_point;
     std::vector<std::string> m_rings;
     std::size_t m_holes = 0;

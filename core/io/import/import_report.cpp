@@ -19,9 +19,6 @@ constexpr std::array<Named<ImportOutcome>, 4> kOutcomeNames{{
 
 std::string icebergText(const ImportedIceberg& imported, const Iceberg* iceberg)
 {
-    std::vector<std::string> notes;
-    for (const ImportNote note : imported.notes)
-        notes.push_back(importNoteText(note));
     JsonObject object;
     object.add("id", imported.id);
     object.add("outcome", nameOf(kOutcomeNames, imported.outcome));
@@ -34,7 +31,7 @@ std::string icebergText(const ImportedIceberg& imported, const Iceberg* iceberg)
         object.add("sd_m", std::sqrt(initialSigma_m2(*iceberg)));
         object.add("q_m2ps", iceberg->q_m2ps);
     }
-    object.addText("notes", jsonArrayOf(notes));
+    object.addText("notes", jsonArrayOf(textsOf(imported.notes, importNoteText)));
     return object.inLine();
 }
 
@@ -75,12 +72,6 @@ std::string importJson(const SightingTable& table, const ImportResult& result)
         const bool taken = imported.outcome != ImportOutcome::LeftOut && it != byId.end();
         icebergs.push_back(icebergText(imported, taken ? it->second : nullptr));
     }
-    std::vector<std::string> rejected;
-    for (const RejectedRow& row : result.rejected.first)
-        rejected.push_back(rejectedText(row));
-    std::vector<std::string> scene;
-    for (const SceneFinding& finding : result.scene)
-        scene.push_back(findingText(finding));
 
     JsonObject object;
     object.add("format", table.format);
@@ -97,9 +88,9 @@ std::string importJson(const SightingTable& table, const ImportResult& result)
     else
         object.addText("start_utc", "null");
     object.addText("origin", originText(result.scenario.origin));
-    object.addText("scene", jsonLines(scene, 1));
+    object.addText("scene", jsonLines(textsOf(result.scene, findingText), 1));
     object.addText("icebergs", jsonLines(icebergs, 1));
-    object.addText("rejected_rows", jsonLines(rejected, 1));
+    object.addText("rejected_rows", jsonLines(textsOf(result.rejected.first, rejectedText), 1));
     return object.inLines(0) + '\n';
 }
 

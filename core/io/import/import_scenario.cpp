@@ -63,10 +63,11 @@ void moveBy(Point& position_m, const Point& path_m, const std::string& who)
 void moveStart(Scenario& scenario, double later_s)
 {
     for (Iceberg& iceberg : scenario.icebergs) {
+        // Backwards as far as forwards: what the velocity was before is not known either.
+        const double carried_s =
+            std::copysign(carriedFor_s(iceberg.velocityTime_s, std::abs(later_s)), later_s);
         moveBy(iceberg.position_m,
-               iceberg.velocity_mps * carriedFor_s(iceberg.velocityTime_s, later_s) +
-                   scenario.current_mps * later_s,
-               iceberg.id);
+               iceberg.velocity_mps * carried_s + scenario.current_mps * later_s, iceberg.id);
         if (iceberg.velocityTime_s > 0)
             iceberg.velocity_mps *= std::exp(-std::max(0.0, later_s) / iceberg.velocityTime_s);
         iceberg.observed_s = std::clamp(iceberg.observed_s + later_s, 0.0, kLargestTime_s);
@@ -182,41 +183,30 @@ void takeIn(std::vector<IcebergEntry> entries, ImportResult& result)
 
 std::string importNoteText(ImportNote note)
 {
-    switch (note) {
-    case ImportNote::VelocityUnknown:
-        return QT_TRANSLATE_NOOP("CommandLine", "velocity unknown");
-    case ImportNote::TimeUnknown:
-        return QT_TRANSLATE_NOOP("CommandLine", "no time: counts as seen at the start");
-    case ImportNote::VelocityGiven:
-        return QT_TRANSLATE_NOOP("CommandLine", "velocity from the file");
-    case ImportNote::VelocityClamped:
-        return QT_TRANSLATE_NOOP("CommandLine", "velocity limited to 5 m/s per axis");
-    case ImportNote::GrowthEstimated:
-        return QT_TRANSLATE_NOOP("CommandLine", "q estimated");
-    case ImportNote::GrowthClamped:
-        return QT_TRANSLATE_NOOP("CommandLine", "q limited to 1e6 m2/s");
-    case ImportNote::Stationary:
-        return QT_TRANSLATE_NOOP("CommandLine", "stationary");
-    case ImportNote::Repeated:
-        return QT_TRANSLATE_NOOP("CommandLine", "sightings of one time");
-    case ImportNote::Jumped:
-        return QT_TRANSLATE_NOOP("CommandLine", "sightings at impossible places not used");
-    case ImportNote::TrackAttached:
-        return QT_TRANSLATE_NOOP("CommandLine", "recorded track attached");
-    case ImportNote::NoTrack:
-        return QT_TRANSLATE_NOOP("CommandLine", "no track: not sighted after the start");
-    case ImportNote::Older:
-        return QT_TRANSLATE_NOOP("CommandLine", "older than what the scenario has");
-    case ImportNote::SeenLater:
-        return QT_TRANSLATE_NOOP("CommandLine", "sighted only after the start");
-    case ImportNote::DriftedAway:
-        return QT_TRANSLATE_NOOP("CommandLine", "more than 1000 km from the origin at the start");
-    case ImportNote::TooMany:
-        return QT_TRANSLATE_NOOP("CommandLine", "the scenario is full");
-    case ImportNote::IdTaken:
-        return QT_TRANSLATE_NOOP("CommandLine", "an aircraft has this id");
-    }
-    return {};
+    static constexpr std::array<Named<ImportNote>, 16> kTexts{{
+        {ImportNote::VelocityUnknown, QT_TRANSLATE_NOOP("CommandLine", "velocity unknown")},
+        {ImportNote::TimeUnknown,
+         QT_TRANSLATE_NOOP("CommandLine", "no time: counts as seen at the start")},
+        {ImportNote::VelocityGiven, QT_TRANSLATE_NOOP("CommandLine", "velocity from the file")},
+        {ImportNote::VelocityClamped,
+         QT_TRANSLATE_NOOP("CommandLine", "velocity limited to 5 m/s per axis")},
+        {ImportNote::GrowthEstimated, QT_TRANSLATE_NOOP("CommandLine", "q estimated")},
+        {ImportNote::GrowthClamped, QT_TRANSLATE_NOOP("CommandLine", "q limited to 1e6 m2/s")},
+        {ImportNote::Stationary, QT_TRANSLATE_NOOP("CommandLine", "stationary")},
+        {ImportNote::Repeated, QT_TRANSLATE_NOOP("CommandLine", "sightings of one time")},
+        {ImportNote::Jumped,
+         QT_TRANSLATE_NOOP("CommandLine", "sightings at impossible places not used")},
+        {ImportNote::TrackAttached, QT_TRANSLATE_NOOP("CommandLine", "recorded track attached")},
+        {ImportNote::NoTrack,
+         QT_TRANSLATE_NOOP("CommandLine", "no track: not sighted after the start")},
+        {ImportNote::Older, QT_TRANSLATE_NOOP("CommandLine", "older than what the scenario has")},
+        {ImportNote::SeenLater, QT_TRANSLATE_NOOP("CommandLine", "sighted only after the start")},
+        {ImportNote::DriftedAway,
+         QT_TRANSLATE_NOOP("CommandLine", "more than 1000 km from the origin at the start")},
+        {ImportNote::TooMany, QT_TRANSLATE_NOOP("CommandLine", "the scenario is full")},
+        {ImportNote::IdTaken, QT_TRANSLATE_NOOP("CommandLine", "an aircraft has this id")},
+    }};
+    return nameOf(kTexts, note);
 }
 
 Scenario newScenarioForImport(std::string name)

@@ -62,10 +62,16 @@ std::optional<std::vector<LatLon>> placesOfTuples(std::string_view tuples)
     return places;
 }
 
-void setData(Sighting& sighting, const OwnData& data)
+std::variant<Sighting, RejectedRow> withData(std::variant<Sighting, RejectedRow> row,
+                                             const OwnData& data)
 {
-    sighting.appearsIn_s = numberOf(data, "appears_in_s");
-    sighting.change = changeOf([&](const char* name) { return numberOf(data, name); });
+    row = withDrift(std::move(row), {.east = textOf(data, "drift_east_mps"),
+                                     .north = textOf(data, "drift_north_mps")});
+    if (auto* const sighting = std::get_if<Sighting>(&row)) {
+        sighting->appearsIn_s = numberOf(data, "appears_in_s");
+        sighting->change = changeOf([&](const char* name) { return numberOf(data, name); });
+    }
+    return row;
 }
 
 void addOwnUav(FileScene& scene, const OwnMark& home)

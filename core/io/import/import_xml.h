@@ -45,7 +45,8 @@ void setName(FieldTexts& texts, const std::string& name);
 
 /** Values that an export of our own has for programs, by their names. */
 using OwnData = std::map<std::string, std::string, std::less<>>;
-void setData(Sighting& sighting, const OwnData& data);
+[[nodiscard]] std::variant<Sighting, RejectedRow> withData(std::variant<Sighting, RejectedRow> row,
+                                                           const OwnData& data);
 
 /** A mark of an export of our own that is no iceberg. */
 struct OwnMark

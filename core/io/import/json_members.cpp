@@ -23,6 +23,13 @@ std::string textOf(const Json* value)
     return value != nullptr && value->is_string() ? value->get<std::string>() : std::string();
 }
 
+std::optional<double> numberAt(const Json* properties, const char* name)
+{
+    const Json* value = memberOf(properties, name);
+    return value != nullptr && value->is_number() ? std::optional(value->get<double>())
+                                                  : std::nullopt;
+}
+
 std::optional<LatLon> placeOf(const Json* position, AxisOrder order)
 {
     if (position == nullptr || !position->is_array() || position->size() < 2 ||

@@ -19,6 +19,8 @@ namespace berg {
 [[nodiscard]] const Json* arrayOf(const Json* value, const char* name);
 /** Empty when it is no text. */
 [[nodiscard]] std::string textOf(const Json* value);
+/** Its member that is a number. */
+[[nodiscard]] std::optional<double> numberAt(const Json* value, const char* name);
 
 /** Calls `use` for each entry, whose memory then is free for what was made of it. */
 template <class Use>

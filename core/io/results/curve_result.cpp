@@ -23,14 +23,6 @@ void addOrder(JsonObject& json, const CurveReport& report, const VisitOrder& ord
     json.addText("icebergs", jsonArrayOf(icebergIds(report, order)));
 }
 
-std::string joined(const std::vector<std::string>& parts, char separator)
-{
-    std::string text;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        text += (i == 0 ? "" : std::string(1, separator)) + parts[i];
-    return text;
-}
-
 } // namespace
 
 std::vector<int> icebergNumbers(const CurveReport& report, const VisitOrder& order)
@@ -67,7 +59,7 @@ std::string curveJson(const CurveReport& report, double elapsed_s)
             uavs.push_back(uav.inLine());
         }
         addOrder(entry, report, all);
-        entry.addText("uavs", '[' + joined(uavs, ',') + ']');
+        entry.addText("uavs", '[' + joined(uavs, ",") + ']');
         intervals.push_back(entry.inLine());
     }
     JsonObject document;
@@ -84,11 +76,9 @@ std::string curveCsv(const CurveReport& report)
         std::vector<std::string> numbers;
         std::vector<std::string> ids;
         for (const VisitOrder& order : interval.plan) {
-            std::vector<std::string> own;
-            for (const int number : icebergNumbers(report, order))
-                own.push_back(std::to_string(number));
-            numbers.push_back(joined(own, ' '));
-            ids.push_back(joined(icebergIds(report, order), ';'));
+            numbers.push_back(joined(icebergNumbers(report, order), " ",
+                                     [](int number) { return std::to_string(number); }));
+            ids.push_back(joined(icebergIds(report, order), ";"));
         }
         text += numberText(interval.tauFrom) + ',' + numberText(interval.tauTo) + ',' +
                 numberText(interval.distance_m) + ',' + numberText(interval.reward_m2) + ',' +

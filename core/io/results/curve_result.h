@@ -29,7 +29,7 @@ struct CurveReport
  */
 [[nodiscard]] std::string curveCsv(const CurveReport& report);
 
-inline constexpr char kBetweenOrders = '|';
+inline constexpr std::string_view kBetweenOrders = "|";
 
 /** Icebergs of an order as 1-based numbers of the scenario, those of a cluster side by side. */
 [[nodiscard]] std::vector<int> icebergNumbers(const CurveReport& report, const VisitOrder& order);

@@ -78,7 +78,7 @@ std::optional<double> PlanReport::gap() const
 {
     if (!objective() || !outcome.bound)
         return std::nullopt;
-    return fleetGap(problem, outcome.objective, *outcome.bound);
+    return relativeGap(problem, outcome.objective, *outcome.bound);
 }
 
 std::optional<double> PlanReport::mu() const

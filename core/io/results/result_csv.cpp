@@ -51,49 +51,6 @@ SampleTables tablesOf(const Mission& mission)
 
 } // namespace
 
-std::string_view eventName(EventKind kind)
-{
-    switch (kind) {
-    case EventKind::Planned:
-        return "planned";
-    case EventKind::Reached:
-        return "reached";
-    case EventKind::Sighted:
-        return "sighted";
-    case EventKind::Appeared:
-        return "appeared";
-    case EventKind::PlannerFailed:
-        return "planner failed";
-    case EventKind::Alarm:
-        return "alarm";
-    case EventKind::Intervention:
-        return "intervention";
-    case EventKind::Left:
-        return "left";
-    case EventKind::Lost:
-        return "lost";
-    case EventKind::Found:
-        return "found";
-    case EventKind::GivenUp:
-        return "given up";
-    case EventKind::HomeBound:
-        return "home bound";
-    case EventKind::Landed:
-        return "landed";
-    case EventKind::TookOff:
-        return "took off";
-    case EventKind::LateHome:
-        return "late home";
-    case EventKind::Close:
-        return "close";
-    case EventKind::LeftFence:
-        return "left geofence";
-    case EventKind::BackInside:
-        return "back inside";
-    }
-    throw std::logic_error("eventName: unknown kind");
-}
-
 std::string eventDetail(const MissionEvent& event, const Mission& mission)
 {
     const auto idOf = [](const auto& entries, int index) {
@@ -308,7 +265,7 @@ void writeEvents(const Mission& mission, const TextSink& put)
     for (const MissionEvent& event : mission.events()) {
         std::string text;
         add(text, event.time_s, ',');
-        text += eventName(event.kind);
+        text += nameOf(kEventNames, event.kind);
         text += ',';
         if (event.uav >= 0 || uavs.size() == 1) // with one UAV all events are its own
             text += uavs.at(static_cast<std::size_t>(std::max(0, event.uav)));

@@ -13,7 +13,26 @@
 namespace berg {
 
 /** Of an event in events.csv and in the JSON of a run. */
-[[nodiscard]] std::string_view eventName(EventKind kind);
+inline constexpr std::array<Named<EventKind>, 18> kEventNames{{
+    {EventKind::Planned, "planned"},
+    {EventKind::Reached, "reached"},
+    {EventKind::Sighted, "sighted"},
+    {EventKind::Appeared, "appeared"},
+    {EventKind::PlannerFailed, "planner failed"},
+    {EventKind::Alarm, "alarm"},
+    {EventKind::Intervention, "intervention"},
+    {EventKind::Left, "left"},
+    {EventKind::Lost, "lost"},
+    {EventKind::Found, "found"},
+    {EventKind::GivenUp, "given up"},
+    {EventKind::HomeBound, "home bound"},
+    {EventKind::Landed, "landed"},
+    {EventKind::TookOff, "took off"},
+    {EventKind::LateHome, "late home"},
+    {EventKind::Close, "close"},
+    {EventKind::LeftFence, "left geofence"},
+    {EventKind::BackInside, "back inside"},
+}};
 /** The rest of what happened, as events.csv says it: English, with ids. */
 [[nodiscard]] std::string eventDetail(const MissionEvent& event, const Mission& mission);
 

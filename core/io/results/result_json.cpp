@@ -13,53 +13,31 @@ namespace {
 
 using Json = ResultJson;
 
-const char* severityName(Severity severity)
-{
-    switch (severity) {
-    case Severity::Error:
-        return "error";
-    case Severity::Warning:
-        return "warning";
-    case Severity::Hint:
-        return "hint";
-    }
-    return "";
-}
+constexpr std::array<Named<Severity>, 3> kSeverityNames{{
+    {Severity::Error, "error"},
+    {Severity::Warning, "warning"},
+    {Severity::Hint, "hint"},
+}};
 
-const char* kindOf(ErrorCode code)
-{
-    switch (code) {
-    case ErrorCode::FileNotFound:
-        return "file-not-found";
-    case ErrorCode::FileUnreadable:
-        return "file-unreadable";
-    case ErrorCode::FileUnwritable:
-        return "file-unwritable";
-    case ErrorCode::FileTooLarge:
-        return "file-too-large";
-    case ErrorCode::SyntaxError:
-        return "syntax-error";
-    case ErrorCode::WrongFormat:
-        return "wrong-format";
-    case ErrorCode::UnsupportedVersion:
-        return "unsupported-version";
-    case ErrorCode::InvalidInput:
-        return "invalid-input";
-    case ErrorCode::Unsupported:
-        return "unsupported";
-    case ErrorCode::SolverFailed:
-        return "solver-failed";
-    case ErrorCode::ReplayMismatch:
-        return "replay-mismatch";
-    }
-    return "";
-}
+constexpr std::array<Named<ErrorCode>, 11> kErrorNames{{
+    {ErrorCode::FileNotFound, "file-not-found"},
+    {ErrorCode::FileUnreadable, "file-unreadable"},
+    {ErrorCode::FileUnwritable, "file-unwritable"},
+    {ErrorCode::FileTooLarge, "file-too-large"},
+    {ErrorCode::SyntaxError, "syntax-error"},
+    {ErrorCode::WrongFormat, "wrong-format"},
+    {ErrorCode::UnsupportedVersion, "unsupported-version"},
+    {ErrorCode::InvalidInput, "invalid-input"},
+    {ErrorCode::Unsupported, "unsupported"},
+    {ErrorCode::SolverFailed, "solver-failed"},
+    {ErrorCode::ReplayMismatch, "replay-mismatch"},
+}};
 
 void addFindings(Json& list, const FileFindings& file)
 {
     for (const Issue& issue : file.issues)
         list.push_back({{"file", file.file},
-                        {"severity", severityName(issue.severity)},
+                        {"severity", nameOf(kSeverityNames, issue.severity)},
                         {"field", issue.field},
                         {"message", issue.message()}});
 }
@@ -143,7 +121,7 @@ std::vector<std::pair<std::string, int>> worldEvents(const Mission& mission)
             std::count_if(mission.events().begin(), mission.events().end(),
                           [kind](const MissionEvent& event) { return event.kind == kind; });
         if (count > 0)
-            counts.emplace_back(eventName(kind), static_cast<int>(count));
+            counts.emplace_back(nameOf(kEventNames, kind), static_cast<int>(count));
     }
     return counts;
 }
@@ -238,7 +216,8 @@ std::string failureJson(std::string_view kind, const FileFindings& found)
 
 std::string failureJson(const Error& error)
 {
-    return failureJson(kindOf(error.code()), {.file = error.subject(), .issues = error.issues()});
+    return failureJson(nameOf(kErrorNames, error.code()),
+                       {.file = error.subject(), .issues = error.issues()});
 }
 
 std::string sweepCsv(const StudySummary& summary)

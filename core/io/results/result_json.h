@@ -25,7 +25,8 @@ struct UavFigures
     double flown_m = 0; ///< through the air
 };
 [[nodiscard]] std::vector<UavFigures> uavFigures(const Mission& mission);
-/** How often what happened that not every run has (icebergs lost, sorties, ...), by `eventName`. */
+/** How often what happened that not every run has (icebergs lost, sorties, ...), by `kEventNames`.
+ */
 [[nodiscard]] std::vector<std::pair<std::string, int>> worldEvents(const Mission& mission);
 /** `elapsed_s`: none for a study that was flown before. */
 [[nodiscard]] std::string sweepJson(const Study& study, const StudySummary& summary,

@@ -132,20 +132,12 @@ std::optional<double> evenStep(const std::vector<double>& taus)
     return step;
 }
 
-std::string listed(const std::vector<double>& taus, const std::string& separator)
-{
-    std::string text;
-    for (const double tau : taus)
-        text += (text.empty() ? "" : separator) + numberText(tau);
-    return text;
-}
-
 /** "0 to 4 by 0.1 (41 values)", or the values themselves. */
 std::string tausInWords(const std::vector<double>& taus, const ReportWords& words)
 {
     const std::optional<double> step = evenStep(taus);
     if (!step)
-        return listed(taus, ", ");
+        return joined(taus, ", ", numberText);
     return words.html(QT_TRANSLATE_NOOP("Report", "%1 to %2 by %3 (%4 values)"),
                       {numberText(taus.front()), numberText(taus.back()), numberText(*step),
                        std::to_string(taus.size())});
@@ -163,7 +155,7 @@ std::string tauArgument(const std::vector<double>& taus)
 {
     const std::optional<double> step = evenStep(taus);
     if (!step)
-        return listed(taus, ",");
+        return joined(taus, ",", numberText);
     return numberText(taus.front()) + ':' + numberText(taus.back()) + ':' + numberText(*step);
 }
 
@@ -180,10 +172,8 @@ std::string sweepCommand(const StudySpec& spec)
         command += " --regime " + nameOf(kFieldRegimeNames, spec.field.regime);
     if (!spec.taus.empty())
         command += " --tau " + tauArgument(spec.taus);
-    std::string policies;
-    for (const PolicyKind policy : spec.policies)
-        policies += (policies.empty() ? "" : ",") + nameOf(kPolicyNames, policy);
-    command += " --policies " + policies;
+    const auto name = [](PolicyKind policy) { return nameOf(kPolicyNames, policy); };
+    command += " --policies " + joined(spec.policies, ",", name);
     if (spec.runs > 1)
         command += " --runs " + std::to_string(spec.runs);
     return command;

@@ -78,13 +78,9 @@ FieldSpec readField(const Json& value, const std::string& path, Faults& faults)
 
 std::vector<double> readTaus(ObjectReader& study)
 {
-    std::vector<double> taus;
-    const Json* list = study.array("taus");
-    makeRoom(taus, list, study.faults());
-    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
-        taus.push_back(
-            numberOf((*list)[i], entryPath(study.path("taus"), i), study.faults()).value_or(0));
-    return taus;
+    return readEach(study, "taus", [&](const Json& value, const std::string& path) {
+        return numberOf(value, path, study.faults()).value_or(0);
+    });
 }
 
 std::vector<PolicyKind> readPolicies(ObjectReader& study)
@@ -106,14 +102,10 @@ std::vector<PolicyKind> readPolicies(ObjectReader& study)
 
 std::vector<Scenario> readScenarios(ObjectReader& study)
 {
-    std::vector<Scenario> scenarios;
-    const Json* list = study.array("scenarios");
-    makeRoom(scenarios, list, study.faults());
-    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
-        ObjectReader scenario((*list)[i], entryPath(study.path("scenarios"), i), study.faults());
-        scenarios.push_back(readScenario(scenario));
-    }
-    return scenarios;
+    return readEach(study, "scenarios", [&](const Json& value, const std::string& path) {
+        ObjectReader scenario(value, path, study.faults());
+        return readScenario(scenario);
+    });
 }
 
 StudySpec readSpec(ObjectReader& study)
@@ -226,23 +218,19 @@ void readOutcomes(ObjectReader& object, Study& study)
 std::string studyToJson(const Study& study)
 {
     const StudySpec& spec = study.spec;
-    std::vector<std::string> scenarios;
-    for (const Scenario& scenario : spec.scenarios)
-        scenarios.push_back(scenarioText(scenario, 2));
-    std::vector<std::string> policies;
-    for (const PolicyKind policy : spec.policies)
-        policies.push_back(nameOf(kPolicyNames, policy));
+    const auto text = [](const Scenario& scenario) { return scenarioText(scenario, 2); };
+    const auto name = [](PolicyKind policy) { return nameOf(kPolicyNames, policy); };
     JsonObject object;
     object.add("format", kFormat);
     object.add("version", 1);
     object.add("name", spec.name);
     object.addText("taus", jsonArrayOf(spec.taus));
-    object.addText("policies", jsonArrayOf(policies));
+    object.addText("policies", jsonArrayOf(textsOf(spec.policies, name)));
     object.add("runs", spec.runs);
     object.add("random", spec.random);
     object.add("first_seed", spec.firstSeed);
     object.addText("field", fieldText(spec.field));
-    object.addText("scenarios", jsonLines(scenarios, 1));
+    object.addText("scenarios", jsonLines(textsOf(spec.scenarios, text), 1));
     object.addText("outcomes", outcomesText(study));
     return object.inLines(0) + '\n';
 }

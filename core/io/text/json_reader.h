@@ -184,4 +184,16 @@ private:
     std::set<std::string, std::less<>> m_read;
 };
 
+/** What `read` makes of each entry of a list, given the entry and its path; none without one. */
+template <class Read>
+[[nodiscard]] auto readEach(ObjectReader& object, const char* member, const Read& read)
+{
+    std::vector<decltype(read(Json(), std::string()))> entries;
+    const Json* list = object.array(member);
+    makeRoom(entries, list, object.faults());
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
+        entries.push_back(read((*list)[i], entryPath(object.path(member), i)));
+    return entries;
+}
+
 } // namespace berg

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
+#include "core/plan/solve/names.h"
 #include "core/scenario/checks.h"
 
 #include <nlohmann/json.hpp>
@@ -51,17 +52,6 @@ void appendEscaped(std::string& json, char c)
         return;
     }
     appendCode(json, code);
-}
-
-std::string joined(const std::vector<std::string>& parts, const std::string& separator)
-{
-    std::string text;
-    for (const std::string& part : parts) {
-        if (!text.empty())
-            text += separator;
-        text += part;
-    }
-    return text;
 }
 
 std::string lines(const std::vector<std::string>& parts, int indent, char open, char close)

@@ -73,14 +73,21 @@ void putJsonLines(const TextSink& put, const std::vector<Entry>& entries, int in
     put(entries.empty() ? "[]" : line + ']');
 }
 
+/** Text of each entry of a list. */
+template <class Entries, class Text>
+[[nodiscard]] std::vector<std::string> textsOf(const Entries& entries, const Text& text)
+{
+    std::vector<std::string> texts;
+    texts.reserve(entries.size());
+    for (const auto& entry : entries)
+        texts.push_back(text(entry));
+    return texts;
+}
+
 template <class T>
 [[nodiscard]] std::string jsonArrayOf(const std::vector<T>& values)
 {
-    std::vector<std::string> entries;
-    entries.reserve(values.size());
-    for (const T& value : values)
-        entries.push_back(jsonText(value));
-    return jsonArray(entries);
+    return jsonArray(textsOf(values, [](const T& value) { return jsonText(value); }));
 }
 
 /** Members of one object in the order they are added. */

@@ -73,7 +73,7 @@ Proof certify(const FleetProblem& problem, const FleetPlan& plan, const std::sto
         return certify(problemOfUav(problem, 0), plan.front(), stop);
     Proof proof{.mu = problem.mu,
                 .orders = plan,
-                .cost = fleetObjective(problem, plan) + fleetObjectiveShift(problem)};
+                .cost = fleetObjective(problem, plan) + objectiveShift(problem)};
     const FleetCosts costs(problem);
     const auto cut = [&stop] { return stop.stop_requested(); };
     if (costs.icebergs() <= kMostEnumerated) {

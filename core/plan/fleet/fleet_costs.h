@@ -57,7 +57,7 @@ private:
 
 /**
  * `FleetProblem` laid out for inner loops. The sum over the orders of a plan is `fleetObjective` +
- * `fleetObjectiveShift`, which is never negative.
+ * `objectiveShift`, which is never negative.
  */
 class FleetCosts
 {

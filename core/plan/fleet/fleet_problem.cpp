@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -57,34 +56,11 @@ TvpProblem problemOfUav(const FleetProblem& problem, int uav)
             .criterion = problem.criterion};
 }
 
-namespace {
-
-/** `visit(node, distance flown until there)` along an order; returns what is flown in all. Without
- * the copy of the matrix that `problemOfUav` makes: this is asked for with every better plan. */
-template <class Visit>
-double follow(const FleetProblem& problem, const FleetPlan& plan, int uav, const Visit& visit)
-{
-    const VisitOrder& order = plan[static_cast<std::size_t>(uav)];
-    const Eigen::MatrixXd& between_m = problem.distance_m[static_cast<std::size_t>(uav)];
-    double distance_m = 0;
-    int from = 0;
-    for (const int node : order) {
-        distance_m += between_m(from, node);
-        visit(node, distance_m);
-        from = node;
-    }
-    if (problem.route == Route::Closed && !order.empty())
-        distance_m += between_m(from, 0);
-    return distance_m;
-}
-
-} // namespace
-
 double fleetDistance(const FleetProblem& problem, const FleetPlan& plan)
 {
     double distance_m = 0;
-    for (int uav = 0; uav < problem.uavCount(); ++uav)
-        distance_m += follow(problem, plan, uav, [](int, double) {});
+    for (std::size_t uav = 0; uav < plan.size(); ++uav)
+        distance_m += follow(problem.distance_m[uav], problem.route, plan[uav], [](int, double) {});
     return distance_m;
 }
 
@@ -93,11 +69,12 @@ double fleetObjective(const FleetProblem& problem, const FleetPlan& plan)
     require(isFleetPlan(problem, plan), "fleetObjective: not a plan of this problem");
     if (problem.criterion == Criterion::Latency) {
         double latency = 0;
-        for (int uav = 0; uav < problem.uavCount(); ++uav) {
+        for (std::size_t uav = 0; uav < plan.size(); ++uav) {
             double ofUav = 0;
-            follow(problem, plan, uav, [&](int node, double distance_m) {
-                ofUav += problem.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
-            });
+            follow(problem.distance_m[uav], problem.route, plan[uav],
+                   [&](int node, double distance_m) {
+                       ofUav += problem.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
+                   });
             latency += ofUav;
         }
         return problem.mu * latency;
@@ -115,20 +92,6 @@ double fleetReward(const FleetProblem& problem, const FleetPlan& plan)
                 problem.sigma_m2[static_cast<std::size_t>(node)] * (problem.nodeCount() - ++t);
     }
     return reward;
-}
-
-double fleetObjectiveShift(const FleetProblem& problem)
-{
-    if (problem.criterion == Criterion::Latency)
-        return 0;
-    return problem.nodeCount() *
-           std::accumulate(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
-}
-
-double fleetGap(const FleetProblem& problem, double objective, double bound)
-{
-    const double scale = objective + fleetObjectiveShift(problem);
-    return scale > 0 ? std::max(0.0, objective - bound) / scale : 0.0;
 }
 
 TuningWeight fleetTuningWeight(const FleetProblem& problem, const Eigen::MatrixXd& betweenStarts_m,

@@ -66,12 +66,6 @@ struct FleetProblem
 /** As `uncertaintyReward`, over all orders. */
 [[nodiscard]] double fleetReward(const FleetProblem& problem, const FleetPlan& plan);
 
-/** As `objectiveShift`. */
-[[nodiscard]] double fleetObjectiveShift(const FleetProblem& problem);
-
-/** As `relativeGap`. */
-[[nodiscard]] double fleetGap(const FleetProblem& problem, double objective, double bound);
-
 /**
  * mu(tau) of Eq. (10)-(14) for the fleet: the average distance is that over all ordered pairs of
  * starts and icebergs (between icebergs the mean over the UAVs), N is the common one. Then divided

@@ -73,7 +73,7 @@ FleetRanks bestRanks(const FleetProblem& problem, const std::function<bool()>& c
         return {.plan = inTurn(problem)};
     const double distance_m = fleetDistance(problem, plan);
     const double value = fleetObjective(problem, plan);
-    const double scale = value + fleetObjectiveShift(problem);
+    const double scale = value + objectiveShift(problem);
     if (distance_m <= 0)
         return {.plan = plan, .isBest = true};
     // So little that it settles nothing but ties.

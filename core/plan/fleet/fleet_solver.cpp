@@ -49,7 +49,7 @@ public:
         , m_options(options)
         , m_watch(options)
         , m_costs(problem)
-        , m_shift(fleetObjectiveShift(problem))
+        , m_shift(objectiveShift(problem))
         , m_own(effort.value_or(kNoLimit))
         , m_limit(std::min(m_own, options.workLimit.value_or(kNoLimit)))
         , m_search(m_costs, m_effort)

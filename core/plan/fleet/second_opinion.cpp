@@ -27,8 +27,7 @@ Verdict verdictOn(const FleetProblem& problem, const SolveOutcome& first,
     if (first.status == SolveStatus::None || second.status == SolveStatus::None)
         return Verdict::NotVerified;
     constexpr double kTolerance = 1e-6;
-    const double tolerance =
-        kTolerance * (std::abs(first.objective) + fleetObjectiveShift(problem));
+    const double tolerance = kTolerance * (std::abs(first.objective) + objectiveShift(problem));
     const auto refutes = [tolerance](const SolveOutcome& order, const SolveOutcome& bound) {
         return bound.bound && *bound.bound > order.objective + tolerance;
     };

@@ -10,16 +10,10 @@ namespace {
 double distanceOf(const PlanRequest& request, const UavRequest& uav, const std::vector<int>& order,
                   Route route)
 {
-    double distance_m = 0;
-    int from = 0;
-    for (const int id : order) {
-        const int to = nodeOfId(request, id);
-        distance_m += uav.distance_m(from, to);
-        from = to;
-    }
-    if (route == Route::Closed && from != 0)
-        distance_m += uav.distance_m(from, 0);
-    return distance_m;
+    std::vector<int> nodes;
+    for (const int id : order)
+        nodes.push_back(nodeOfId(request, id));
+    return follow(uav.distance_m, route, nodes, [](int, double) {});
 }
 
 std::vector<std::vector<bool>> allowedOf(const PlanRequest& request, const FleetTask& task,

@@ -48,7 +48,7 @@ public:
         PlanAnswer answer =
             answerOf(request, ordersInIds(request, task, outcome.plan), task.problem.route);
         if (outcome.status != SolveStatus::None && outcome.bound)
-            answer.gap = fleetGap(task.problem, outcome.objective, *outcome.bound);
+            answer.gap = relativeGap(task.problem, outcome.objective, *outcome.bound);
         remember(task.ids, outcome);
         answer.outcome = std::move(outcome);
         answer.problem = std::move(task.problem);

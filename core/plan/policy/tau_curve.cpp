@@ -70,7 +70,7 @@ public:
     {
         m_problem.mu = 0;
         // No plan costs less than 2 sum(sigma): a tenth of the tolerance at most.
-        m_same_m2 = 0.1 * kProofTolerance * 2 * fleetObjectiveShift(problem) / problem.nodeCount();
+        m_same_m2 = 0.1 * kProofTolerance * 2 * objectiveShift(problem) / problem.nodeCount();
         // The largest reward there is: optimal at tau = 0.
         if (m_isAlone) {
             addLine({sigmaOrder(problemOfUav(m_problem, 0))});
@@ -260,7 +260,7 @@ private:
     /** Makes a plan that is better at the crossing a line of its own. */
     void offer(const FleetPlan& plan, const Crossing& crossing)
     {
-        const double shift = fleetObjectiveShift(m_problem);
+        const double shift = objectiveShift(m_problem);
         const double known = fleetObjective(m_problem, line(crossing.left).plan) + shift;
         if (fleetObjective(m_problem, plan) + shift < cutoffBelow(known, 0))
             addLine(plan);

@@ -3,6 +3,7 @@
 #include "core/plan/solve/certified.h"
 #include "core/plan/solve/layered_bound.h"
 #include "core/plan/solve/multiplier_ascent.h"
+#include "core/plan/solve/names.h"
 #include "core/plan/solve/order_search.h"
 #include "core/plan/solve/solve_watch.h"
 #include "core/plan/solve/subset_solver.h"
@@ -237,6 +238,30 @@ bool subsetsPay(const TvpProblem& problem, const SolveOptions& options)
            SubsetSolver::workFor(n) <= options.workLimit.value_or(SubsetSolver::workFor(n)) &&
            SubsetSolver::bytesFor(n) <=
                options.memoryLimit_bytes.value_or(SubsetSolver::bytesFor(n));
+}
+
+std::optional<IssueReason> ExactSolver::whyNot(const TvpProblem& problem) const
+{
+    if (problem.icebergCount() <= kMostProvenByEngine || problem.mu == 0)
+        return std::nullopt;
+    return IssueReason{IssueId::ProofTooLarge,
+                       {nameOf(kBackendNames, Backend::Exact), std::int64_t{kMostProvenByEngine}}};
+}
+
+SolveOutcome ExactSolver::doSolve(const TvpProblem& problem, const SolveOptions& options) const
+{
+    if (subsetsPay(problem, options)) {
+        SolveOutcome outcome = SubsetSolver().solve(problem, options);
+        outcome.source = source();
+        return outcome;
+    }
+    return solveByEngine(problem, options, std::nullopt);
+}
+
+SolveOutcome LocalSearch::doSolve(const TvpProblem& problem, const SolveOptions& options) const
+{
+    return solveByEngine(problem, options,
+                         responsiveEffort(problem.icebergCount(), options.inFlight));
 }
 
 } // namespace berg

@@ -3,6 +3,7 @@
 #include "core/plan/solve/solver.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -75,17 +76,24 @@ template <class Enum, std::size_t Size>
     return std::nullopt;
 }
 
+/** What `text` finds in each of them, separated. */
+template <class List, class Text = std::identity>
+[[nodiscard]] std::string joined(const List& list, std::string_view separator, Text text = {})
+{
+    std::string all;
+    std::string_view before;
+    for (const auto& one : list) {
+        all.append(before).append(std::invoke(text, one));
+        before = separator;
+    }
+    return all;
+}
+
 /** "open, closed": for messages that list what is allowed. */
 template <class Table>
 [[nodiscard]] std::string allowedNames(const Table& table)
 {
-    std::string text;
-    for (const auto& row : table) {
-        if (!text.empty())
-            text += ", ";
-        text += row.name;
-    }
-    return text;
+    return joined(table, ", ", [](const auto& row) { return row.name; });
 }
 
 } // namespace berg

@@ -2,8 +2,6 @@
 
 #include "core/base/solving_guard.h"
 #include "core/plan/solve/engine.h"
-#include "core/plan/solve/exact_solver.h"
-#include "core/plan/solve/local_search.h"
 #ifdef BERG_WITH_CBC
 #include "core/plan/solve/cbc_helper.h"
 #include "core/plan/solve/cbc_solver.h"
@@ -26,10 +24,6 @@ class AutoSolver final : public TvpSolver
 {
 public:
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Auto; }
-    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
-    {
-        return std::nullopt;
-    }
 
 protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,

@@ -119,7 +119,10 @@ public:
     [[nodiscard]] virtual AnswerSource source() const = 0;
 
     /** Why the back end is not able to solve the problem; none: it is. */
-    [[nodiscard]] virtual std::optional<IssueReason> whyNot(const TvpProblem& problem) const = 0;
+    [[nodiscard]] virtual std::optional<IssueReason> whyNot(const TvpProblem& /*problem*/) const
+    {
+        return std::nullopt;
+    }
 
     /**
      * Solves the problem within the options' limits. Limits and cancellation are outcomes, not

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace berg {
 
@@ -13,14 +12,10 @@ namespace {
  * sigma still unvisited. */
 double weightedLatency(const TvpProblem& problem, std::span<const int> order)
 {
-    double distance_m = 0;
     double sum = 0;
-    int from = 0;
-    for (const int node : order) {
-        distance_m += problem.distance_m(from, node);
+    follow(problem.distance_m, problem.route, order, [&](int node, double distance_m) {
         sum += problem.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
-        from = node;
-    }
+    });
     return sum;
 }
 
@@ -41,15 +36,7 @@ bool isVisitOrder(const TvpProblem& problem, std::span<const int> order)
 
 double flownDistance(const TvpProblem& problem, std::span<const int> order)
 {
-    double distance_m = 0;
-    int from = 0;
-    for (const int to : order) {
-        distance_m += problem.distance_m(from, to);
-        from = to;
-    }
-    if (problem.route == Route::Closed && !order.empty())
-        distance_m += problem.distance_m(from, 0);
-    return distance_m;
+    return follow(problem.distance_m, problem.route, order, [](int, double) {});
 }
 
 double uncertaintyReward(const TvpProblem& problem, std::span<const int> order)
@@ -69,20 +56,6 @@ double objective(const TvpProblem& problem, std::span<const int> order)
     if (problem.criterion == Criterion::Latency)
         return problem.mu * weightedLatency(problem, order);
     return problem.mu * flownDistance(problem, order) - uncertaintyReward(problem, order);
-}
-
-double objectiveShift(const TvpProblem& problem)
-{
-    if (problem.criterion == Criterion::Latency)
-        return 0;
-    return problem.nodeCount() *
-           std::accumulate(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
-}
-
-double relativeGap(const TvpProblem& problem, double objective, double bound)
-{
-    const double scale = objective + objectiveShift(problem);
-    return scale > 0 ? std::max(0.0, objective - bound) / scale : 0.0;
 }
 
 TvpProblem restrictedTo(const TvpProblem& problem, std::span<const int> nodes)

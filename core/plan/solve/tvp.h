@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -48,6 +50,23 @@ using FleetPlan = std::vector<VisitOrder>;
 /** True when `order` holds each iceberg node of the problem exactly once. */
 [[nodiscard]] bool isVisitOrder(const TvpProblem& problem, std::span<const int> order);
 
+/** Length of the order's route; tells `visit` each node and the distance flown to it. */
+template <class Visit>
+double follow(const Eigen::MatrixXd& distance_m, Route route, std::span<const int> order,
+              const Visit& visit)
+{
+    double flown_m = 0;
+    int from = 0;
+    for (const int node : order) {
+        flown_m += distance_m(from, node);
+        visit(node, flown_m);
+        from = node;
+    }
+    if (route == Route::Closed && !order.empty())
+        flown_m += distance_m(from, 0);
+    return flown_m;
+}
+
 /** D of Eq. (2) in metres, the way back included on a closed route. */
 [[nodiscard]] double flownDistance(const TvpProblem& problem, std::span<const int> order);
 
@@ -66,10 +85,22 @@ using FleetPlan = std::vector<VisitOrder>;
  * What makes the objective a sum of costs, which is never negative: N sum(sigma), which added to F
  * gives sum(sigma t) + mu D; 0 for latency.
  */
-[[nodiscard]] double objectiveShift(const TvpProblem& problem);
+template <class Problem>
+[[nodiscard]] double objectiveShift(const Problem& problem)
+{
+    if (problem.criterion == Criterion::Latency)
+        return 0;
+    return problem.nodeCount() *
+           std::accumulate(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
+}
 
 /** (objective - bound) / (objective + `objectiveShift`), at least 0; 0 when that divisor is 0. */
-[[nodiscard]] double relativeGap(const TvpProblem& problem, double objective, double bound);
+template <class Problem>
+[[nodiscard]] double relativeGap(const Problem& problem, double objective, double bound)
+{
+    const double scale = objective + objectiveShift(problem);
+    return scale > 0 ? std::max(0.0, objective - bound) / scale : 0.0;
+}
 
 /** Sub-problem of the UAV and `nodes` (iceberg nodes of `problem`), in the order given. */
 [[nodiscard]] TvpProblem restrictedTo(const TvpProblem& problem, std::span<const int> nodes);

@@ -209,6 +209,20 @@ private slots:
         QVERIFY(result.scenario.icebergs.empty());
     }
 
+    /** A drift that fades is carried back as far as it is carried on. */
+    void earlierStart()
+    {
+        Scenario base = openSea();
+        base.startUtc = "2024-05-03T00:00:00Z";
+        base.icebergs = {{.id = "there", .velocity_mps = {0.15, 0}, .velocityTime_s = 36'000}};
+        const ImportResult result =
+            importSightings(base, northward(13), {.at = utc("2024-05-01T03:00:00Z")});
+        const auto there = std::ranges::find(result.scenario.icebergs, "there", &Iceberg::id);
+        QVERIFY(there != result.scenario.icebergs.end());
+        const double back_m = 0.15 * 36'000 * (1 - std::exp(-45 * 3600 / 36'000.0));
+        COMPARE_NEAR((there->position_m - Point(-back_m, 0)).norm(), 0, 1);
+    }
+
     void newestThousandAreTaken()
     {
         std::string rows;

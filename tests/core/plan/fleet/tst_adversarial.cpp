@@ -284,7 +284,7 @@ QString faultOfFleetBackEnds(std::uint64_t seed)
         if (outcome.status == SolveStatus::None)
             return QStringLiteral("no plan");
         const QString fault =
-            faultOfOutcome(problem, outcome, outcome.plan, fleetObjectiveShift(problem), optimum);
+            faultOfOutcome(problem, outcome, outcome.plan, objectiveShift(problem), optimum);
         if (!fault.isEmpty())
             return QString::fromStdString(nameOf(kSourceNames, outcome.source)) + ": " + fault;
     }

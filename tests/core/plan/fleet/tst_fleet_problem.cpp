@@ -44,7 +44,7 @@ private slots:
         const TvpProblem alone = problemOfUav(fleet, 0);
         const VisitOrder order{4, 1, 5, 3, 2};
         QCOMPARE(fleetObjective(fleet, {order}), objective(alone, order));
-        QCOMPARE(fleetObjectiveShift(fleet), objectiveShift(alone));
+        QCOMPARE(objectiveShift(fleet), objectiveShift(alone));
         QCOMPARE(fleetDistance(fleet, {order}), flownDistance(alone, order));
         QFETCH(double, tau);
         const TuningWeight weight = fleetTuningWeight(fleet, Eigen::MatrixXd::Zero(1, 1), tau);

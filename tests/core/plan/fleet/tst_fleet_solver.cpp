@@ -17,7 +17,7 @@ constexpr double kProven = 2e-9; // the margin of a proof
 /** What is wrong with an outcome, given the optimum; empty when nothing is. */
 QString faultOf(const FleetProblem& problem, const SolveOutcome& outcome, double optimum)
 {
-    const double scale = optimum + fleetObjectiveShift(problem);
+    const double scale = optimum + objectiveShift(problem);
     if (outcome.status == SolveStatus::None)
         return outcome.plan.empty() && !outcome.bound ? QString() : QStringLiteral("not empty");
     if (!isFleetPlan(problem, outcome.plan))
@@ -304,7 +304,7 @@ private slots:
         const SolveOutcome outcome = solveFleet(problem, Backend::Exact, {.gap = 0.05});
         QCOMPARE(faultOf(problem, outcome, optimumOf(problem)), QString());
         QVERIFY(outcome.reason == StopReason::GapReached || outcome.status == SolveStatus::Optimal);
-        QVERIFY(fleetGap(problem, outcome.objective, *outcome.bound) <= 0.05 + kProven);
+        QVERIFY(relativeGap(problem, outcome.objective, *outcome.bound) <= 0.05 + kProven);
     }
 
     void hintsAreNeverMadeWorse()
@@ -345,7 +345,7 @@ private slots:
     {
         const FleetProblem problem = test::randomFleet(53, 3, 25, 1);
         const double optimum = optimumOf(problem);
-        const double scale = optimum + fleetObjectiveShift(problem);
+        const double scale = optimum + objectiveShift(problem);
         std::vector<SolveProgress> reports;
         SolveOptions options;
         options.onProgress = [&](const SolveProgress& progress) { reports.push_back(progress); };

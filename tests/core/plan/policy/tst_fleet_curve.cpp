@@ -62,7 +62,7 @@ private slots:
                 problem.mu = fleetTuningWeight(problem, apart_m, tau).mu;
                 const CurveInterval& here =
                     curve.intervals[static_cast<std::size_t>(intervalAt(curve, tau))];
-                const double shift = fleetObjectiveShift(problem);
+                const double shift = objectiveShift(problem);
                 const double best = bruteForceFleet(problem) + shift;
                 COMPARE_NEAR(fleetObjective(problem, here.plan) + shift, best, 1e-9 * best);
             }
@@ -82,7 +82,7 @@ private slots:
         QCOMPARE(curve, tauCurve(task.problem, task.betweenStarts_m, options));
         FleetProblem problem = task.problem;
         problem.mu = fleetTuningWeight(problem, task.betweenStarts_m, 1).mu;
-        const double shift = fleetObjectiveShift(problem);
+        const double shift = objectiveShift(problem);
         const double planned = planFromStart(scenario).outcome.objective + shift;
         const auto at = static_cast<std::size_t>(intervalAt(curve, 1));
         QVERIFY(fleetObjective(problem, curve.intervals[at].plan) + shift < 1.02 * planned);

@@ -2,7 +2,7 @@
 #include "core/plan/fleet/fleet_solver.h"
 #include "core/plan/solve/cbc_helper.h"
 #include "core/plan/solve/cbc_solver.h"
-#include "core/plan/solve/exact_solver.h"
+#include "core/plan/solve/engine.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/cbc_checks.h"
 #include "tests/support/fleet_problems.h"

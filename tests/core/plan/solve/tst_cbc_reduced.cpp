@@ -1,6 +1,5 @@
 #include "core/plan/solve/cbc_solver.h"
-#include "core/plan/solve/exact_solver.h"
-#include "core/plan/solve/local_search.h"
+#include "core/plan/solve/engine.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/cbc_checks.h"

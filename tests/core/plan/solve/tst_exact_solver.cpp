@@ -1,4 +1,4 @@
-#include "core/plan/solve/exact_solver.h"
+#include "core/plan/solve/engine.h"
 #include "core/plan/solve/order_moves.h"
 #include "core/plan/solve/subset_solver.h"
 #include "tests/support/approx.h"

@@ -1,5 +1,4 @@
-#include "core/plan/solve/exact_solver.h"
-#include "core/plan/solve/local_search.h"
+#include "core/plan/solve/engine.h"
 #include "core/plan/solve/order_moves.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
