@@ -71,7 +71,7 @@ Docks::Docks(WindowContext& context) : WindowPart(context)
             docks.push_back(dock(one));
         window().resizeDocks(docks, sizes_px, along);
     };
-    resize({Dock::Tradeoff}, {310}, Qt::Horizontal);
+    resize({Dock::Tradeoff}, {330}, Qt::Horizontal); // lists of the inspector show their words
     resize({Dock::Zeta}, {230}, Qt::Vertical);
     resize({Dock::Zeta, Dock::Sigma}, {470, 490}, Qt::Horizontal);
     shareRight();
