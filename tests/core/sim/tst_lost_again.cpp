@@ -126,6 +126,44 @@ private slots:
         QVERIFY(countOf(mission, EventKind::Found) >= 1);
     }
 
+    void reportedIsFound_data()
+    {
+        QTest::addColumn<ObserverModel>("model");
+        QTest::newRow("simple") << ObserverModel::Simple;
+        QTest::newRow("kalman") << ObserverModel::Kalman;
+    }
+
+    /** Whoever reports it: it is planned for again, and nobody searches for it. */
+    void reportedIsFound()
+    {
+        QFETCH(ObserverModel, model);
+        Scenario s = gone();
+        s.observer = {.model = model, .search = SearchPattern::Square};
+        s.planner.policy = PolicyKind::Nearest;
+        Mission mission(s);
+        const auto isLost = [&] {
+            return mission.simulation().track(0).status != TrackStatus::Tracked;
+        };
+        while (!isLost() && !mission.simulation().finished())
+            mission.advance(mission.simulation().time_s() + 1);
+        QVERIFY(isLost());
+        mission.intervene({.seen = s.icebergs[0].id});
+        QVERIFY(!isLost());
+        QVERIFY(mission.simulation().observer().searches().ofIceberg(0) == nullptr);
+        mission.advance(mission.simulation().time_s() + 1);
+        QCOMPARE(countOf(mission, EventKind::Found), 1);
+    }
+
+    /** What has no time to change in does not vary; a run that says so is the same when replayed.
+     */
+    void variationWithoutItsTimeIsNone()
+    {
+        Iceberg iceberg{.velocitySpread_mps = 0.1};
+        QCOMPARE(initialTrack(iceberg, ObserverModel::Kalman).velocitySpread_mps, 0.0);
+        iceberg.velocityTime_s = 3600;
+        QCOMPARE(initialTrack(iceberg, ObserverModel::Kalman).velocitySpread_mps, 0.1);
+    }
+
     /** Lost is searched for by one UAV that flies; given up is kept for later. */
     void whatIsLostIsSearchedFor()
     {
