@@ -39,7 +39,7 @@ struct ShownUnit
 /** "+8.0 %", "−0.4 %", "0.0 %" for 0.08, -0.004 and 0: a change as a share of what it was. */
 [[nodiscard]] QString changeText(double share, const QLocale& locale);
 
-/** mm:ss, from one hour on h:mm:ss; rounded to whole seconds, negative times as zero. */
+/** mm:ss, from one hour on h:mm:ss; rounded to whole seconds, negative times as zero; "∞". */
 [[nodiscard]] QString clockText(double time_s);
 
 /** Seconds of "90", "mm:ss" or "h:mm:ss", fractions with either decimal sign; none: no time. */
