@@ -171,13 +171,17 @@ void Menus::buildHistoryActions(QMenu& menu)
     // While something is drawn on the map, what is undone is its last point.
     disconnect(undo, &QAction::triggered, history, nullptr);
     connect(undo, &QAction::triggered, this, [this] {
+        panels().finishTyping(); // what is undone is that
         if (panels().map->isDrawing())
             panels().map->takeLastBack();
         else
             workspace().document().undo();
     });
     disconnect(redo, &QAction::triggered, history, nullptr);
-    connect(redo, &QAction::triggered, &workspace().document(), &ScenarioDocument::redo);
+    connect(redo, &QAction::triggered, this, [this] {
+        panels().finishTyping();
+        workspace().document().redo();
+    });
     connect(history, &QUndoStack::indexChanged, this, &Menus::updateActions, Qt::QueuedConnection);
 }
 

@@ -23,6 +23,28 @@ class TestMainWindowEdit : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    /** Undo of what is half typed takes that back, and nothing is kept beside the history. */
+    void undoWhileANumberIsTyped()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const Scenario start = w.scenario();
+        w.document().edit(u"filter"_s, [](Scenario& scenario) {
+            scenario.observer.model = ObserverModel::Kalman;
+        });
+        const Scenario filtered = w.scenario();
+        auto& error = test::child<QDoubleSpinBox>(w.window(), u"observerPositionSd"_s);
+        error.setFocus();
+        error.selectAll();
+        QTest::keyClicks(&error, u"77"_s);
+        w.trigger(u"undoAction"_s); // the number
+        QVERIFY(w.scenario() == filtered);
+        w.trigger(u"undoAction"_s); // the filter; its rows go
+        QVERIFY(w.scenario() == start);
+        QVERIFY(w.document().isClean());
+        w.trigger(u"redoAction"_s);
+        QVERIFY(w.scenario() == filtered);
+    }
+
     void clickingDraggingDeletingAndBack()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

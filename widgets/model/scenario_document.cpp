@@ -6,6 +6,7 @@
 
 #include <QCryptographicHash>
 #include <QFile>
+#include <QScopedValueRollback>
 #include <QUndoCommand>
 #include <QUndoStack>
 
@@ -88,6 +89,8 @@ bool ScenarioDocument::isClean() const
 bool ScenarioDocument::edit(const QString& text, const std::function<void(Scenario&)>& change,
                             const QString& gesture)
 {
+    if (m_isStepping) // whoever hears of the step must not put another one on it
+        return false;
     Scenario after = m_scenario;
     change(after);
     if (after == m_scenario || refuses())
@@ -110,12 +113,14 @@ void ScenarioDocument::endGesture()
 
 void ScenarioDocument::undo()
 {
+    const QScopedValueRollback stepping(m_isStepping, true);
     if (!refuses())
         m_undoStack->undo();
 }
 
 void ScenarioDocument::redo()
 {
+    const QScopedValueRollback stepping(m_isStepping, true);
     if (!refuses())
         m_undoStack->redo();
 }

@@ -87,7 +87,8 @@ private:
     QString m_filePath;
     QByteArray m_fileHash;
     bool m_isLocked = false;
-    int m_gestureNumber = 0; ///< distinguishes equal gestures that follow each other
+    bool m_isStepping = false; ///< an undo or redo is told of
+    int m_gestureNumber = 0;   ///< distinguishes equal gestures that follow each other
 };
 
 } // namespace berg

@@ -171,6 +171,8 @@ EntryField* InspectorPanel::addIdField(InspectorForm& form, const QString& key,
         [this, missing](const QString& id) { return id.isEmpty() ? missing : whyTaken(id); });
     form.addOnTop(tr("Id"), field);
     connect(field, &EntryField::edited, this, [this, &shown](const QString& id) {
+        if (shown.empty())
+            return;
         // A copy: `shown` is another one while it is renamed.
         // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
         const std::string before = shown.front();
