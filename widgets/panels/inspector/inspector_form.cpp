@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QTextDocument>
 
 #include <algorithm>
 #include <cmath>
@@ -221,22 +222,36 @@ void InspectorForm::addLine(const TextRow& row)
                             }});
 }
 
+namespace {
+
+/** As a page gives back what it was given: kinds of spaces and line ends become one. */
+QString asPageHasIt(const QString& text)
+{
+    QTextDocument page;
+    page.setPlainText(text);
+    return page.toPlainText();
+}
+
+} // namespace
+
 void InspectorForm::addPage(const TextRow& row)
 {
     auto* page = new NotesEdit([this] { finishTyping(); }, this);
     addInput(row.words, page);
     connect(page, &QPlainTextEdit::textChanged, this, [this, row, page] {
-        const std::string text = page->toPlainText().toStdString();
-        if (common(row.read) == text)
+        const QString text = page->toPlainText();
+        const std::optional<std::string> before = common(row.read);
+        if (before && asPageHasIt(QString::fromStdString(*before)) == text)
             return; // shown, not written
-        edit(row.words,
-             [&](Scenario& scenario, const std::string& id) { row.write(scenario, id, text); });
+        edit(row.words, [&](Scenario& scenario, const std::string& id) {
+            row.write(scenario, id, text.toStdString());
+        });
     });
     m_inputs.push_back({.show =
                             [this, row, page] {
                                 const QString text =
                                     QString::fromStdString(common(row.read).value_or(""));
-                                if (text != page->toPlainText())
+                                if (asPageHasIt(text) != page->toPlainText())
                                     page->setPlainText(text);
                             },
                         .lock =

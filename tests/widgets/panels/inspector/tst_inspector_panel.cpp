@@ -296,6 +296,33 @@ private slots:
         QCOMPARE(f.iceberg(0).position_m.x(), 1.0);
     }
 
+    /** What a page shows as a space or a line end stays in the file as it is. */
+    void notesThatAreOnlyShownStay_data()
+    {
+        QTest::addColumn<QString>("notes");
+        QTest::newRow("no-break space") << u"Zone\u00a0: 5 km"_s;
+        QTest::newRow("line ends of Windows") << u"first\r\nsecond"_s;
+        QTest::newRow("line separator") << u"first\u2028second"_s;
+    }
+
+    void notesThatAreOnlyShownStay()
+    {
+        QFETCH(QString, notes);
+        InspectorFixture f;
+        Scenario scenario = threeIcebergs();
+        scenario.notes = notes.toStdString();
+        f.document.reset(scenario);
+        QVERIFY(f.document.isClean());
+        QCOMPARE(f.document.scenario(), scenario);
+        auto& page = test::child<QPlainTextEdit>(f.panel, u"scenarioNotes"_s);
+        page.setFocus();
+        QTest::keyClicks(&page, u"x"_s);
+        QCOMPARE(f.undoSteps(), 1);
+        f.document.undo();
+        QCOMPARE(f.document.scenario(), scenario);
+        QVERIFY(f.document.isClean());
+    }
+
     void scenarioTextsAndFlag()
     {
         InspectorFixture f;
