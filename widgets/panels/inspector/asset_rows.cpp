@@ -10,6 +10,14 @@ namespace {
 
 constexpr double kSpeedStep_mps = 0.5;
 
+template <class Number>
+NumberRow assetRow(const RowWords& words, Number number, const Limits& limits, double step = 1)
+{
+    NumberRow row = objectRow<Asset>(words, {}, number, limits, step);
+    row.decimals = {.least = 0, .most = 2};
+    return row;
+}
+
 template <class Object, class Height>
 NumberRow ceilingRow(const RowWords& words, Height height)
 {
@@ -22,21 +30,20 @@ NumberRow ceilingRow(const RowWords& words, Height height)
 std::vector<InspectorRow> wayRows()
 {
     const QString undoText = InspectorRows::tr("Change velocity of the asset");
-    NumberRow east = objectRow<Asset>(
+    NumberRow east = assetRow(
         {.key = u"assetVelocityEast"_s,
          .label = InspectorRows::tr("Speed east"),
          .toolTip = InspectorRows::tr("What a ship makes to the east; 0 for a platform."),
          .undoText = undoText},
-        {}, [](auto& asset) -> auto& { return asset.velocity_mps.x(); }, limits::kAssetVelocity_mps,
+        [](auto& asset) -> auto& { return asset.velocity_mps.x(); }, limits::kAssetVelocity_mps,
         kSpeedStep_mps);
-    NumberRow north = objectRow<Asset>(
+    NumberRow north = assetRow(
         {.key = u"assetVelocityNorth"_s,
          .label = InspectorRows::tr("Speed north"),
          .toolTip = InspectorRows::tr("What a ship makes to the north; 0 for a platform."),
          .undoText = undoText},
-        {}, [](auto& asset) -> auto& { return asset.velocity_mps.y(); }, limits::kAssetVelocity_mps,
+        [](auto& asset) -> auto& { return asset.velocity_mps.y(); }, limits::kAssetVelocity_mps,
         kSpeedStep_mps);
-    east.decimals = north.decimals = {.least = 0, .most = 2};
     return velocityRows(
         {.east = east,
          .north = north,
@@ -72,36 +79,35 @@ std::vector<InspectorRow> assetRows()
     std::vector<InspectorRow> rows{nameRow<Asset>(u"assetName"_s)};
     append(rows, positionRows<Asset>(u"asset"_s));
     append(rows, wayRows());
-    rows.emplace_back(asDistance(
-        objectRow<Asset>({.key = u"assetRange"_s,
-                          .label = InspectorRows::tr("Range"),
-                          .toolTip = InspectorRows::tr("How near an iceberg matters to it."),
-                          .undoText = InspectorRows::tr("Change range of the asset")},
-                         {}, &Asset::range_m, limits::kExtent_m, 500)));
-    NumberRow alarm =
-        objectRow<Asset>({.key = u"assetAlarm"_s,
-                          .label = InspectorRows::tr("Inner ring"),
-                          .toolTip = InspectorRows::tr(
-                              "An iceberg on its way into it within an hour is an alarm; at "
-                              "0 it is half the range."),
-                          .undoText = InspectorRows::tr("Change inner ring of the asset")},
-                         {}, &Asset::alarm_m, limits::kLength_m, 500);
+    rows.emplace_back(
+        asDistance(assetRow({.key = u"assetRange"_s,
+                             .label = InspectorRows::tr("Range"),
+                             .toolTip = InspectorRows::tr("How near an iceberg matters to it."),
+                             .undoText = InspectorRows::tr("Change range of the asset")},
+                            &Asset::range_m, limits::kExtent_m, 500)));
+    NumberRow alarm = assetRow({.key = u"assetAlarm"_s,
+                                .label = InspectorRows::tr("Inner ring"),
+                                .toolTip = InspectorRows::tr(
+                                    "An iceberg on its way into it within an hour is an alarm; at "
+                                    "0 it is half the range."),
+                                .undoText = InspectorRows::tr("Change inner ring of the asset")},
+                               &Asset::alarm_m, limits::kLength_m, 500);
     alarm.lowestText = InspectorRows::tr("half the range");
     rows.emplace_back(asDistance(alarm));
     NumberRow gain =
-        objectRow<Asset>({.key = u"assetGain"_s,
-                          .label = InspectorRows::tr("Gain"),
-                          .toolTip = InspectorRows::tr("How much more an iceberg near it matters."),
-                          .undoText = InspectorRows::tr("Change gain of the asset")},
-                         {}, &Asset::gain, limits::kGain);
+        assetRow({.key = u"assetGain"_s,
+                  .label = InspectorRows::tr("Gain"),
+                  .toolTip = InspectorRows::tr("How much more an iceberg near it matters."),
+                  .undoText = InspectorRows::tr("Change gain of the asset")},
+                 &Asset::gain, limits::kGain);
     gain.decimals = {.least = 0, .most = 2};
     rows.emplace_back(gain);
-    NumberRow standoff = objectRow<Asset>(
+    NumberRow standoff = assetRow(
         {.key = u"assetStandoff"_s,
          .label = InspectorRows::tr("Stand-off ring"),
          .toolTip = InspectorRows::tr("No UAV comes nearer to it; of a ship, to all of its track."),
          .undoText = InspectorRows::tr("Change stand-off ring")},
-        {}, &Asset::standoff_m, limits::kLength_m, 100);
+        &Asset::standoff_m, limits::kLength_m, 100);
     standoff.lowestText = InspectorRows::tr("none");
     rows.emplace_back(asDistance(standoff));
     rows.emplace_back(

@@ -9,8 +9,10 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -115,10 +117,11 @@ auto memberOf(Member member)
     };
 }
 
-/** A number that may be left out, which the lowest value of the field stands for. */
+/** A number that may be left out, which the lowest value of the field stands for; others are
+ * `least` at least. */
 template <class Read>
 NumberRow optionalRow(const RowWords& words, const QString& unit, Read number, const Limits& limits,
-                      const QString& noneText)
+                      const QString& noneText, double least = std::numeric_limits<double>::lowest())
 {
     return {.words = words,
             .unit = unit,
@@ -128,9 +131,10 @@ NumberRow optionalRow(const RowWords& words, const QString& unit, Read number, c
                 return value == nullptr ? limits.low : value->value_or(limits.low);
             },
             .write =
-                [number, limits](Scenario& scenario, const std::string& id, double typed) {
+                [number, limits, least](Scenario& scenario, const std::string& id, double typed) {
                     if (auto* value = number(scenario, id))
-                        *value = typed > limits.low ? std::optional(typed) : std::nullopt;
+                        *value = typed > limits.low ? std::optional(std::max(typed, least))
+                                                    : std::nullopt;
                 },
             .range = always(limits),
             .lowestText = noneText};

@@ -117,7 +117,7 @@ std::vector<InspectorRow> stationRows()
         [](auto& scenario, const std::string&) {
             return scenario.groundStation ? &scenario.groundStation->range_m : nullptr;
         },
-        limits::kExtent_m, InspectorRows::tr("radio horizon"));
+        limits::kLength_m, InspectorRows::tr("radio horizon"), limits::kExtent_m.low);
     range.step = 1000;
     return {station,
             stationPlaceRow(u"stationEast"_s, InspectorRows::tr("Station east"),

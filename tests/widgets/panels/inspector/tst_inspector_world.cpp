@@ -163,7 +163,9 @@ private slots:
         QCOMPARE(f.scenario().groundStation->position_m.x(), 250.0);
         QCOMPARE(f.scenario().groundStation->antenna_m, 12.0);
         QCOMPARE(f.scenario().groundStation->range_m, std::optional(9000.0));
-        f.type(u"stationRange"_s, u"1"_s); // the radio horizon
+        f.type(u"stationRange"_s, u"0.2"_s); // none is nearer
+        QCOMPARE(f.scenario().groundStation->range_m, std::optional(limits::kExtent_m.low));
+        f.type(u"stationRange"_s, u"0"_s); // the radio horizon
         QVERIFY(!f.scenario().groundStation->range_m);
         f.undoAll();
         QCOMPARE(f.scenario(), test::fourIcebergs());
