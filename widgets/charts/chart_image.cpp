@@ -15,6 +15,7 @@ void showUnseen(TimeChart& chart, const TimeChartContent& content, const QSize& 
 {
     chart.resize(size_px);
     chart.setContent(content);
+    chart.finishSeries();
     chart.setAttribute(Qt::WA_DontShowOnScreen);
     chart.show();
 }

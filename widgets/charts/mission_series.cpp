@@ -97,16 +97,19 @@ CellSheet MissionSeries::values(const TimeChartContent& content, const QLocale& 
                      .text = {},
                      .sortKey = {}};
     std::vector<std::vector<QPointF>> lines;
+    std::vector<QList<QPointF>> own;
     for (std::size_t i = 0; i < content.lines.size(); ++i) {
         values.titles << headerOf(content.lines[i]);
-        const QList<QPointF>& own = content.lines[i].points;
-        lines.push_back(own.isEmpty() ? m_lines[i].points()
-                                      : std::vector<QPointF>(own.begin(), own.end()));
+        lines.push_back(m_lines[i].points());
+        own.push_back(content.lines[i].points);
     }
-    values.text = [times_s = m_times_s, lines = std::move(lines), locale](int row, int column) {
+    values.text = [times_s = m_times_s, lines = std::move(lines), own = std::move(own),
+                   locale](int row, int column) {
         const double time_s = times_s[static_cast<std::size_t>(row)];
         if (column == 0)
             return clockText(time_s);
+        if (const auto at = pointAt(own[static_cast<std::size_t>(column - 1)], time_s))
+            return significantText(at->y(), kDigits, locale);
         const std::vector<QPointF>& line = lines[static_cast<std::size_t>(column - 1)];
         const auto at = std::lower_bound(line.begin(), line.end(), time_s,
                                          [](const QPointF& p, double x_s) { return p.x() < x_s; });

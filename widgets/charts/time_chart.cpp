@@ -115,6 +115,13 @@ std::size_t TimeChart::drawnSeries() const
     return std::min(m_figure.drawn.size(), m_series.size());
 }
 
+void TimeChart::finishSeries()
+{
+    while (m_series.size() < m_content.lines.size())
+        addMissingSeries();
+    layOut();
+}
+
 /** Of hundreds of lines a part in each turn of the event loop. */
 void TimeChart::addMissingSeries()
 {

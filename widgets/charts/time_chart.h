@@ -70,6 +70,8 @@ public:
     explicit TimeChart(const Theme& theme, QWidget* parent = nullptr);
 
     void setContent(const TimeChartContent& content);
+    /** Makes at once what is made in turns of the event loop: for pictures without one. */
+    void finishSeries();
     void setTheme(const Theme& theme);
     /** Without it the plot has its room: for a chart inside something that has a title. */
     void setTitleShown(bool shown);

@@ -1,6 +1,7 @@
 #include "core/io/text/atomic_file.h"
 #include "tests/support/approx.h"
 #include "tests/support/chart_panel_fixture.h"
+#include "widgets/charts/mission_series.h"
 
 #include <QtTest>
 
@@ -74,6 +75,24 @@ private slots:
         QVERIFY(lines[1].ends_with(",0"));
         QVERIFY(lines[501].ends_with(",3000"));
         QVERIFY(lines[1001].ends_with(",6000"));
+    }
+
+    /** A bound in few blocks is told between them too. */
+    void boundIsInTheValuesOfEachRow()
+    {
+        Shown shown(ChartKind::Zeta);
+        KnownBound bound = boundOf2000s();
+        ZetaBound coarse = *bound.whole;
+        coarse.curve = {coarse.curve.front(), coarse.curve.back()};
+        bound.whole = std::make_shared<const ZetaBound>(coarse);
+        shown.record.bound = bound;
+        MissionSeries series(ChartKind::Zeta);
+        const TimeChartContent content = emptyChart(ChartKind::Zeta, shown.record, QLocale::c());
+        series.update(shown.record, content.lines.size());
+        const CellSheet values = series.values(content, QLocale::c());
+        QVERIFY(values.rows > 10);
+        for (int row = 0; row < values.rows; ++row)
+            QVERIFY(!values.text(row, 3).isEmpty());
     }
 
     void boundOfAnotherFlightIsNotShown_data()

@@ -222,6 +222,19 @@ private slots:
         QVERIFY2(gridPixels >= 4, QByteArray::number(gridPixels).constData());
     }
 
+    /** Many lines are made in turns of the event loop, which a picture has none of. */
+    void pictureHasEveryLine()
+    {
+        TimeChartContent content = zetaAndSum();
+        content.lines.resize(1);
+        content.lines.front().points = {{0, 0}, {1000, 1}};
+        content.lines.resize(150, content.lines.front());
+        content.lines.back().points = {{0, 0}, {1000, 100}};
+        const QImage with = chartImage(content, Theme::light(), {800, 400}, 1);
+        content.lines.back().points = {{1000, 100}}; // the axis stays
+        QVERIFY(chartImage(content, Theme::light(), {800, 400}, 1) != with);
+    }
+
     void emptyChartSaysSo()
     {
         TimeChartContent content = zetaAndSum();
