@@ -135,9 +135,7 @@ void addOwnTotals(std::vector<UavColumn>& columns, const QLocale& locale)
 
 QString timeOrNone(const std::optional<double>& time_s)
 {
-    if (!time_s)
-        return u"–"_s;
-    return *time_s < 0 ? u"−"_s + clockText(-*time_s) : clockText(*time_s);
+    return time_s ? marginText(*time_s) : u"–"_s;
 }
 
 std::vector<QStringList> rowsOf(const std::vector<UavColumn>& columns, const ExportContent& content)

@@ -76,6 +76,11 @@ QString clockText(double time_s)
     return hours > 0 ? u"%1:%2"_s.arg(hours).arg(rest) : rest;
 }
 
+QString marginText(double time_s)
+{
+    return time_s < 0 ? u"\u2212"_s + clockText(-time_s) : clockText(time_s);
+}
+
 std::optional<double> clockValue(const QString& text)
 {
     const QStringList parts = text.trimmed().split(u':');

@@ -41,6 +41,8 @@ struct ShownUnit
 
 /** mm:ss, from one hour on h:mm:ss; rounded to whole seconds, negative times as zero; "∞". */
 [[nodiscard]] QString clockText(double time_s);
+/** The same with a sign where it is negative, as a margin may be. */
+[[nodiscard]] QString marginText(double time_s);
 
 /** Seconds of "90", "mm:ss" or "h:mm:ss", fractions with either decimal sign; none: no time. */
 [[nodiscard]] std::optional<double> clockValue(const QString& text);

@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <limits>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
@@ -80,6 +81,7 @@ private slots:
         QTest::newRow("hours") << 3600.0 << u"1:00:00"_s;
         QTest::newRow("a day") << 90061.0 << u"25:01:01"_s;
         QTest::newRow("negative") << -3.0 << u"00:00"_s;
+        QTest::newRow("never") << std::numeric_limits<double>::infinity() << u"∞"_s;
     }
 
     void clock()
@@ -87,6 +89,13 @@ private slots:
         QFETCH(double, time_s);
         QFETCH(QString, text);
         QCOMPARE(clockText(time_s), text);
+    }
+
+    void margins()
+    {
+        QCOMPARE(marginText(750), u"12:30"_s);
+        QCOMPARE(marginText(-750), u"−12:30"_s);
+        QCOMPARE(marginText(-std::numeric_limits<double>::infinity()), u"−∞"_s);
     }
 
     void lengthsAndTimes()

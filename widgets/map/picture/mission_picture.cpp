@@ -59,7 +59,7 @@ std::optional<MapReadout> homeMarginReadout(const FlightRecord& record)
     if (!least_s)
         return std::nullopt;
     return MapReadout{
-        .caption = MissionPicture::tr("Home margin"), .value = clockText(*least_s), .unit = {}};
+        .caption = MissionPicture::tr("Home margin"), .value = marginText(*least_s), .unit = {}};
 }
 
 /** None: UAVs in one altitude layer have kept well apart. */

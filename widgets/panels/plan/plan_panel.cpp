@@ -47,12 +47,6 @@ double lastArrival_s(const std::vector<PlanSection>& sections)
     return last_s;
 }
 
-/** A time with its sign where it is negative. */
-QString marginText(double margin_s)
-{
-    return margin_s < 0 ? u"\u2212"_s + clockText(-margin_s) : clockText(margin_s);
-}
-
 bool returns(const std::vector<PlanSection>& sections)
 {
     return std::ranges::any_of(sections,
