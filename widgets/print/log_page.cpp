@@ -1,6 +1,7 @@
 #include "widgets/print/log_page.h"
 
 #include "core/io/export/flight_log.h"
+#include "core/io/text/utc_time.h"
 #include "widgets/charts/figure_painter.h"
 #include "widgets/charts/mission_charts.h"
 #include "widgets/map/paint/map_painter.h"
@@ -59,8 +60,12 @@ std::vector<BriefFact> factsOf(const ExportContent& content, const FlightLog& lo
                                const QLocale& locale)
 {
     const Scenario& scenario = content.mission->scenario();
+    const QString day = content.start
+                            ? QString::fromStdString(utcText(*content.start, 0)).left(10) + u' '
+                            : QString();
     std::vector<BriefFact> facts{
-        {content.start ? LogText::tr("Start, UTC") : LogText::tr("Start"), briefClock(content, 0)},
+        {content.start ? LogText::tr("Start, UTC") : LogText::tr("Start"),
+         day + briefClock(content, 0)},
         {content.start ? LogText::tr("Until, UTC") : LogText::tr("Until"),
          briefClock(content, log.flown_s)},
         {LogText::tr("Zeta flown"), zetaText(log.metrics.zeta_m2s, locale)},

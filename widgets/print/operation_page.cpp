@@ -202,25 +202,39 @@ private:
 
 } // namespace
 
+namespace {
+
+QStringList linesOf(const std::string& utf8)
+{
+    QStringList lines;
+    for (const QString& line : QString::fromStdString(utf8).split(u'\n', Qt::SkipEmptyParts))
+        lines << printable(line.toStdString());
+    return lines;
+}
+
+/** In one paragraph, what is one line each still told apart. */
+QString runOn(const std::string& utf8)
+{
+    return linesOf(utf8).join(u" \u00b7 "_s);
+}
+
+} // namespace
+
 OperationContent operationContent(const ExportContent& content, const QLocale& locale)
 {
     const Operation& operation = *content.scenario->operation;
-    QStringList checklist;
-    for (const QString& item :
-         QString::fromStdString(operation.checklist).split(u'\n', Qt::SkipEmptyParts))
-        checklist << printable(item.toStdString());
     return {.title = OperationPage::tr("Operation volume: proposal, to be checked with your "
                                        "authority"),
             .about = pageTitle(content),
             .volume = volumeFacts(*content.operation, locale),
             .formulas = formulasOf(*content.scenario, *content.operation, locale),
             .uavs = uavRows(content, locale),
-            .papers = {{OperationPage::tr("Crew"), printable(operation.crew)},
+            .papers = {{OperationPage::tr("Crew"), runOn(operation.crew)},
                        {OperationPage::tr("Call sign"), printable(operation.callSign)},
-                       {OperationPage::tr("Contacts"), printable(operation.contacts)},
-                       {OperationPage::tr("Command link"), printable(operation.link)},
+                       {OperationPage::tr("Contacts"), runOn(operation.contacts)},
+                       {OperationPage::tr("Command link"), runOn(operation.link)},
                        {OperationPage::tr("Date and signatures"), {}}},
-            .checklist = checklist};
+            .checklist = linesOf(operation.checklist)};
 }
 
 BriefLayout layOutOperation(const OperationContent& content, const QSizeF& page)

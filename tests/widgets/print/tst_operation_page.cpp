@@ -59,6 +59,15 @@ private slots:
             QVERIFY2(!words.contains(never, Qt::CaseInsensitive), qPrintable(never));
     }
 
+    void linesOfContactsAreToldApart()
+    {
+        const Operation filled{.contacts = "Ship +47 1\nATS 118.1\n\nRescue 112"};
+        const BriefLayout layout = layoutOf(withOperation(filled));
+        QVERIFY(std::ranges::any_of(layout.texts, [](const BriefText& text) {
+            return text.text.contains(u"Ship +47 1 · ATS 118.1 · Rescue 112"_s);
+        }));
+    }
+
     /** What is left empty is a line to write on. */
     void emptyFieldsAreBlankLines()
     {
