@@ -241,9 +241,8 @@ void ImportOptionsView::showFile(const SightingSummary& file)
         m_form->setRowVisible(m_dates, true);
     if (!m_errorChosen)
         m_error->showValue(file.positionSd_m);
-    if (m_timesShown || !file.first || !file.last)
+    if (!file.first || !file.last)
         return;
-    m_timesShown = true; // from here on they are the user's
     const auto show = [](const TimeRow& row, UtcTime time) {
         const QSignalBlocker nobodyEdited(row.edit);
         if (!row.box->isChecked())

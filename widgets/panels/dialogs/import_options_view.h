@@ -79,7 +79,6 @@ private:
     QCheckBox* m_tracks = nullptr;
     QCheckBox* m_one = nullptr;
     std::optional<bool> m_oneChosen;
-    bool m_timesShown = false;
 };
 
 } // namespace berg
