@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 
 namespace berg {
 
@@ -61,6 +62,8 @@ void Selection::clear()
 
 void Selection::keepExisting(const Scenario& scenario)
 {
+    const std::size_t areas = scenario.noFly.size();
+    const bool isFewer = areas < std::exchange(m_noFlyAreas, areas);
     if (m_ids.empty())
         return;
     std::unordered_set<std::string_view> known;
@@ -74,7 +77,7 @@ void Selection::keepExisting(const Scenario& scenario)
         if (id == kAreaKey)
             return !scenario.area_m.empty();
         if (const std::optional<std::size_t> place = noFlyPlace(id))
-            return *place < scenario.noFly.size();
+            return !isFewer && *place < areas;
         return known.contains(id);
     };
     std::vector<std::string> kept;

@@ -43,7 +43,8 @@ public:
     void set(std::vector<std::string> ids);
     void toggle(const std::string& id);
     void clear();
-    /** Drops what is not in the scenario. */
+    /** Drops what is not in the scenario; of no-fly areas all when one has gone, as places are not
+     * those of before. */
     void keepExisting(const Scenario& scenario);
 
 signals:
@@ -52,6 +53,7 @@ signals:
 
 private:
     std::vector<std::string> m_ids;
+    std::size_t m_noFlyAreas = 0; ///< when it was asked last
 };
 
 } // namespace berg

@@ -70,6 +70,20 @@ private slots:
         QCOMPARE(changed.count(), 1);
     }
 
+    /** The area that takes the place of one that is gone was not chosen. */
+    void noFlyAreasAreDroppedWhenOneGoes()
+    {
+        Scenario scenario = test::emptySea();
+        scenario.noFly.resize(3);
+        Selection selection;
+        selection.set({noFlyKey(0)});
+        selection.keepExisting(scenario);
+        QCOMPARE(selection.ids(), (Ids{noFlyKey(0)}));
+        scenario.noFly.pop_back();
+        selection.keepExisting(scenario);
+        QVERIFY(selection.isEmpty());
+    }
+
     void freshIdsClashWithNothing()
     {
         Scenario scenario = test::emptySea();
