@@ -126,7 +126,9 @@ QString DialogInteraction::savePath(QWidget* parent, const QString& suggested,
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     // Added by the dialog, so that its question about an existing file is about the right one.
     const auto add = [&dialog](const QString& chosen) {
-        dialog.setDefaultSuffix(chosen.section(u"(*."_s, 1, 1).section(u')', 0, 0));
+        if (const QString ending = chosen.section(u"(*."_s, 1, 1).section(u')', 0, 0);
+            !ending.isEmpty()) // "All files" keep the one before
+            dialog.setDefaultSuffix(ending);
     };
     add(filter);
     QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, add);
@@ -237,7 +239,7 @@ void DialogInteraction::showError(QWidget* parent, const QString& text)
 }
 
 void DialogInteraction::waitUntil(QWidget* parent, const QString& text,
-                                  const std::function<bool()>& isDone)
+                                  const std::function<bool()>& isDone, bool mayCancel)
 {
     constexpr auto kPatience = std::chrono::milliseconds(500); // without a dialog that flickers
     QTimer patience;
@@ -254,8 +256,10 @@ void DialogInteraction::waitUntil(QWidget* parent, const QString& text,
         return;
     QProgressDialog dialog(text, Dialogs::tr("Cancel"), 0, 0, parent);
     dialog.setWindowModality(Qt::WindowModal);
+    if (!mayCancel)
+        dialog.setCancelButton(nullptr);
     dialog.show();
-    while (!isDone() && !dialog.wasCanceled())
+    while (!isDone() && !(mayCancel && dialog.wasCanceled()))
         wait(QEventLoop::AllEvents);
 }
 

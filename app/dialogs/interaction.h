@@ -151,9 +151,11 @@ public:
                                                      const std::vector<RecoveryOffer>& offers) = 0;
     /** Until it is so, or the user wants to wait no longer; the window takes nothing else. */
     virtual void waitUntil(QWidget* parent, const QString& text,
-                           const std::function<bool()>& isDone) = 0;
+                           const std::function<bool()>& isDone, bool mayCancel) = 0;
     virtual void showError(QWidget* parent, const QString& text) = 0;
     virtual void showInformation(QWidget* parent, const QString& title, const QString& html) = 0;
+
+    bool isAwaited = false; ///< by a part of the window, which must live until then
 };
 
 /** The real one: Qt's dialogs. */
@@ -186,8 +188,8 @@ public:
     [[nodiscard]] RecoveryAnswer askRecovery(QWidget* parent,
                                              const std::vector<RecoveryOffer>& offers) override;
     void showError(QWidget* parent, const QString& text) override;
-    void waitUntil(QWidget* parent, const QString& text,
-                   const std::function<bool()>& isDone) override;
+    void waitUntil(QWidget* parent, const QString& text, const std::function<bool()>& isDone,
+                   bool mayCancel) override;
     void showInformation(QWidget* parent, const QString& title, const QString& html) override;
 
 private:

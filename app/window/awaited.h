@@ -3,23 +3,34 @@
 #include "app/dialogs/interaction.h"
 #include "core/base/stopped.h"
 
+#include <QScopedValueRollback>
+
 #include <chrono>
 #include <future>
+#include <type_traits>
 
 namespace berg {
 
 /**
- * Does the job on another thread while the window takes no input but "Cancel", which the job is
- * told: `job(stop)`. False: it stopped for that. Throws what it throws. GUI thread.
+ * Does the job on another thread while the window takes no input, but "Cancel" where the job can be
+ * told of it: `job(stop)`. False: it stopped for that. Throws what it throws. GUI thread.
  */
 template <class Job>
 bool awaited(Interaction& interaction, QWidget* parent, const QString& text, const Job& job)
 {
+    constexpr bool kMayCancel = std::is_invocable_v<Job, const std::stop_token&>;
     std::stop_source stop;
-    std::future<void> work = std::async(std::launch::async, [&] { job(stop.get_token()); });
-    interaction.waitUntil(parent, text, [&] {
-        return work.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    std::future<void> work = std::async(std::launch::async, [&] {
+        if constexpr (kMayCancel)
+            job(stop.get_token());
+        else
+            job();
     });
+    const auto isDone = [&] {
+        return work.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    };
+    const QScopedValueRollback awaits(interaction.isAwaited, true);
+    interaction.waitUntil(parent, text, isDone, kMayCancel);
     stop.request_stop();
     try {
         work.get();

@@ -67,8 +67,9 @@ bool ResultFiles::saveRunNow()
         return false;
     m_isRunSaved.reset();
     workspace().runner().requestRun(path);
-    interaction().waitUntil(&window(), tr("The run is saved when the plan under way is made."),
-                            [this] { return m_isRunSaved.has_value(); });
+    interaction().waitUntil(
+        &window(), tr("The run is saved when the plan under way is made."),
+        [this] { return m_isRunSaved.has_value(); }, true);
     return m_isRunSaved.value_or(false);
 }
 
@@ -76,9 +77,7 @@ bool ResultFiles::writeRun(const QString& path, const RunFile& run)
 {
     if (!attempt([&] {
             awaited(interaction(), &window(), tr("Saving %1").arg(QFileInfo(path).fileName()),
-                    [&](const std::stop_token&) {
-                        berg::saveRun(run, QFile::encodeName(path).toStdString());
-                    });
+                    [&] { berg::saveRun(run, QFile::encodeName(path).toStdString()); });
         }))
         return false;
     workspace().noteSaved(run);

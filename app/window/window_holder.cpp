@@ -3,6 +3,10 @@
 #include "widgets/theme/language.h"
 #include "widgets/theme/unit_settings.h"
 
+#include <QTimer>
+
+#include <chrono>
+
 namespace berg {
 
 WindowHolder::WindowHolder(Workspace& workspace, Interaction& interaction, QSettings& settings)
@@ -19,7 +23,7 @@ void WindowHolder::make()
     m_window = std::make_unique<MainWindow>(m_workspace, m_interaction, m_settings);
     connect(
         m_window.get(), &MainWindow::languageChosen, this,
-        [this](const QString& language) { remake([&] { installLanguage(language); }); },
+        [this](const QString& language) { remake([language] { installLanguage(language); }); },
         Qt::QueuedConnection);
     connect(
         m_window.get(), &MainWindow::unitsChosen, this, [this] { remake([] {}); },
@@ -29,6 +33,11 @@ void WindowHolder::make()
 /** Makes a window after a change of what all its texts depend on. */
 void WindowHolder::remake(const std::function<void()>& change)
 {
+    constexpr auto kSoon = std::chrono::milliseconds(50);
+    if (m_interaction.isAwaited) {
+        QTimer::singleShot(kSoon, this, [this, change] { remake(change); });
+        return;
+    }
     const QByteArray geometry = m_window->saveGeometry();
     const QByteArray state = m_window->saveState();
     const std::unique_ptr<MainWindow> old = std::move(m_window);

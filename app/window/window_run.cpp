@@ -131,9 +131,8 @@ void greet(MainWindow& window, Interaction& interaction, const QSettings& settin
            const NamedFile& file)
 {
     const bool isOpen = !file.path.isEmpty() && file.fault.isEmpty();
-    if (file.later)
-        window.openFile(file.path);
-    else if (!isOpen && StartGuide::wantsStartPage(settings))
+    const bool isShown = file.later ? window.openFile(file.path) : isOpen;
+    if (!isShown && StartGuide::wantsStartPage(settings))
         window.showStartPage();
     if (!file.fault.isEmpty())
         interaction.showError(&window, file.fault);

@@ -155,7 +155,7 @@ bool WorkSafety::offerRecoveries()
     workspace().studyKeeper().lookForAbandoned();
     FoundRecoveries found;
     awaited(interaction(), &window(), tr("Reading unsaved work"),
-            [&](const std::stop_token&) { found = workspace().autosaver().abandoned(); });
+            [&] { found = workspace().autosaver().abandoned(); });
     for (const QString& path : found.damaged)
         showDamaged(path);
     std::vector<FoundRecovery>& left = found.usable;

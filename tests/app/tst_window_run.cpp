@@ -171,9 +171,9 @@ private slots:
     {
         bool isDone = false;
         QTimer::singleShot(20, this, [&] { isDone = true; });
-        DialogInteraction().waitUntil(nullptr, u"Waiting"_s, [&] {
-            return isDone || QApplication::activeModalWidget() != nullptr;
-        });
+        DialogInteraction().waitUntil(
+            nullptr, u"Waiting"_s,
+            [&] { return isDone || QApplication::activeModalWidget() != nullptr; }, true);
         QVERIFY(isDone);
 
         QTimer poll;
@@ -182,7 +182,8 @@ private slots:
                 dialog->cancel();
         });
         poll.start(10);
-        DialogInteraction().waitUntil(nullptr, u"Waiting"_s, [] { return false; });
+        DialogInteraction().waitUntil(
+            nullptr, u"Waiting"_s, [] { return false; }, true);
         QVERIFY(QApplication::activeModalWidget() == nullptr);
     }
 

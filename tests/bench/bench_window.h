@@ -50,7 +50,7 @@ public:
     bool askEndFlight(QWidget*, FlightEnd) override { return true; }
     bool askReload(QWidget*, const QString&) override { return false; }
     RecoveryAnswer askRecovery(QWidget*, const std::vector<RecoveryOffer>&) override { return {}; }
-    void waitUntil(QWidget*, const QString&, const std::function<bool()>&) override {}
+    void waitUntil(QWidget*, const QString&, const std::function<bool()>&, bool) override {}
     void showError(QWidget*, const QString&) override {}
     void showInformation(QWidget*, const QString&, const QString&) override {}
 };

@@ -133,7 +133,8 @@ public:
         const std::size_t asked = recoveryOffers.size();
         return asked <= recoveryAnswers.size() ? recoveryAnswers[asked - 1] : RecoveryAnswer{};
     }
-    void waitUntil(QWidget*, const QString& text, const std::function<bool()>& isDone) override
+    void waitUntil(QWidget*, const QString& text, const std::function<bool()>& isDone,
+                   bool) override
     {
         waits << text;
         constexpr int kLongest_ms = 60'000;
