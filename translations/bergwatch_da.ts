@@ -6661,6 +6661,21 @@ Tilstødende område %4</translation>
         <source>under 0.1 s</source>
         <translation>under 0,1 s</translation>
     </message>
+    <message>
+        <source>optimal</source>
+        <comment>status</comment>
+        <translation>optimal</translation>
+    </message>
+    <message>
+        <source>not proven optimal</source>
+        <comment>status</comment>
+        <translation>ikke bevist optimal</translation>
+    </message>
+    <message>
+        <source>no order found</source>
+        <comment>status</comment>
+        <translation>ingen rækkefølge fundet</translation>
+    </message>
 </context>
 <context>
     <name>PolicyText</name>

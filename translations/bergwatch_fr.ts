@@ -6661,6 +6661,21 @@ Zone adjacente %4</translation>
         <source>under 0.1 s</source>
         <translation>moins de 0,1 s</translation>
     </message>
+    <message>
+        <source>optimal</source>
+        <comment>status</comment>
+        <translation>optimal</translation>
+    </message>
+    <message>
+        <source>not proven optimal</source>
+        <comment>status</comment>
+        <translation>optimalité non prouvée</translation>
+    </message>
+    <message>
+        <source>no order found</source>
+        <comment>status</comment>
+        <translation>aucun ordre trouvé</translation>
+    </message>
 </context>
 <context>
     <name>PolicyText</name>

@@ -58,13 +58,25 @@ QString solveTimeText(double elapsed_s, const QLocale& locale)
     return PlanText::tr("%1 s").arg(significantText(elapsed_s, 2, locale));
 }
 
+QString statusText(SolveStatus status)
+{
+    switch (status) {
+    case SolveStatus::Optimal:
+        return PlanText::tr("optimal", "status");
+    case SolveStatus::Feasible:
+        return PlanText::tr("not proven optimal", "status");
+    case SolveStatus::None:
+        break;
+    }
+    return PlanText::tr("no order found", "status");
+}
+
 QString detailsOf(const PlanEvent& plan, const QLocale& locale)
 {
     const auto number = [&](double value) { return significantText(value, 6, locale); };
-    QStringList lines{
-        PlanText::tr("Solver: %1").arg(QString::fromStdString(nameOf(kSourceNames, plan.source))),
-        PlanText::tr("Status: %1").arg(QString::fromStdString(nameOf(kStatusNames, plan.status))),
-        PlanText::tr("Time: %1").arg(solveTimeText(plan.elapsed_s, locale))};
+    QStringList lines{PlanText::tr("Solver: %1").arg(solverText(plan.source)),
+                      PlanText::tr("Status: %1").arg(statusText(plan.status)),
+                      PlanText::tr("Time: %1").arg(solveTimeText(plan.elapsed_s, locale))};
     const bool isLatency = plan.criterion == Criterion::Latency;
     if (plan.source == AnswerSource::Coverage && plan.predictedZeta_m2s)
         lines << PlanText::tr("Predicted zeta: %1 m² s").arg(number(*plan.predictedZeta_m2s));
