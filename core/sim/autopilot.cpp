@@ -57,10 +57,14 @@ Autopilot::Autopilot(const Uav& uav, const Scenario& scenario)
     , m_pose{.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)}
 {
     m_guidance.startLeg(uav.position_m);
-    // A turn rate is held for so long: more than the whole error at a time makes it swing.
-    m_guidance.gains.turn_1ps =
-        std::min(m_guidance.gains.turn_1ps, 1 / m_guard.uav().clock.command_s());
+    limitTurnGain();
     m_guard.proveReturn(m_pose, m_u_radps, 0);
+}
+
+/** A turn rate is held for a command: more than the whole error at a time makes it swing. */
+void Autopilot::limitTurnGain()
+{
+    m_guidance.gains.turn_1ps = std::min(LosGains().turn_1ps, 1 / m_guard.uav().clock.command_s());
 }
 
 const Errand* Autopilot::errand() const
@@ -220,6 +224,7 @@ void Autopilot::obey(FlightOrder order, const Observer& observer)
         return;
     if (order == FlightOrder::ReturnNow) {
         m_guard.needHome(m_withoutLimit);
+        limitTurnGain();
         m_guard.proveReturn(m_pose, m_u_radps, observer.world().step());
         goHome();
     } else if (order == FlightOrder::HoldHere) {

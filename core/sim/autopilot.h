@@ -111,6 +111,7 @@ private:
     using Mode = std::variant<Idle, Leg, RunOut, Circle, Searching, Home, Ground, Hold>;
 
     void watchFence(int uav, StepReport& report) const;
+    void limitTurnGain();
     [[nodiscard]] double steer(int uav, Observer& observer, StepReport& report);
     [[nodiscard]] double steerLeg(const Observer& observer);
     [[nodiscard]] double steerAim(AimedLeg& aim);

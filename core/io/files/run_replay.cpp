@@ -108,7 +108,7 @@ void compareKeyframes(const RunFile& recorded, const RunFile& replayed, std::vec
 {
     const auto interval = static_cast<std::int64_t>(
         std::llround(replayed.options.keyframeInterval_s / replayed.scenario.dt_s));
-    const bool isThinned = replayed.keyframes.size() > 2 &&
+    const bool isThinned = replayed.keyframes.size() > 1 &&
                            replayed.keyframes[1].step > std::max<std::int64_t>(1, interval);
     auto other = replayed.keyframes.begin();
     for (std::size_t i = 0; i < recorded.keyframes.size(); ++i) {
