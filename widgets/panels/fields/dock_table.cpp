@@ -54,7 +54,7 @@ void setUpDockTable(QTableView& table, int row_px)
     table.horizontalHeader()->setHighlightSections(false);
     keepKeys(table, [](const QKeyEvent& key) {
         return (key.key() == Qt::Key_Home || key.key() == Qt::Key_End) &&
-               key.modifiers().testFlag(Qt::ControlModifier);
+               (key.modifiers() & ~Qt::KeypadModifier) == Qt::ControlModifier;
     });
 }
 

@@ -77,8 +77,10 @@ bool IcebergTableView::startsNumber(const QKeyEvent& key) const
 /** Whether this key is the table's, whatever it is to the window. */
 bool IcebergTableView::isMine(const QKeyEvent& key) const
 {
-    return key.matches(QKeySequence::Copy) || key.matches(QKeySequence::Paste) ||
-           key.matches(QKeySequence::SelectAll) || startsNumber(key);
+    return key.matches(QKeySequence::SelectStartOfDocument) ||
+           key.matches(QKeySequence::SelectEndOfDocument) || key.matches(QKeySequence::Copy) ||
+           key.matches(QKeySequence::Paste) || key.matches(QKeySequence::SelectAll) ||
+           startsNumber(key);
 }
 
 void IcebergTableView::keyPressEvent(QKeyEvent* event)
