@@ -23,11 +23,11 @@ std::string textOf(const Json* value)
     return value != nullptr && value->is_string() ? value->get<std::string>() : std::string();
 }
 
-std::optional<double> numberAt(const Json* properties, const char* name)
+std::optional<double> numberAt(const Json* value, const char* name)
 {
-    const Json* value = memberOf(properties, name);
-    return value != nullptr && value->is_number() ? std::optional(value->get<double>())
-                                                  : std::nullopt;
+    const Json* number = memberOf(value, name);
+    return number != nullptr && number->is_number() ? std::optional(number->get<double>())
+                                                    : std::nullopt;
 }
 
 std::optional<LatLon> placeOf(const Json* position, AxisOrder order)
