@@ -17,13 +17,6 @@ using test::WindowFixture;
 
 namespace {
 
-Scenario shortRun()
-{
-    Scenario scenario = test::MapFixture::fourIcebergs();
-    scenario.duration_s = 200;
-    return scenario;
-}
-
 bool flyToEnd(WindowFixture& w)
 {
     w.workspace.fly(0);
@@ -64,7 +57,7 @@ private slots:
 
     void nothingIsLeftOfThePlan()
     {
-        WindowFixture w(shortRun());
+        WindowFixture w(test::MapFixture::shortRun());
         QVERIFY(flyToEnd(w));
         QTRY_COMPARE(test::child<QTableView>(w.window(), u"planTable"_s).model()->rowCount(), 0);
         QCOMPARE(text(w, u"planEmpty"_s), u"The run is complete."_s);
@@ -82,7 +75,7 @@ private slots:
 
     void cardTellsWhatTheRunHasComeTo()
     {
-        WindowFixture w(shortRun());
+        WindowFixture w(test::MapFixture::shortRun());
         QVERIFY(w.until([&] { return w.workspace.forecasts().isDrawn(); }));
         QVERIFY(!card(w).isVisible());
         QVERIFY(flyToEnd(w));
@@ -139,7 +132,7 @@ private slots:
 
     void cardGoesWhenItIsClosedOrAnotherRunBegins()
     {
-        WindowFixture w(shortRun());
+        WindowFixture w(test::MapFixture::shortRun());
         QVERIFY(flyToEnd(w));
         QTRY_VERIFY(card(w).isVisible());
         w.workspace.seek(100); // looked back at
@@ -163,7 +156,7 @@ private slots:
 
     void closedCardStaysClosedInOtherUnits()
     {
-        WindowFixture w(shortRun());
+        WindowFixture w(test::MapFixture::shortRun());
         QVERIFY(flyToEnd(w));
         QTRY_VERIFY(card(w).isVisible());
         press(w, u"flightCardClose"_s);
@@ -176,7 +169,7 @@ private slots:
 
     void nothingIsSaidToBeRemovedWhenItIsNot()
     {
-        WindowFixture w(shortRun());
+        WindowFixture w(test::MapFixture::shortRun());
         QVERIFY(flyToEnd(w));
         w.workspace.selection().set({"berg-2"});
         QSignalSpy refused(&w.workspace, &Workspace::refused);
@@ -190,7 +183,7 @@ private slots:
 
     void cardLeadsOn()
     {
-        WindowFixture w(shortRun());
+        WindowFixture w(test::MapFixture::shortRun());
         QVERIFY(flyToEnd(w));
         QTRY_VERIFY(card(w).isVisible());
         press(w, u"flightCardCompare"_s);
@@ -207,7 +200,7 @@ private slots:
     /** Nothing round it comes or goes at take-off or at the end. */
     void mapAndTimeLineStandStill()
     {
-        WindowFixture w(shortRun());
+        WindowFixture w(test::MapFixture::shortRun());
         const auto& timeLine = test::child<QWidget>(w.window(), u"timeLine"_s);
         const QRect map = placeOf(w, w.map());
         const QRect line = placeOf(w, timeLine);

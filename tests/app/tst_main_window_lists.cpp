@@ -17,19 +17,12 @@ using test::WindowFixture;
 
 namespace {
 
-Scenario shortRun()
-{
-    Scenario scenario = test::MapFixture::fourIcebergs();
-    scenario.duration_s = 200;
-    return scenario;
-}
-
 /** One run in the list of the comparison, which has the focus; an iceberg is selected. */
 struct ListWindow : WindowFixture
 {
     QTableWidget* runs = nullptr;
 
-    ListWindow() : WindowFixture(shortRun())
+    ListWindow() : WindowFixture(test::MapFixture::shortRun())
     {
         workspace.fly(0);
         if (!until(RunPhase::Finished))
@@ -73,7 +66,7 @@ private slots:
         QCOMPARE(w.count(), 1U);
         QTest::keyClick(w.runs, Qt::Key_Delete);
         QCOMPARE(w.count(), 0U);
-        QVERIFY(w.scenario() == shortRun());
+        QVERIFY(w.scenario() == test::MapFixture::shortRun());
         if (inFlight)
             QVERIFY(test::flownRun(w)->interventions.empty());
     }

@@ -34,6 +34,13 @@ struct MapFixture
         addIceberg(scenario, 3500, 3000).velocity_mps = {-0.1, 0.3};
         return scenario;
     }
+    /** The same, soon flown to its end. */
+    static Scenario shortRun()
+    {
+        Scenario scenario = fourIcebergs();
+        scenario.duration_s = 200;
+        return scenario;
+    }
 
     /** What an owner adds to the scenario, without the title panel. */
     [[nodiscard]] static MapPicture plainPicture()
