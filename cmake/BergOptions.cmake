@@ -18,11 +18,13 @@ endif()
 if(BERGWATCH_WERROR)
   target_compile_options(berg_options INTERFACE -Werror)
 endif()
-if(BERGWATCH_SANITIZE) # what reading at a wrong address is, the address sanitizer knows by itself
+# What reading at a wrong address is, the address sanitizer knows by itself. Scopes that have ended take a
+# quarter of its compiler time: they are watched in what we ship, not in the tests of it.
+if(BERGWATCH_SANITIZE)
   target_compile_options(berg_options INTERFACE -fsanitize=${BERGWATCH_SANITIZE}
                                                 -fno-sanitize=alignment,null,object-size,pointer-overflow
                                                 -fno-omit-frame-pointer -fno-sanitize-recover=all
-                                                $<$<BOOL:$<TARGET_PROPERTY:BERG_IS_TEST>>:-fno-sanitize=undefined>)
+                                                "$<$<BOOL:$<TARGET_PROPERTY:BERG_IS_TEST>>:-fno-sanitize=undefined;-fno-sanitize-address-use-after-scope>")
   target_link_options(berg_options INTERFACE -fsanitize=${BERGWATCH_SANITIZE})
 endif()
 
