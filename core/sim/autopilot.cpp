@@ -316,13 +316,19 @@ void Autopilot::move(int uav, const DubinsState* measured, StepReport& report)
     report.add({.kind = EventKind::Landed, .uav = uav});
 }
 
+bool Autopilot::isInsideFence() const
+{
+    const Geofence* fence = m_guard.uav().fence.get();
+    return fence == nullptr || fence->contains(m_pose.position_m);
+}
+
 /** Nothing that flies itself leaves it but from a start too near; wind and telemetry may. */
 void Autopilot::watchFence(int uav, StepReport& report) const
 {
     const Geofence* fence = m_guard.uav().fence.get();
     if (fence == nullptr)
         return;
-    const bool isInside = fence->contains(m_pose.position_m);
+    const bool isInside = isInsideFence();
     if (isInside != fence->contains(m_before_m))
         report.add({.kind = isInside ? EventKind::BackInside : EventKind::LeftFence, .uav = uav});
 }

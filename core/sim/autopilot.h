@@ -35,6 +35,8 @@ public:
     [[nodiscard]] bool isPlanned() const { return !isHomeward() && mode() != FlightMode::Hold; }
     [[nodiscard]] FlightOrder order() const { return m_order; }
     [[nodiscard]] bool isOnGround() const { return mode() == FlightMode::Ground; }
+    /** Where it may be; without a geofence everywhere. */
+    [[nodiscard]] bool isInsideFence() const;
     /** Null: it is sent to nothing. */
     [[nodiscard]] const Errand* errand() const;
     /** Index of the iceberg it is sent to; -1: none. */

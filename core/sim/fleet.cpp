@@ -323,7 +323,11 @@ void Fleet::setAsset(const Asset& asset)
         return;
     for (int uav = 0; uav < count(); ++uav) {
         Autopilot& me = m_autopilots[toIndex(uav)];
+        const bool wasInside = me.isInsideFence();
         me.setFence(fenceOf(*m_bounds, me.altitude_m(), me.motion()), m_observer);
+        if (!me.isOnGround() && me.isInsideFence() != wasInside)
+            m_report.add({.kind = wasInside ? EventKind::LeftFence : EventKind::BackInside,
+                          .uav = uav});
         sendHomeWhenLate(uav);
     }
 }

@@ -107,6 +107,13 @@ bool isInside(const SafetyGuard& guard, const Point& middle_m, double radius_m)
            (fence->contains(middle_m) && fence->clearance_m(middle_m) >= radius_m);
 }
 
+/** The UAV itself; to come back is more urgent then than a disc inside. */
+bool isOutside(const SafetyGuard& guard, const DubinsState& pose)
+{
+    const Geofence* fence = guard.uav().fence.get();
+    return fence != nullptr && !fence->contains(pose.position_m);
+}
+
 /** Towards the course away from the place, first round on the side where it is not. */
 double turnAway_radps(const SafetyGuard& guard, const DubinsState& pose, const Point& place_m)
 {
@@ -241,7 +248,7 @@ Separation::Trial Separation::trial(int uav, const SafetyGuard& guard, const Dub
         Disc disc{.middle_m = middleBeside_m(flown.back(), guard.uav().motion, side),
                   .radius_m = m_members[index(uav)].radius_m,
                   .side = side};
-        if (!isInside(guard, disc.middle_m, disc.radius_m))
+        if (!isOutside(guard, pose) && !isInside(guard, disc.middle_m, disc.radius_m))
             continue;
         for (std::size_t i = 1; i < flown.size(); ++i)
             disc.radius_m = std::max(disc.radius_m, (flown[i].position_m - disc.middle_m).norm());

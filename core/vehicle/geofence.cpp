@@ -78,7 +78,12 @@ bool Geofence::contains(const Point& place_m) const
 
 Point Geofence::beside_m(const Point& place_m) const
 {
-    if (!isInHole(place_m))
+    return isInHole(place_m) ? nearestInside_m(place_m) : place_m;
+}
+
+Point Geofence::nearestInside_m(const Point& place_m) const
+{
+    if (contains(place_m))
         return place_m;
     double least_m = kFar;
     Point best_m = place_m;

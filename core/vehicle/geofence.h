@@ -48,6 +48,8 @@ public:
     [[nodiscard]] bool contains(const Point& place_m) const;
     /** The place itself, or, when it is in a hole, a place beside the hole that is near it. */
     [[nodiscard]] Point beside_m(const Point& place_m) const;
+    /** The place itself, or a place just inside that is nearest to it. */
+    [[nodiscard]] Point nearestInside_m(const Point& place_m) const;
     [[nodiscard]] const Motion& motion() const { return m_motion; }
     /** To the nearest edge, from either side. */
     [[nodiscard]] double clearance_m(const Point& place_m) const;

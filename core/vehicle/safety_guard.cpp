@@ -1,6 +1,7 @@
 #include "core/vehicle/safety_guard.h"
 
 #include "core/base/angles.h"
+#include "core/vehicle/los_guidance.h"
 
 #include <algorithm>
 #include <array>
@@ -191,8 +192,18 @@ double SafetyGuard::roomAfter_m(const DubinsState& pose, double u_radps) const
     return m_uav.fence->turnClearance_m(at);
 }
 
+/** Outside by the shortest way: where a circle has most room there is along the edge. */
+double SafetyGuard::backInside_radps(const DubinsState& pose) const
+{
+    const Point path_m = m_uav.fence->nearestInside_m(pose.position_m) - pose.position_m;
+    return turnRateForCourse(pose.psi_rad, std::atan2(path_m.y(), path_m.x()), m_uav.motion,
+                             1 / std::max(1.0, m_uav.clock.command_s()));
+}
+
 double SafetyGuard::limitedToFence_radps(const DubinsState& pose, double u_radps) const
 {
+    if (m_uav.fence && !m_uav.fence->contains(pose.position_m))
+        return backInside_radps(pose);
     if (!m_uav.fence || roomAfter_m(pose, u_radps) >= kRoom_m)
         return u_radps;
     std::vector<double> rates{m_uav.fence->circlingRate_radps(pose, 1),

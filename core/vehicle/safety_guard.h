@@ -88,9 +88,10 @@ public:
     /**
      * The turn rate, or the one nearest to it that leaves room inside the fence: as there was room
      * before, there is one, round the circle that was inside. When rounding has used it up, the one
-     * that leaves most.
+     * that leaves most. Outside the one that comes back.
      */
     [[nodiscard]] double limitedToFence_radps(const DubinsState& pose, double u_radps) const;
+    [[nodiscard]] double backInside_radps(const DubinsState& pose) const;
 
     /** The path to a place that drifts, round the fence. */
     [[nodiscard]] std::optional<Path> pathTo(const DubinsState& from,

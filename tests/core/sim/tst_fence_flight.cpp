@@ -102,6 +102,30 @@ private slots:
         }
     }
 
+    /** However it leaves: a turn and the way back, not along the edge. */
+    void itComesStraightBack_data()
+    {
+        QTest::addColumn<double>("heading_deg");
+        for (const double heading_deg : {45.0, 60.0, 75.0, 90.0, 105.0, 120.0, 135.0})
+            QTest::addRow("%.0f", heading_deg) << heading_deg;
+    }
+    void itComesStraightBack()
+    {
+        QFETCH(double, heading_deg);
+        Scenario s = fencedScenario(1, {4, -3});
+        s.area_m = {{-3000, -3000}, {3000, -3000}, {3000, 3000}, {-3000, 3000}};
+        s.uavs[0].position_m = {2990, 0};
+        s.uavs[0].heading_deg = heading_deg; // from north
+        for (Iceberg& iceberg : s.icebergs)
+            iceberg.position_m = {0, 0};
+        s.duration_s = 300;
+        const std::ptrdiff_t outside = samplesOutside(flownFinely(s));
+        QVERIFY(outside > 0);
+        const double circle_s = 2 * kPi / maxTurnRate_radps(s.uavs[0].spec);
+        QVERIFY2(0.1 * static_cast<double>(outside) < 1.5 * circle_s,
+                 qPrintable(QString::number(outside)));
+    }
+
     void withoutTheFenceItFliesOutside()
     {
         std::ptrdiff_t outside = 0;

@@ -192,6 +192,30 @@ private slots:
         without.advance(900);
         QVERIFY(visitsOf(without, 0) >= 1);
     }
+
+    /** It is told, and the UAV leaves by the shortest way. */
+    void ringComesOverTheUav()
+    {
+        Scenario s = icebergInAnArea();
+        s.noFly.clear();
+        Mission mission(s, {.sampleInterval_s = 0.1});
+        mission.advance(20);
+        const Point place_m = mission.simulation().uav(0).pose.position_m;
+        mission.intervene({.asset = Asset{.position_m = place_m, .standoff_m = 300}});
+        mission.advance(200);
+        std::vector<MissionEvent> events;
+        std::ranges::copy_if(mission.events(), std::back_inserter(events),
+                             [](const MissionEvent& event) {
+                                 return event.kind == EventKind::LeftFence ||
+                                        event.kind == EventKind::BackInside;
+                             });
+        QCOMPARE(events.size(), std::size_t{2});
+        QCOMPARE(events[0].kind, EventKind::LeftFence);
+        QCOMPARE(events[0].time_s, 20.0);
+        QCOMPARE(events[1].kind, EventKind::BackInside);
+        const double shortest_s = 300 / s.uavs[0].spec.airspeed_mps;
+        QVERIFY(events[1].time_s - 20 < 1.5 * shortest_s);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestNoFlyFlight)
