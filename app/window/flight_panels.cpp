@@ -61,7 +61,11 @@ void FlightPanels::showPlan()
     const QString fault = planFault(workspace());
     std::vector<PlanSection> sections = planSections(record.shown(), record.scenario);
     PlanReadout readout = readoutOf(record, fault);
-    readout.distance_m = planLength_m(sections); // one figure wherever it is told
+    const auto leavesVisits = [](const PlanEvent& plan) { // for the next sortie
+        return plan.thisSortie && *plan.thisSortie < static_cast<int>(plan.order.size());
+    };
+    if (std::ranges::none_of(record.shown().plans, leavesVisits)) // else of all, as the reward
+        readout.distance_m = planLength_m(sections);              // one figure wherever it is told
     panels().tradeoff->showPlan(readout);
     panels().plan->setFaulty(!fault.isEmpty());
     panels().plan->showPlan(std::move(sections));
