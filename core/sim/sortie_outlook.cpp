@@ -191,7 +191,7 @@ std::vector<Issue> sortieIssues(std::size_t index, const SortieOutlook& outlook,
     if (outlook.noContact_s >= 1)
         issues.push_back(
             Issue{Severity::Warning,
-                  "ground_station",
+                  entryPath("uavs", index),
                   {.id = IssueId::NoContact, .arguments = {std::round(outlook.noContact_s)}}});
     return issues;
 }

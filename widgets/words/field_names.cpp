@@ -52,6 +52,8 @@ constexpr FieldName kFields[] = {
      "FieldNames"},
     {"current_mps[0]", QT_TRANSLATE_NOOP("InspectorRows", "Current east"), Quantity::Speed},
     {"current_mps[1]", QT_TRANSLATE_NOOP("InspectorRows", "Current north"), Quantity::Speed},
+    // Findings about a UAV as a whole tell times.
+    {"uavs", QT_TRANSLATE_NOOP("OperationPage", "UAV"), Quantity::Seconds, "OperationPage"},
     {"uavs.name", QT_TRANSLATE_NOOP("InspectorRows", "Name")},
     {"uavs.id", QT_TRANSLATE_NOOP("berg::InspectorPanel", "Id"), Quantity::Text,
      "berg::InspectorPanel"},
@@ -164,8 +166,7 @@ constexpr FieldName kFields[] = {
      Quantity::Metres},
     {"ground_station.range_m", QT_TRANSLATE_NOOP("InspectorRows", "Link range"),
      Quantity::Distance},
-    // Its findings tell times without contact.
-    {"ground_station", QT_TRANSLATE_NOOP("InspectorRows", "Ground station"), Quantity::Seconds},
+    {"ground_station", QT_TRANSLATE_NOOP("InspectorRows", "Ground station")},
     {"weather.gust_mps", QT_TRANSLATE_NOOP("InspectorRows", "Gusts"), Quantity::Speed},
     {"weather.temperature_degc", QT_TRANSLATE_NOOP("InspectorRows", "Temperature"),
      Quantity::Number},

@@ -175,6 +175,7 @@ private slots:
         QCOMPARE(issues[0].field, std::string("uavs[1].endurance_s"));
         QVERIFY(issues[0].reason.id == IssueId::ThinReserve);
         QVERIFY(issues[0].message().find("12 s") != std::string::npos);
+        QCOMPARE(issues[1].field, std::string("uavs[1]"));
         QVERIFY(issues[1].reason.id == IssueId::NoContact);
         QVERIFY(issues[1].message().find("90 s") != std::string::npos);
     }

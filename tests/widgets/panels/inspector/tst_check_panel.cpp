@@ -61,10 +61,11 @@ private slots:
         CheckPanelFixture f;
         QSignalSpy changed(&f.panel, &CheckPanel::changed);
         f.change([](Scenario& s) { s.icebergs[0].velocity_mps = {3, 0}; }); // hint
-        f.panel.setPlanIssues({Issue{
-            Severity::Warning, "ground_station", {.id = IssueId::NoContact, .arguments = {90.0}}}});
+        f.panel.setPlanIssues(
+            {Issue{Severity::Warning, "uavs[0]", {.id = IssueId::NoContact, .arguments = {90.0}}}});
         QCOMPARE(f.list().count(), 2);
-        QCOMPARE(f.line(0), u"The plan leads out of the range of the ground station for 90 s."_s);
+        QCOMPARE(f.line(0), u"uav-1: The plan leads out of the range of the ground station "
+                            "for 90 s."_s);
         QCOMPARE(f.panel.issues().size(), std::size_t{2});
         QCOMPARE(changed.count(), 2);
         f.panel.setPlanIssues({});
