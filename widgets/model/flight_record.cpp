@@ -133,6 +133,8 @@ void FlightRecord::noteStartPlan()
 
 std::optional<ShownChange> FlightRecord::changeShown(int uav) const
 {
+    if (isOver())
+        return {};
     const auto u = static_cast<std::size_t>(uav);
     if (!inFlight() && startPlan && u < startPlan->changes.size() && startPlan->changes[u] &&
         now.plan)

@@ -94,6 +94,26 @@ private slots:
         COMPARE_NEAR(figures.distance_m.value_or(0), length_m, 1e-6);
     }
 
+    /** Nobody flies it any more. */
+    void nothingIsLeftOfThePlanBefore()
+    {
+        bool isBefore = false;
+        for (int uavs = 1; uavs <= 2; ++uavs) {
+            Mission mission(driftingField(uavs));
+            const double end_s = mission.scenario().duration_s;
+            for (double time_s = 50; time_s < end_s; time_s += 50) {
+                mission.advance(time_s);
+                isBefore = isBefore || recordOf(mission).changeShown();
+            }
+            mission.advance(end_s);
+            FlightRecord over = recordOf(mission);
+            over.now.phase = RunPhase::Finished;
+            QVERIFY(over.isOver());
+            QVERIFY(!over.changeShown());
+        }
+        QVERIFY(isBefore);
+    }
+
 private:
     /** Visits of the export against the rows that are seen, members of a cluster in one visit. */
     static void compareArrivals(const PlanSection& section, const std::vector<Visit>& visits,
