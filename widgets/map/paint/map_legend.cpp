@@ -98,6 +98,18 @@ void paintSamples(QPainter& painter, const QPointF& from, const MapPicture& pict
 }
 
 /** Their sigmas, and the roots below; where they are long every other one, always the last. */
+double widestNumber_px(const MapPicture& picture, const MapStyle& style)
+{
+    return QFontMetricsF(style.theme.small())
+        .horizontalAdvance(tickText(picture.sigmaFull_m2, style.locale));
+}
+
+/** From the end of the bar, on which the middle of the last number is. */
+double unitAfter_px(double number_px)
+{
+    return std::max(16.0, number_px / 2 + 5);
+}
+
 void paintSigmaNumbers(QPainter& painter, const QPointF& from, const MapPicture& picture,
                        const MapStyle& style)
 {
@@ -113,8 +125,7 @@ void paintSigmaNumbers(QPainter& painter, const QPointF& from, const MapPicture&
     };
     painter.setFont(theme.small());
     const std::vector<double> ticks_m2 = sigmaTicks(picture.sigmaFull_m2);
-    const double widest_px = QFontMetricsF(theme.small())
-                                 .horizontalAdvance(tickText(picture.sigmaFull_m2, style.locale));
+    const double widest_px = widestNumber_px(picture, style);
     const bool isTight = widest_px + 4 > kLegendBar_px / static_cast<double>(ticks_m2.size());
     for (std::size_t i = ticks_m2.size(); i-- > 0;) {
         if (isTight && (ticks_m2.size() - i) % 2 == 0)
@@ -124,7 +135,7 @@ void paintSigmaNumbers(QPainter& painter, const QPointF& from, const MapPicture&
         number(x, root_y, significantText(std::sqrt(ticks_m2[i]), 2, style.locale),
                theme.mutedText);
     }
-    const double unit_x = from.x() + kLegendBar_px + std::max(16.0, widest_px / 2 + 5);
+    const double unit_x = from.x() + kLegendBar_px + unitAfter_px(widest_px);
     label(unit_x, from.y(), u"m²"_s, theme.text);
     label(unit_x, root_y, u"m"_s, theme.mutedText);
     label(from.x(), from.y(), u"σ"_s, theme.text);
@@ -238,7 +249,9 @@ QSizeF legendSize(const MapPicture& picture, const MapStyle& style, const Symbol
     const SigmaBlock sigma = sigmaBlock(picture, scale, compact);
     const SignGrid signs(legendRows(picture, style, scale), QFontMetricsF(style.theme.small()),
                          compact);
-    const double width_px = std::max(kLegendBar_px + kLegendUnits_px, signs.width_px());
+    const double unit_px = kLegendUnits_px - 16;
+    const double units_px = unitAfter_px(widestNumber_px(picture, style)) + unit_px;
+    const double width_px = std::max(kLegendBar_px + units_px, signs.width_px());
     const LegendUavs uavs(picture, style.theme, width_px);
     return {std::ceil(width_px) + 2 * kPadding_px,
             std::ceil(sigma.height_px + kGap_px + uavs.height_px() + signs.height_px()) +

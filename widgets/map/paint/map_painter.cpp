@@ -248,8 +248,8 @@ void paintOverlays(const MapPaint& p, double north_rad, const std::optional<QPoi
         const QRectF bounds(QPointF(0, 0), rect.size());
         fade(rect);
         if (!rect.isNull())
-            paintKept(p, key, bounds, rect.topLeft(),
-                      [&](QPainter& painter) { draw(painter, bounds); });
+            paintKept(p, key + u" %1 %2"_s.arg(rect.width()).arg(rect.height()), bounds,
+                      rect.topLeft(), [&](QPainter& painter) { draw(painter, bounds); });
     };
     panel(p.layout.legend, legendKey(p), [&](QPainter& painter, const QRectF& rect) {
         paintLegend(painter, rect, p.picture, p.style, p.layout.symbols, p.layout.isLegendCompact);

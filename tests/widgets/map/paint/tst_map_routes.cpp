@@ -192,6 +192,18 @@ private slots:
         QCOMPARE(routeColours(picture, theme).uav, theme.uav);
     }
 
+    /** Of a very uncertain iceberg too: "m²" comes after its number. */
+    void legendHoldsTheUnitOfSigma()
+    {
+        MapPicture picture = withScenario({}, twoUavs());
+        const MapStyle style{.theme = Theme::light(), .locale = QLocale::c()};
+        picture.sigmaFull_m2 = 1.5e14;
+        const double number_px =
+            QFontMetricsF(style.theme.small()).horizontalAdvance(u"150000000000000"_s);
+        QVERIFY(number_px / 2 > kLegendUnits_px);
+        QVERIFY(legendSize(picture, style, {}, true).width() > kLegendBar_px + number_px / 2 + 15);
+    }
+
     /** Their names take a row for as many as have room in it. */
     void legendNamesTheUavs()
     {
