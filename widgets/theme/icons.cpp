@@ -156,15 +156,21 @@ private:
 class LineIconEngine final : public QIconEngine
 {
 public:
-    LineIconEngine(const QPainterPath& path, const QColor& ink, const QColor& disabled)
-        : m_path(path), m_ink(ink), m_disabled(disabled)
+    struct Inks
     {
-    }
+        QColor usual;
+        QColor disabled;
+        QColor selected; ///< in a row that is
+    };
+
+    LineIconEngine(const QPainterPath& path, const Inks& inks) : m_path(path), m_inks(inks) {}
 
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override
     {
         const double side_px = std::min(rect.width(), rect.height());
-        const QColor& colour = mode == QIcon::Disabled ? m_disabled : m_ink;
+        const QColor& colour = mode == QIcon::Disabled   ? m_inks.disabled
+                               : mode == QIcon::Selected ? m_inks.selected
+                                                         : m_inks.usual;
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
         painter->translate(QRectF(rect).center());
@@ -185,23 +191,21 @@ public:
         return pixmap;
     }
 
-    [[nodiscard]] QIconEngine* clone() const override
-    {
-        return new LineIconEngine(m_path, m_ink, m_disabled);
-    }
+    [[nodiscard]] QIconEngine* clone() const override { return new LineIconEngine(m_path, m_inks); }
 
 private:
     QPainterPath m_path;
-    QColor m_ink;
-    QColor m_disabled;
+    Inks m_inks;
 };
 
 } // namespace
 
 QIcon icon(IconName name, const Theme& theme)
 {
-    return QIcon(new LineIconEngine(PathReader(linesOf(name)).path(), theme.text,
-                                    mixed(theme.text, theme.panel, kDisabled)));
+    return QIcon(new LineIconEngine(PathReader(linesOf(name)).path(),
+                                    {.usual = theme.text,
+                                     .disabled = mixed(theme.text, theme.panel, kDisabled),
+                                     .selected = theme.planText}));
 }
 
 } // namespace berg

@@ -1,3 +1,4 @@
+#include "widgets/theme/icons.h"
 #include "widgets/theme/palette.h"
 
 #include <QtTest>
@@ -135,6 +136,26 @@ private slots:
                 QVERIFY2(contrastRatio(colour, other) > 1.5 || std::min(hue, 360 - hue) > 25,
                          qPrintable(colour.name() + other.name()));
             }
+        }
+    }
+
+    /** Icons of rows are drawn in the mode of their row. */
+    void iconsAreSeenOnTheirGround()
+    {
+        for (const bool isDark : {false, true}) {
+            const Theme theme = themeOf(isDark);
+            const auto inkOf = [&](QIcon::Mode mode) {
+                const QImage image =
+                    icon(IconName::Warning, theme).pixmap(QSize(32, 32), mode).toImage();
+                for (int y = 0; y < image.height(); ++y)
+                    for (int x = 0; x < image.width(); ++x)
+                        if (image.pixelColor(x, y).alpha() == 255)
+                            return image.pixelColor(x, y);
+                return QColor();
+            };
+            const QColor chosen = paletteOf(theme).color(QPalette::Highlight);
+            QVERIFY(contrastRatio(inkOf(QIcon::Normal), theme.panel) >= kLineContrast);
+            QVERIFY(contrastRatio(inkOf(QIcon::Selected), chosen) >= kLineContrast);
         }
     }
 

@@ -40,10 +40,7 @@ void PlanDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelInd
     option->features |= QStyleOptionViewItem::HasDecoration;
     option->decorationPosition = QStyleOptionViewItem::Right;
     option->decorationSize = QSize(kPin_px, kPin_px);
-    Theme theme = m_theme;
-    if (option->state.testFlag(QStyle::State_Selected))
-        theme.text = m_theme.planText;
-    option->icon = icon(IconName::Pin, theme);
+    option->icon = icon(IconName::Pin, m_theme);
 }
 
 void PlanDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
