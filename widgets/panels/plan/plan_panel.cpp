@@ -153,8 +153,13 @@ void PlanPanel::setColumnWidths()
         m_table->setColumnWidth(column, width_px + kCellMargins_px);
     };
     m_table->setColumnWidth(PlanModel::Number, kNumberColumn_px);
-    setWidth(PlanModel::Leg, distanceText(8880, locale()), 0);
-    setWidth(PlanModel::Arrival, PlanModel::arrivalText(m_hasHours ? 9 * kHour_s : kHour_s - 1), 0);
+    const QString legs[] = {distanceText(8880, locale()), distanceText(682, locale())};
+    setWidth(PlanModel::Leg,
+             *std::ranges::max_element(
+                 legs, {}, [&](const QString& leg) { return metrics.horizontalAdvance(leg); }),
+             0);
+    setWidth(PlanModel::Arrival, PlanModel::arrivalText(std::pow(10, m_hourDigits) * kHour_s - 1),
+             0);
     const QString sigma = widestSigmaText(m_sigmaFull_m2, locale());
     for (const PlanModel::Column column : {PlanModel::Sigma, PlanModel::ArrivalSigma})
         setWidth(column, sigma, PlanDelegate::swatchWidth());
@@ -353,11 +358,10 @@ void PlanPanel::showPlan(std::vector<PlanSection> sections)
                 largest_m2 = std::max(largest_m2, row.sigma_m2);
         m_delegate->setSigmaFull(largest_m2);
     }
-    const bool hasHours = lastArrival_s(m_sections) >= kHour_s - 0.5;
-    if (hasHours != m_hasHours) {
-        m_hasHours = hasHours;
+    const double hours = (lastArrival_s(m_sections) + 0.5) / kHour_s;
+    const int digits = hours < 1 ? 0 : 1 + static_cast<int>(std::log10(hours));
+    if (std::exchange(m_hourDigits, digits) != digits)
         setColumnWidths();
-    }
     QScrollBar* bar = m_table->verticalScrollBar();
     const int scroll_px = bar->value();
     {

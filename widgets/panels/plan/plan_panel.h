@@ -88,7 +88,7 @@ private:
     std::vector<std::string> m_selected; ///< kept while it is not in the plan
     bool m_isSelecting = false;          ///< here, not by the user
     double m_sigmaFull_m2 = 0;
-    bool m_hasHours = false; ///< of arrival times
+    int m_hourDigits = 0; ///< of the last arrival
 };
 
 } // namespace berg

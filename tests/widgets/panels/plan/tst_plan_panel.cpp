@@ -228,6 +228,18 @@ private slots:
         QCOMPARE(f.panel.width(), 150);
     }
 
+    void columnsHoldTheirTexts()
+    {
+        PlanPanelFixture f;
+        f.panel.showPlan(planOf({{.id = "a", .leg_m = 682, .arrival_s = 11.5 * 3600},
+                                 {.id = "b", .leg_m = 8880, .arrival_s = 101.9 * 3600}}));
+        for (const PlanModel::Column column : {PlanModel::Leg, PlanModel::Arrival})
+            for (const int row : {0, 1})
+                QVERIFY2(f.table.fontMetrics().horizontalAdvance(f.cell(row, column)) <
+                             f.table.columnWidth(column),
+                         qPrintable(f.cell(row, column)));
+    }
+
     void furtherColumnNeedsRoom()
     {
         PlanPanelFixture f;
