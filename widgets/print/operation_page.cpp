@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -129,7 +130,8 @@ public:
         m_set.setFacts(content.volume, 3);
         m_set.taken(kGap_px);
         for (const QString& formula : content.formulas)
-            m_set.line(formula, kWords);
+            for (const QString& text : wrapped(formula, kWords, free.width(), kMostLines))
+                m_set.line(text, kWords);
         m_set.taken(kGap_px);
         m_set.rule(false);
         free.setTop(setUavTable(m_set.layout, content.uavs, free));
@@ -191,10 +193,13 @@ private:
             m_set.layout.rules.push_back(
                 {QLineF(left_px, box.bottom(), strip.right(), box.bottom()), false});
         const double height_px = linePitch_px(kWords.size_px);
-        setText(
-            m_set.layout,
-            QRectF(left_px, box.center().y() - height_px / 2, strip.right() - left_px, height_px),
-            item, kWords);
+        QRectF line(left_px, box.center().y() - height_px / 2, strip.right() - left_px, height_px);
+        const QStringList words = wrapped(item, kWords, line.width(), kMostLines);
+        for (const QString& text : words) {
+            setText(m_set.layout, line, text, kWords);
+            line.translate(0, height_px);
+        }
+        m_set.taken(height_px * static_cast<double>(std::max<qsizetype>(words.size(), 1) - 1));
     }
 
     PageSetting m_set;

@@ -59,6 +59,17 @@ private slots:
             QVERIFY2(!words.contains(never, Qt::CaseInsensitive), qPrintable(never));
     }
 
+    void nothingIsCutAtTheEndOfALine()
+    {
+        const QString item =
+            u"Battery of the UAV checked, spare one in the warm box, "_s.repeated(3);
+        const BriefLayout layout = layoutOf(
+            withOperation({.crew = "A. Pilot", .checklist = item.toStdString() + "engine"}));
+        for (const BriefText& text : layout.texts)
+            QVERIFY2(!text.text.endsWith(u'…'), qPrintable(text.text));
+        QVERIFY(wordsOf(layout).contains(u"engine"_s));
+    }
+
     void linesOfContactsAreToldApart()
     {
         const Operation filled{.contacts = "Ship +47 1\nATS 118.1\n\nRescue 112"};
