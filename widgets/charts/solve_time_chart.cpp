@@ -141,7 +141,6 @@ QColor benchmarkSolverColour(const std::optional<BenchmarkSolver>& solver, const
 SolveTimeChart::SolveTimeChart(const Theme& theme, QWidget* parent)
     : FigureView(theme, parent), m_lines(paperLine())
 {
-    setFocusPolicy(Qt::NoFocus); // there is nothing to choose
     setTitleShown(true);
 }
 

@@ -180,6 +180,13 @@ private slots:
         QVERIFY(textAt(at + QPointF(0, 40)).isEmpty());
     }
 
+    /** V of its menu, and its points, are for the keyboard too. */
+    void keysReachIt()
+    {
+        SolveTimeChart chart(Theme::light());
+        QVERIFY(chart.focusPolicy() & Qt::TabFocus);
+    }
+
     void everySolverHasAName()
     {
         std::set<QString> names;
