@@ -99,7 +99,6 @@ ImportDialog::~ImportDialog()
 QWidget* ImportDialog::makeSettings()
 {
     auto* side = new QWidget;
-    side->setFixedWidth(kSettings_px);
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(0, 0, 0, 0);
     auto* label = new QLabel(tr("&Format"));
@@ -120,6 +119,7 @@ QWidget* ImportDialog::makeSettings()
             [this] { m_options->setArea(boxRound(m_map->outline())); });
     column->addWidget(m_options);
     column->addStretch(1);
+    side->setFixedWidth(std::max(kSettings_px, side->sizeHint().width()));
     return side;
 }
 

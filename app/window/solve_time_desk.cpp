@@ -43,7 +43,7 @@ bool SolveTimeDesk::maySettle()
 {
     if (!isWorthSaving(settings(), workspace().benchmark().unsaved_s()))
         return true;
-    switch (interaction().askUnsaved(&window(), {.name = tr("Solve time")})) {
+    switch (interaction().askUnsaved(windowOf(*panels().solveTime), {.name = tr("Solve time")})) {
     case Interaction::Unsaved::Save:
         return save();
     case Interaction::Unsaved::Discard:
@@ -56,8 +56,8 @@ bool SolveTimeDesk::maySettle()
 
 bool SolveTimeDesk::save()
 {
-    const QString chosen =
-        interaction().savePath(&window(), u"solve-time.csv"_s, tr("Tables (*.csv);;All files (*)"));
+    const QString chosen = interaction().savePath(
+        windowOf(*panels().solveTime), u"solve-time.csv"_s, tr("Tables (*.csv);;All files (*)"));
     if (chosen.isEmpty())
         return false;
     const QString path = withExtension(chosen, u"csv"_s);

@@ -51,7 +51,8 @@ void StudyDesk::connectPanel()
     const StudyResults* results = &panel->results();
     connect(results, &StudyResults::openRequested, this, [this] {
         const QString path = interaction().openPath(
-            &window(), tr("Studies and their reports (*.bergstudy *.json *.html);;All files (*)"));
+            windowOf(*panels().study),
+            tr("Studies and their reports (*.bergstudy *.json *.html);;All files (*)"));
         if (!path.isEmpty())
             workspace().studyFiles().open(path);
     });
@@ -91,7 +92,7 @@ void StudyDesk::connectFiles()
     });
     connect(&files, &StudyFiles::failed, this, [this](const QString& report) {
         m_afterSaved = {};
-        interaction().showError(&window(), report);
+        interaction().showError(windowOf(*panels().study), report);
     });
 }
 
@@ -114,7 +115,8 @@ QString StudyDesk::studyPath(const QString& extension, const QString& filter)
 {
     const QString name =
         fileNameOf(QString::fromStdString(workspace().study().result()->study.spec.name));
-    const QString path = interaction().savePath(&window(), name + u'.' + extension, filter);
+    const QString path =
+        interaction().savePath(windowOf(*panels().study), name + u'.' + extension, filter);
     return path.isEmpty() ? path : withExtension(path, extension);
 }
 
@@ -146,7 +148,7 @@ Interaction::Unsaved StudyDesk::askAboutStudy()
     if (!study.result() || !isWorthSaving(settings(), study.unsaved_s()))
         return Interaction::Unsaved::Discard;
     const QString name = QString::fromStdString(study.result()->study.spec.name);
-    return interaction().askUnsaved(&window(), {.name = tr("Study: %1").arg(name)});
+    return interaction().askUnsaved(windowOf(*panels().study), {.name = tr("Study: %1").arg(name)});
 }
 
 bool StudyDesk::maySettleStudy(AfterStudy then)
@@ -172,8 +174,9 @@ void StudyDesk::replaceStudy(const AfterStudy& replace)
 
 void StudyDesk::saveStudyPicture()
 {
-    const QString path = interaction().savePath(&window(), panels().study->results().pictureName(),
-                                                ChartPanel::pictureFilters().join(u";;"_s));
+    const QString path =
+        interaction().savePath(windowOf(*panels().study), panels().study->results().pictureName(),
+                               ChartPanel::pictureFilters().join(u";;"_s));
     if (path.isEmpty())
         return;
     attempt([&] {

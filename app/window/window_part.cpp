@@ -17,6 +17,11 @@ QLocale WindowPart::locale() const
     return window().locale();
 }
 
+QWidget* WindowPart::windowOf(const QWidget& panel) const
+{
+    return panel.isVisible() ? panel.window() : &window();
+}
+
 void WindowPart::showMessage(const QString& text, int duration_ms) const
 {
     window().statusBar()->showMessage(text, duration_ms);

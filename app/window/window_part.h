@@ -38,6 +38,8 @@ protected:
 
     [[nodiscard]] WindowContext& context() const { return m_context; }
     [[nodiscard]] QMainWindow& window() const { return m_context.window; }
+    /** What dialogs about a panel belong to: its own window while it is shown in one. */
+    [[nodiscard]] QWidget* windowOf(const QWidget& panel) const;
     [[nodiscard]] Workspace& workspace() const { return m_context.workspace; }
     [[nodiscard]] Interaction& interaction() const { return m_context.interaction; }
     [[nodiscard]] QSettings& settings() const { return m_context.settings; }
