@@ -326,8 +326,8 @@ void Fleet::setAsset(const Asset& asset)
         const bool wasInside = me.isInsideFence();
         me.setFence(fenceOf(*m_bounds, me.altitude_m(), me.motion()), m_observer);
         if (!me.isOnGround() && me.isInsideFence() != wasInside)
-            m_report.add({.kind = wasInside ? EventKind::LeftFence : EventKind::BackInside,
-                          .uav = uav});
+            m_report.add(
+                {.kind = wasInside ? EventKind::LeftFence : EventKind::BackInside, .uav = uav});
         sendHomeWhenLate(uav);
     }
 }

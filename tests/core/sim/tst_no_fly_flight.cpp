@@ -204,11 +204,10 @@ private slots:
         mission.intervene({.asset = Asset{.position_m = place_m, .standoff_m = 300}});
         mission.advance(200);
         std::vector<MissionEvent> events;
-        std::ranges::copy_if(mission.events(), std::back_inserter(events),
-                             [](const MissionEvent& event) {
-                                 return event.kind == EventKind::LeftFence ||
-                                        event.kind == EventKind::BackInside;
-                             });
+        std::ranges::copy_if(
+            mission.events(), std::back_inserter(events), [](const MissionEvent& event) {
+                return event.kind == EventKind::LeftFence || event.kind == EventKind::BackInside;
+            });
         QCOMPARE(events.size(), std::size_t{2});
         QCOMPARE(events[0].kind, EventKind::LeftFence);
         QCOMPARE(events[0].time_s, 20.0);
