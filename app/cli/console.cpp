@@ -159,6 +159,12 @@ void beQuiet()
     isQuiet = true;
 }
 
+void tellNote(const std::string& text)
+{
+    if (!isQuiet)
+        tell(text);
+}
+
 void printWarnings(const std::string& subject, const std::vector<Issue>& issues)
 {
     for (const Issue& issue : issues) {
@@ -219,10 +225,27 @@ std::string column(const std::string& text, std::size_t width)
     return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
 }
 
+std::string tableLines(const std::vector<std::vector<std::string>>& rows, std::size_t aligned)
+{
+    constexpr std::size_t kBetween = 2;
+    std::vector<std::size_t> widths(aligned, 0);
+    for (const std::vector<std::string>& row : rows)
+        for (std::size_t k = 0; k < aligned; ++k)
+            widths[k] = std::max(widths[k], row[k].size() + (k > 0 ? kBetween : 0));
+    std::string text;
+    for (const std::vector<std::string>& row : rows) {
+        for (std::size_t k = 0; k < row.size(); ++k)
+            text += k < aligned ? column(row[k], widths[k]) : "  " + row[k];
+        text += '\n';
+    }
+    return text;
+}
+
 std::string rowLabel(const std::string& name)
 {
     constexpr std::size_t kWidth = 10;
-    return word(name) + std::string(kWidth - std::min(kWidth, name.size()), ' ');
+    constexpr std::size_t kBetween = 2;
+    return word(name) + std::string(std::max(kWidth, name.size() + kBetween) - name.size(), ' ');
 }
 
 std::vector<std::string> split(const std::string& text, char separator)

@@ -22,6 +22,10 @@ inline constexpr int kInterrupted = 130;
 inline constexpr std::string_view kNothingWritten =
     QT_TRANSLATE_NOOP("CommandLine", "interrupted, nothing written");
 
+/** Of an option whose files cannot be standard output. */
+inline constexpr std::string_view kNoStream =
+    QT_TRANSLATE_NOOP("CommandLine", "%1: '-' is not possible here: give a name");
+
 /** Thrown where Ctrl-C ended a command; main turns it into `kInterrupted`. */
 struct Interrupted
 {
@@ -89,7 +93,10 @@ void print(const std::string& text);
 /** A line on stderr, as `shown`. */
 void tell(const std::string& text);
 
-/** From here on no warnings, hints and progress bars. */
+/** The same, but nothing when quiet. */
+void tellNote(const std::string& text);
+
+/** From here on no warnings, hints, notes and progress bars. */
 void beQuiet();
 
 /** Warnings and hints on stderr, one line each; errors are not for here. */
@@ -124,7 +131,12 @@ private:
 [[nodiscard]] std::string fixed(double value, int decimals);
 /** Filled up with blanks in front to `width`: an entry of a table. */
 [[nodiscard]] std::string column(const std::string& text, std::size_t width);
-/** A name in front of a row of words, filled up with blanks to the width of "objective ". */
+/** A line for each row: the first `aligned` entries flush right in columns as wide as the widest of
+ * them, what follows as it is; two blanks at least between. All rows have so many. */
+[[nodiscard]] std::string tableLines(const std::vector<std::vector<std::string>>& rows,
+                                     std::size_t aligned);
+/** A name in front of a row of words, filled up with blanks to the width of "objective ", two at
+ * least. */
 [[nodiscard]] std::string rowLabel(const std::string& name);
 /** "a,b" at ',' -> a, b; empty parts are kept, but for one at the end. */
 [[nodiscard]] std::vector<std::string> split(const std::string& text, char separator);

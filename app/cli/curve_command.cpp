@@ -35,19 +35,20 @@ std::string uavId(const CurveReport& report, std::size_t order)
 
 std::string curveTable(const CurveReport& report)
 {
-    std::string text = "tau from    tau to  distance m   reward m2  proven  order\n";
+    std::vector<std::vector<std::string>> rows{
+        {"tau from", "tau to", "distance m", "reward m2", "proven", "order"}};
     for (const CurveInterval& interval : report.curve.intervals) {
-        text += column(fixed(interval.tauFrom, 5), 8) + column(fixed(interval.tauTo, 5), 10) +
-                column(grouped(interval.distance_m), 12) +
-                column(fixed(interval.reward_m2, 2), 12) +
-                column(interval.proven ? "yes" : "no", 8) + ' ';
+        std::string order;
         for (std::size_t k = 0; k < interval.plan.size(); ++k) {
-            text += k == 0 ? std::string() : ' ' + std::string(kBetweenOrders);
+            order += k == 0 ? std::string() : ' ' + std::string(kBetweenOrders);
             for (const int number : icebergNumbers(report, interval.plan[k]))
-                text += ' ' + std::to_string(number);
+                order += (order.empty() ? "" : " ") + std::to_string(number);
         }
-        text += '\n';
+        rows.push_back({fixed(interval.tauFrom, 5), fixed(interval.tauTo, 5),
+                        grouped(interval.distance_m), fixed(interval.reward_m2, 2),
+                        interval.proven ? "yes" : "no", std::move(order)});
     }
+    std::string text = tableLines(rows, rows.front().size() - 1);
     text += "order: icebergs by their place in the scenario, 1 is the first";
     for (std::size_t k = 1; k < report.uavs.size(); ++k)
         text += (k == 1 ? "; those of " + uavId(report, 0) + " | " : " | ") + uavId(report, k);
@@ -81,6 +82,8 @@ int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
     const Mission mission(scenario, {.record = false});
     const PlanRequest request = clusteredRequest(mission.simulation());
     const FleetTask task = visitationTask(request, scenario.planner.route);
+    if (!arguments.certificateFile.empty() && task.ids.empty())
+        throw Error(ErrorCode::Unsupported, arguments.file, {IssueId::NoProblemSolved});
 
     const Stopwatch watch;
     TauCurve curve;
@@ -109,7 +112,7 @@ int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
     std::vector<NewFile> files;
     if (!arguments.outputFile.empty())
         files.push_back({.path = arguments.outputFile, .content = curveCsv(report)});
-    if (!arguments.certificateFile.empty() && !task.ids.empty()) {
+    if (!arguments.certificateFile.empty()) {
         const Certificate certificate = certificateOf(task, curve, stop);
         files.push_back(
             {.path = arguments.certificateFile, .content = certificateJson(certificate)});

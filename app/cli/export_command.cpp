@@ -36,8 +36,8 @@ struct ExportArguments
 void printNotes(const ExportFormat& format, const ExportContent& content)
 {
     for (const ExportNote& note : exportNotes(format, content))
-        tell(said(QT_TRANSLATE_NOOP("CommandLine", "note: %1"),
-                  {word(said(notePattern(note.kind), noteArguments(note)))}));
+        tellNote(said(QT_TRANSLATE_NOOP("CommandLine", "note: %1"),
+                      {word(said(notePattern(note.kind), noteArguments(note)))}));
 }
 
 /** Adds what is made of `source` to the set and tells what the user should know. Options that

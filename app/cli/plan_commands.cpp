@@ -276,6 +276,8 @@ int conclude(PlanReport& report, const SolveArguments& arguments, const SolveOpt
 
 int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
 {
+    if (arguments.tau && arguments.mu)
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 excludes %2"), {"--tau", "--mu"});
     checkSolveFiles(arguments);
     TvpProblem problem = reading([&] { return loadProblem(arguments.file).problem; });
     problem.route = arguments.route.value_or(problem.route);

@@ -1,11 +1,14 @@
 #include "app/cli/program.h"
 
+#include "app/cli/options.h"
 #include "app/cli/usage.h"
 #include "core/io/results/result_json.h"
+#include "core/io/text/read_budget.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -140,6 +143,14 @@ int wrongUsage(const CLI::App& app, const Line& line, const Sentence& fault)
                   failureJson("wrong-usage", finding));
 }
 
+bool isReadLimitsValid()
+{
+    const char* const given = // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody sets it
+        std::getenv(kReadLimitsVariable);
+    std::string text = given == nullptr ? "1" : given;
+    return wholeFrom(1, 1000)(text).empty();
+}
+
 /** What -v adds. */
 void reportEffort()
 {
@@ -184,6 +195,11 @@ int run(const Line& line, const std::stop_token& stop)
     } catch (const CLI::ParseError& error) {
         return wrongUsage(app, line, unknownWord(app, words).value_or(plainWords(error)));
     }
+    if (!isReadLimitsValid())
+        return wrongUsage(
+            app, line,
+            sentence(QT_TRANSLATE_NOOP("CommandLine", "%1 is not a whole number from %2 to %3"),
+                     {std::string(kReadLimitsVariable), std::int64_t{1}, std::int64_t{1000}}));
     if (const std::string name = emptyOption(app); !name.empty())
         return wrongUsage(app, line,
                           sentence(QT_TRANSLATE_NOOP("CommandLine", "%1 is empty"), {name}));

@@ -70,6 +70,9 @@ Flown flyScenario(const SimulateArguments& arguments, const std::string& text,
 {
     const Scenario scenario =
         reading([&] { return changed(scenarioFromJson(text, arguments.file), arguments); });
+    if ((arguments.dt_s || arguments.duration_s) && scenario.dt_s > scenario.duration_s)
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine", "--dt, --duration: the time step is longer than the duration"));
     printWarnings(arguments.file, validate(scenario));
     MissionOptions options;
     options.record = !arguments.outputFolder.empty();
@@ -182,6 +185,8 @@ int simulate(const SimulateArguments& arguments, const std::stop_token& stop)
 {
     const Stopwatch watch;
     const std::string& folder = arguments.outputFolder;
+    if (folder == "-")
+        throw UsageError(kNoStream, {"--output"});
     checkFiles({.inputs = {arguments.file},
                 .outputs = outputsIn("--output", folder, FlightFiles::kNames),
                 .force = arguments.force});

@@ -1,3 +1,4 @@
+#include "app/cli/console.h"
 #include "app/cli/options.h"
 #include "app/cli/study_file.h"
 #include "app/cli/study_output.h"
@@ -42,6 +43,8 @@ Study merged(const std::vector<std::string>& files)
 int showStudy(const StudyArguments& arguments, const std::stop_token& /*stop*/)
 {
     const StudyOutput& output = arguments.output;
+    if (output.replaceStudy && output.studyFile.empty())
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--replace-study: is for --study FILE"));
     checkFiles(filesOf(output, arguments.files));
     StudyFile file(output.studyFile, output.replaceStudy);
     const Study study = reading([&] {

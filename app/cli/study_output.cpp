@@ -34,20 +34,24 @@ std::string intervalText(const MeanInterval& relative)
     return percent(relative.low) + " .. " + percent(relative.high);
 }
 
-std::string rowText(const SettingSummary& row, const PairedDifference& difference)
+std::vector<std::string> rowOf(const SettingSummary& row, const PairedDifference& difference)
 {
     const Summary& s = row.zeta_m2s;
-    std::string text = nameOf(kPolicyNames, row.setting.policy);
-    text.resize(12, ' ');
-    return text + column(row.setting.tau ? fixed(*row.setting.tau, 2) : "-", 7) +
-           column(std::to_string(s.n), 7) + column(grouped(s.mean), 10) +
-           column(grouped(s.standardError), 8) + column(grouped(s.median), 10) +
-           column(grouped(s.quartile1), 10) + column(grouped(s.quartile3), 10) +
-           column(fixed(100 * row.stuckShare, 1) + " %", 9) +
-           column(percent(difference.relative.mean), 10) +
-           column(intervalText(difference.relative), 22) +
-           column(fixed(100 * difference.lowerShare, 1) + " %", 9) +
-           column(percent(difference.worst), 10) + '\n';
+    std::string policy = nameOf(kPolicyNames, row.setting.policy);
+    policy.resize(12, ' '); // flush left
+    return {policy,
+            row.setting.tau ? fixed(*row.setting.tau, 2) : "-",
+            std::to_string(s.n),
+            grouped(s.mean),
+            grouped(s.standardError),
+            grouped(s.median),
+            grouped(s.quartile1),
+            grouped(s.quartile3),
+            fixed(100 * row.stuckShare, 1) + " %",
+            percent(difference.relative.mean),
+            intervalText(difference.relative),
+            fixed(100 * difference.lowerShare, 1) + " %",
+            percent(difference.worst)};
 }
 
 std::string bestTauText(const BestTau& best)
@@ -72,10 +76,12 @@ std::string recommendedText(const StudySummary& summary)
 
 std::string tableText(const StudySummary& summary)
 {
-    std::string text = "policy          tau      n      mean      +-    median      25 %      75 %"
-                       "    stuck  difference     95 % interval    lower     worst\n";
+    std::vector<std::vector<std::string>> rows{{"policy      ", "tau", "n", "mean", "+-", "median",
+                                                "25 %", "75 %", "stuck", "difference",
+                                                "95 % interval", "lower", "worst"}};
     for (std::size_t i = 0; i < summary.settings.size(); ++i)
-        text += rowText(summary.settings[i], summary.differences.at(i));
+        rows.push_back(rowOf(summary.settings[i], summary.differences.at(i)));
+    std::string text = tableLines(rows, rows.front().size());
     text += "zeta in m2 s; stuck: two icebergs at most in the last half of the run\n";
     if (summary.reference < summary.settings.size())
         text += "difference: case by case vs " +
@@ -112,6 +118,8 @@ void sayWhenIncomplete(const Study& study)
 
 CommandFiles filesOf(const StudyOutput& output, std::vector<std::string> inputs)
 {
+    if (output.studyFile == "-")
+        throw UsageError(kNoStream, {"--study"});
     return {.inputs = std::move(inputs),
             .outputs = {{.option = "--study", .path = output.studyFile, .mayExist = true},
                         {.option = "--output", .path = output.tableFile},

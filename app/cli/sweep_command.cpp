@@ -47,7 +47,7 @@ struct SweepArguments
     std::vector<std::string> files;
     int random = 0;
     std::optional<FieldRegime> regime;
-    std::int64_t firstSeed = 1;
+    std::optional<std::int64_t> firstSeed;
     std::string taus;
     std::string policies = "visitation";
     int runs = 1;
@@ -72,7 +72,7 @@ std::vector<PolicyKind> policiesOf(const std::string& names)
 StudySpec specOf(const SweepArguments& arguments)
 {
     StudySpec spec{.random = arguments.random,
-                   .firstSeed = arguments.firstSeed,
+                   .firstSeed = arguments.firstSeed.value_or(1),
                    .taus = tausOf(arguments.taus),
                    .policies = policiesOf(arguments.policies),
                    .runs = arguments.runs};
@@ -80,6 +80,9 @@ StudySpec specOf(const SweepArguments& arguments)
         throw UsageError(QT_TRANSLATE_NOOP(
             "CommandLine",
             "--regime is for --random N; scenarios say themselves how icebergs drift"));
+    if (arguments.firstSeed && arguments.random == 0)
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine", "--first-seed is for --random N; scenarios hold their own seeds"));
     spec.field.regime = arguments.regime.value_or(FieldRegime::Published);
     if (arguments.files.empty() && arguments.random == 0)
         throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "name scenarios, or give --random N"));

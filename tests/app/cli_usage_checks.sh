@@ -51,6 +51,11 @@ check "too many taus: says so" says "--tau: 0:100:1e-9 makes it more than 100000
 # Each range by itself is short enough; all of them would be 2.4 GB.
 check "too many taus in sum" exits 2 "$cli" sweep four.berg --tau "$(yes 0:100:0.001 | head -3000 | paste -sd,)"
 
+for value in abc 0 1001 2x; do
+    check "BERGWATCH_READ_LIMITS=$value" exits 2 env BERGWATCH_READ_LIMITS=$value "$cli" validate four.berg
+    check "BERGWATCH_READ_LIMITS=$value: names it" says "BERGWATCH_READ_LIMITS"
+done
+
 # --- help ------------------------------------------------------------------------------------
 check "help" exits 0 "$cli" help
 check "help: is --help" cmp -s stdout.txt <("$cli" --help)
@@ -143,6 +148,9 @@ check "--json of a mistyped line" exits 2 "$cli" simulate four.berg --duration n
 check "--json of a mistyped line: says which" json 'd["error"]["kind"] == "wrong-usage" and "--duration" in d["error"]["findings"][0]["message"]'
 check "--json of a file in the way" exits 2 "$cli" simulate four.berg --output run --json
 check "--json of a file in the way: says which" json '"exists" in d["error"]["findings"][0]["message"]'
+sed 's/"airspeed_mps": *[0-9.]*/"airspeed_mps": 30.5/' "$source_dir/resources/scenarios/svalbard-two-uavs.berg" >noted.berg
+check "export -q" exits 0 "$cli" export noted.berg -f plan -o noted.plan -q
+check "export -q: no notes" test ! -s stderr.txt
 check "-v: time and memory" exits 0 "$cli" plan four.berg -v
 check "-v: time and memory told" grep -qE '^took [0-9.]+ s of processor time and [0-9]+ MB of memory$' stderr.txt
 check "-t: tau" exits 0 "$cli" plan four.berg -t 1

@@ -111,6 +111,9 @@ refused "standard output twice" 2 "--report: /dev/stdout is the file of --output
 check "a scenario on standard output" exits 0 "$cli" import iip.csv --output -
 cp stdout.txt piped.berg
 check "a scenario on standard output: is one" exits 0 "$cli" validate piped.berg
+refused "a study on standard output" 2 "--study: '-' is not possible here" "$cli" "${sweep[@]}" --study -
+refused "a flight on standard output" 2 "--output: '-' is not possible here" "$cli" simulate four.berg --output -
+refused "--replace-study without a study" 2 "--replace-study: is for --study FILE" "$cli" study four.bergstudy --replace-study
 check "an export on standard output" exits 0 "$cli" export "$scenario" --format wpl --output -
 check "an export on standard output: is one" test "$(head -1 stdout.txt)" = "QGC WPL 110"
 

@@ -118,6 +118,8 @@ ProblemFile problemFromJson(std::string_view text, const std::string& subject,
     file.problem.route = object.choice("route", Route::Open, kRouteNames);
     const std::optional<double> tau = object.optionalNumber("tau", limits::kTau);
     const std::optional<double> mu = object.optionalNumber("mu", kProblemNumber);
+    if (tau && mu)
+        parsed.faults.add("tau", {IssueId::NotBeside, {"mu"}});
     parsed.faults.throwIfAny(subject);
 
     if (mu) {

@@ -13,6 +13,18 @@ namespace {
 constexpr std::size_t kMostFaults = 100;
 constexpr std::int64_t kLargestWhole = std::int64_t{1} << 53;
 
+/** None of what is no whole number, or beyond what a double holds exactly. 5.0 and 1e3 are whole
+ * numbers too: JSON knows one kind of number only. */
+std::optional<std::int64_t> exactWhole(const Json& value)
+{
+    const auto number = value.is_number() ? value.get<double>() : 0.5;
+    if (number != std::floor(number) || std::abs(number) > static_cast<double>(kLargestWhole))
+        return std::nullopt;
+    // As an integer: 2^53 + 1 as a double is 2^53.
+    const auto whole = value.get<std::int64_t>();
+    return whole > kLargestWhole || whole < -kLargestWhole ? std::nullopt : std::optional(whole);
+}
+
 } // namespace
 
 void Faults::add(std::string field, IssueReason reason)
@@ -119,11 +131,9 @@ std::optional<std::int64_t> wholeOf(const Json& value, const std::string& path, 
 {
     require(limits.low >= -kLargestWhole && limits.high <= kLargestWhole,
             "wholeOf: limits beyond what a double holds exactly");
-    const auto number = value.is_number() ? value.get<double>() : 0.5;
-    // 5.0 and 1e3 are whole numbers too: JSON knows one kind of number only.
-    if (number == std::floor(number) && number >= static_cast<double>(limits.low) &&
-        number <= static_cast<double>(limits.high))
-        return static_cast<std::int64_t>(number);
+    const std::optional<std::int64_t> whole = exactWhole(value);
+    if (whole && *whole >= limits.low && *whole <= limits.high)
+        return whole;
     faults.add(path, {IssueId::NotWhole,
                       {limits.low, limits.high,
                        value.is_number() ? IssueArgument(jsonText(value)) : kindOf(value)}});

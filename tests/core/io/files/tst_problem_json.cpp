@@ -94,7 +94,6 @@ private slots:
         QTest::newRow("tau 0") << QByteArray(R"(, "tau": 0)") << 0.0 << 0.0;
         QTest::newRow("mu") << QByteArray(R"(, "mu": 0.25)") << -1.0 << 0.25;
         QTest::newRow("mu 0") << QByteArray(R"(, "mu": 0)") << -1.0 << 0.0;
-        QTest::newRow("mu wins") << QByteArray(R"(, "tau": 3, "mu": 0.25)") << -1.0 << 0.25;
     }
     void weights()
     {
