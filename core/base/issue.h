@@ -59,7 +59,7 @@ enum class IssueId
     // Advice.
     NoIcebergs,
     AppearsTooLate,
-    UnknownMembers,
+    UnknownMembers, ///< the first one's name
     AreaNoFence,
     VelocitySdUnused,
     SeenLongAgo,   ///< hours, standard deviation in metres, in fields of view

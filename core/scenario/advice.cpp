@@ -122,9 +122,10 @@ private:
     {
         m_issues.push_back(Issue{Severity::Warning, std::move(field), {.id = id}});
     }
-    void hint(std::string field, IssueId id)
+    void hint(std::string field, IssueId id, std::vector<IssueArgument> arguments = {})
     {
-        m_issues.push_back(Issue{Severity::Hint, std::move(field), {.id = id}});
+        m_issues.push_back(
+            Issue{Severity::Hint, std::move(field), {.id = id, .arguments = std::move(arguments)}});
     }
 
     [[nodiscard]] bool isOutside(const Point& p_m) const
@@ -188,18 +189,34 @@ private:
 
 void Adviser::adviseUnused()
 {
-    const auto hasExtra = [](const auto& part) { return !part.extraJson.empty(); };
-    if (hasExtra(m_s) || !m_s.plannerExtraJson.empty() || !m_s.originExtraJson.empty() ||
-        !m_s.observerExtraJson.empty() || (m_s.asset && hasExtra(*m_s.asset)) ||
-        hasExtra(m_s.weather) || (m_s.operation && hasExtra(*m_s.operation)) ||
-        std::any_of(m_s.airspace.begin(), m_s.airspace.end(), hasExtra) ||
-        (m_s.groundStation && hasExtra(*m_s.groundStation)) ||
-        std::any_of(m_s.noFly.begin(), m_s.noFly.end(), hasExtra) ||
-        std::any_of(m_s.uavs.begin(), m_s.uavs.end(), hasExtra) ||
-        std::any_of(m_s.icebergs.begin(), m_s.icebergs.end(), [](const Iceberg& iceberg) {
-            return !iceberg.extraJson.empty() || !iceberg.trackExtraJson.empty();
-        }))
-        hint({}, IssueId::UnknownMembers);
+    std::string unknown; // the first of them, by its name
+    const auto look = [&unknown](const std::string& extraJson) {
+        if (const std::size_t open = extraJson.find('"');
+            unknown.empty() && open != std::string::npos)
+            unknown = extraJson.substr(open + 1, extraJson.find('"', open + 1) - open - 1);
+    };
+    const auto lookInAll = [&look](const auto& parts) {
+        for (const auto& part : parts)
+            look(part.extraJson);
+    };
+    for (const std::string* extraJson :
+         {&m_s.extraJson, &m_s.plannerExtraJson, &m_s.originExtraJson, &m_s.observerExtraJson,
+          &m_s.weather.extraJson})
+        look(*extraJson);
+    if (m_s.asset)
+        look(m_s.asset->extraJson);
+    if (m_s.operation)
+        look(m_s.operation->extraJson);
+    if (m_s.groundStation)
+        look(m_s.groundStation->extraJson);
+    lookInAll(m_s.airspace);
+    lookInAll(m_s.noFly);
+    lookInAll(m_s.uavs);
+    lookInAll(m_s.icebergs);
+    for (const Iceberg& iceberg : m_s.icebergs)
+        look(iceberg.trackExtraJson);
+    if (!unknown.empty())
+        hint({}, IssueId::UnknownMembers, {unknown});
     if (!m_s.area_m.empty() && !m_s.geofence)
         hint("area_m", IssueId::AreaNoFence);
     if (m_s.observer.model == ObserverModel::Simple)

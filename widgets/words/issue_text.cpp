@@ -102,7 +102,8 @@ constexpr std::array<SentenceRow, kScenarioIssueIds> kSentences{{
     {IssueId::UnknownMembers,
      QT_TRANSLATE_NOOP(
          "IssueText",
-         "The file holds members that this version does not know. They are kept, but not used.")},
+         "The file holds members that this version does not know, \"%2\" to begin with. They are "
+         "kept, but not used.")},
     {IssueId::AreaNoFence,
      QT_TRANSLATE_NOOP("IssueText",
                        "Icebergs outside the area are not monitored; the UAV may fly beyond it.")},
