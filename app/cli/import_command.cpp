@@ -104,6 +104,19 @@ FieldColumn mappingOf(const std::string& text)
     return {.field = *field, .column = text.substr(equals + 1)};
 }
 
+/** A column holds one field, and a field is in one column. */
+void addMapping(ColumnMapping& mapping, FieldColumn added)
+{
+    for (const FieldColumn& known : mapping) {
+        const bool isColumn = known.column == added.column;
+        if (isColumn || known.field == added.field)
+            throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--map: %1 is mapped twice"),
+                             {isColumn ? word(added.column)
+                                       : std::string(nameOf(kSightingFieldNames, added.field))});
+    }
+    mapping.push_back(std::move(added));
+}
+
 /** Metres, or how the positions were got. */
 std::optional<double> positionErrorOf(const std::string& text)
 {
@@ -139,6 +152,16 @@ ImportOptions optionsOf(const ImportArguments& arguments)
     return options;
 }
 
+/** Their names; the start of a long list. */
+std::string unusedColumns(const SightingTable& table)
+{
+    constexpr std::size_t kMost = 20;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kMost, table.unused.size()); ++i)
+        text += (i > 0 ? ", " : "columns ") + word(table.unused[i]);
+    return table.unused.size() > kMost ? text + ", ..." : text;
+}
+
 std::string summary(const SightingTable& table, const ImportResult& result)
 {
     std::string text = "format     " + table.format + '\n';
@@ -160,6 +183,8 @@ std::string summary(const SightingTable& table, const ImportResult& result)
     add("unchanged", result.unchanged, "icebergs");
     if (result.leftOut > 0)
         add("left out", result.leftOut, "icebergs");
+    if (!table.unused.empty())
+        text += "not used   " + unusedColumns(table) + '\n';
     for (const SceneFinding& finding : result.scene)
         text += "scene      " + sceneFindingText(finding) + '\n';
     if (result.observerSet)
@@ -169,10 +194,14 @@ std::string summary(const SightingTable& table, const ImportResult& result)
     return text;
 }
 
-/** Where a row is, and why it was not taken. */
-std::string rowText(const RejectedRow& row)
+/** "line 3" is translated by whoever says it. */
+std::string saidPlace(const Rejections& rejected, std::size_t number)
 {
-    return said(Issue{Severity::Error, "line " + std::to_string(row.line), reasonOf(row)});
+    if (rejected.place == "feature")
+        return said(QT_TRANSLATE_NOOP("CommandLine", "feature %1"), {countOf(number)});
+    if (rejected.place == "packet")
+        return said(QT_TRANSLATE_NOOP("CommandLine", "packet %1"), {countOf(number)});
+    return placeOf(rejected, number);
 }
 
 constexpr std::size_t kMostRows = 100; ///< of a list on stderr
@@ -182,7 +211,8 @@ void printRejected(const std::string& file, const Rejections& rejected)
     std::size_t told = 0;
     for (const RejectedRow& row : rejected.first)
         if (told++ < kMostRows)
-            tell(word(file) + ": " + rowText(row));
+            tell(word(file) + ": " +
+                 said(Issue{Severity::Error, saidPlace(rejected, row.line), reasonOf(row)}));
     if (rejected.count > kMostRows)
         tell(word(file) + ": " +
              said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more"),
@@ -198,7 +228,7 @@ void printDetails(const std::string& file, const ImportResult& result)
         for (const ImportNote note : iceberg.notes)
             if ((iceberg.outcome == ImportOutcome::LeftOut || note == ImportNote::VelocityClamped ||
                  note == ImportNote::GrowthClamped || note == ImportNote::Jumped ||
-                 note == ImportNote::TimeUnknown) &&
+                 note == ImportNote::Repeated || note == ImportNote::TimeUnknown) &&
                 notes++ < kMostRows)
                 tell(word(file) + ": " + word(iceberg.id) + ": " + said(importNoteText(note), {}));
     if (notes > kMostRows)
@@ -313,7 +343,7 @@ int importFile(const ImportArguments& arguments, const std::stop_token& /*stop*/
                          {arguments.format, formatList()});
     ReadOptions formats{.format = arguments.format, .mapping = {}, .dates = arguments.dates};
     for (const std::string& mapping : arguments.mappings)
-        formats.mapping.push_back(mappingOf(mapping));
+        addMapping(formats.mapping, mappingOf(mapping));
     const ImportOptions options = optionsOf(arguments);
     // Not an input that must stay: an import adds to the scenario, which --force may overwrite.
     checkFiles({.inputs = {arguments.file},
@@ -323,7 +353,7 @@ int importFile(const ImportArguments& arguments, const std::stop_token& /*stop*/
     const auto [table, result] = reading([&] { return imported(arguments, formats, options); });
     if (!table.guessedDate.empty())
         printWarnings(arguments.file, {{Severity::Warning,
-                                        "line " + std::to_string(table.guessedLine),
+                                        saidPlace(table.rejected, table.guessedLine),
                                         {IssueId::MonthFirst, {table.guessedDate}}}});
     if (!arguments.json)
         printDetails(arguments.file, result);

@@ -32,7 +32,12 @@ check "solve: mu" json 'abs(d["mu"] - 0.5*18/(6200/6*2)) < 1e-12'
 check "solve: order and objective" json 'd["order"] == [2,1] and abs(d["objective"] - (-7.5 + d["mu"]*2200)) < 1e-9 or d["order"] == [1,2] and abs(d["objective"] - (-3 + d["mu"]*1600)) < 1e-9'
 check "solve: best of both" json 'abs(d["objective"] - min(-7.5 + d["mu"]*2200, -3 + d["mu"]*1600)) < 1e-9'
 check "solve: proven" json 'd["status"] == "optimal" and d["gap"] == 0 and d["bound"] == d["objective"]'
-check "solve --mu wins over tau" exits 0 "$cli" solve problem.json --tau 5 --mu 0 --json
+check "solve --mu beside --tau is refused" exits 2 "$cli" solve problem.json --tau 5 --mu 0
+check "solve --mu beside --tau is refused: names both" says "--tau excludes --mu"
+sed 's/"tau":0.5/"tau":0.5,"mu":1/' problem.json >both.json
+check "a problem with mu beside tau is refused" exits 3 "$cli" solve both.json
+check "a problem with mu beside tau is refused: says so" says "tau: must not be given beside mu"
+check "solve --mu" exits 0 "$cli" solve problem.json --mu 0 --json
 check "solve --mu 0: most uncertain first" json 'd["order"] == [2,1] and d["mu"] == 0'
 cat >huge.json <<'P'
 {"format":"bergwatch-problem","version":1,"sigma":[0,1,2,3],"mu":1,
@@ -194,8 +199,8 @@ check "replay: the same bytes" cmp -s first.json replayed.json
 sed 's/"tau": *1\(\.0\)\?/"tau": 0.9/' out/run.bergrun >tampered.bergrun
 check "tampered run differs" test "$(cmp -s out/run.bergrun tampered.bergrun; echo $?)" = 1
 check "tampered run is refused" exits 1 "$cli" simulate tampered.bergrun
-check "what options make wrong names the file" exits 3 "$cli" simulate "$four" --dt 1 --duration 0.5
-check "what options make wrong: named" grep -q 'disko-bay-4.berg: dt_s: ' stderr.txt
+check "what options make wrong is wrong usage" exits 2 "$cli" simulate "$four" --dt 1 --duration 0.5
+check "what options make wrong: named" says "--dt, --duration: "
 cat >removed.bergrun <<'EOF'
 {"format": "bergwatch-run", "version": 1,
  "scenario": {"format": "bergwatch-scenario", "version": 1, "duration_s": 60, "dt_s": 0.1, "uavs": [{"id": "u",
@@ -300,6 +305,13 @@ check "sweep: best tau" json '0 <= d["best_tau"]["decile1"] <= d["best_tau"]["me
 check "sweep: csv" grep -qx 'policy,tau,n,mean_m2s,standard_error_m2s,median_m2s,quartile1_m2s,quartile3_m2s,decile1_m2s,decile9_m2s,stuck_share,mean_visits,difference_percent,difference_low_percent,difference_high_percent,lower_share,worst_percent' <(head -1 sweep.csv)
 cp sweep.csv one.csv
 check "sweep with real drift" exits 0 "$cli" sweep --random 2 --regime fitted-drift --tau 1 --policies visitation,coverage
+check "a first seed is of random scenarios" exits 2 "$cli" sweep "$default" --first-seed 5 --tau 1
+check "a first seed is of random scenarios: says so" says "--first-seed is for --random N"
+check "sweep of wide numbers" exits 0 "$cli" sweep "$source_dir"/resources/scenarios/{baffin-bay-day,recorded-drift}.berg --tau 0,1 -q
+check "sweep of wide numbers: columns apart" python3 -c '
+import re
+rows = [re.split("  +", line.strip()) for line in open("stdout.txt")][:3]
+raise SystemExit(not all(len(row) == 13 for row in rows))'
 check "a regime is of random scenarios" exits 2 "$cli" sweep "$default" --regime measured --tau 1
 check "sweep on four threads" exits 0 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --threads 4 --output sweep.csv --force
 check "sweep: threads do not matter" cmp -s one.csv sweep.csv
@@ -462,12 +474,12 @@ for file in iip.csv cis-beacon.csv usnic.csv metno.geojson points.geojson places
             qgc.plan fence.plan ardupilot.waypoints route.gpx route.geojson scene.geojson scene.kml \
             scene.gpx table.csv; do
     check "import $file" exits 0 "$cli" import "$data/$file" --output imported.berg --force
-    check "import $file: names each rejected row" says "$file: line "
+    check "import $file: names each rejected row" grep -q "$file: \(line\|feature\) " stderr.txt
     check "import $file: valid" exits 0 "$cli" validate imported.berg
     check "import $file: flies" exits 0 "$cli" simulate imported.berg --duration 20
 done
 check "import --json" exits 0 "$cli" import "$data/iip.csv" --format iip --output imported.berg --force --json
-check "import --json: members" json 'list(d) == ["format","sightings","rejected","outside_area","outside_time","added","updated","unchanged","left_out","start_utc","origin","scene","icebergs","rejected_rows"]'
+check "import --json: members" json 'list(d) == ["format","sightings","rejected","outside_area","outside_time","added","updated","unchanged","left_out","start_utc","origin","unused_columns","scene","icebergs","rejected_rows"]'
 check "import --json: counts" json '(d["sightings"], d["rejected"], d["added"]) == (7, 7, 4) and d["rejected_rows"][0]["line"] == 7'
 check "import of a fence" exits 0 "$cli" import "$data/fence.plan" --output fence.berg
 check "import of a fence: what is taken over" grep -q 'scene      area taken over as geofence' stdout.txt
@@ -487,6 +499,8 @@ check "a track is flown and replayed: equal" exits 0 "$cli" simulate trackout/ru
 printf 'A,B\n47.1,-48.2\n' >columns.csv
 check "import with a mapping" exits 0 "$cli" import columns.csv --map latitude=A --map longitude=B --output mapped.berg --json
 check "import with a mapping: taken" json 'd["format"] == "csv" and d["added"] == 1 and d["start_utc"] is None'
+check "import: one column mapped twice" exits 2 "$cli" import columns.csv --map latitude=A --map longitude=A --output never.berg
+check "import: one field mapped twice" exits 2 "$cli" import columns.csv --map latitude=A --map latitude=B --output never.berg
 check "import without the mapping" exits 3 "$cli" import columns.csv --output never.berg
 check "import: a field that is none" exits 2 "$cli" import columns.csv --map height=A --output never.berg
 check "import: a time that is none" exits 2 "$cli" import "$data/iip.csv" --at yesterday --output never.berg
@@ -539,6 +553,13 @@ check "validate: advice" exits 0 "$cli" validate "$source_dir/resources/scenario
 check "validate: advice names the field" says "hint: icebergs[2].velocity_mps: drifts out of the area"
 check "validate --json" exits 3 "$cli" validate --json problem.json missing.berg
 check "validate --json: list" json '[(f["file"], f["severity"]) for f in d] == [("problem.json", "valid"), ("missing.berg", "error")]'
+
+sed 's/"seed": *[0-9]*/"seed": 9007199254740993/' "$default" >seed.berg
+check "validate: a seed beyond 2^53" exits 3 "$cli" validate seed.berg
+check "validate: a seed beyond 2^53: names it" says "seed: "
+python3 -c 'import json, sys; d = json.load(open(sys.argv[1])); d["icebergs"] = []; json.dump(d, open("none.berg", "w"))' "$default"
+check "curve --certificate of no icebergs" exits 3 "$cli" curve none.berg --certificate none.json
+check "plan --certificate of no icebergs" exits 3 "$cli" plan none.berg --certificate none.json
 
 # --- numbers as they are meant ---------------------------------------------------------------
 check "a number is decimal" exits 0 "$cli" simulate "$default" --duration 60 --seed 8 --json

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <span>
 
 namespace berg {
 
@@ -36,6 +37,8 @@ std::optional<double> limitOf(const Json& value)
 {
     if (value.is_string())
         return airspaceHeight_m(value.get_ref<const std::string&>());
+    if (value.is_number() && value.get<double>() == 0)
+        return 0;
     const Json* number = memberOf(&value, "value");
     if (number == nullptr || !number->is_number())
         return std::nullopt;
@@ -45,8 +48,22 @@ std::optional<double> limitOf(const Json& value)
     return airspaceHeight_m(code == 0 ? text + " M" : code == 6 ? "FL " + text : text + " FT");
 }
 
+constexpr std::array kFloors = {"floor", "lower", "lowerLimit", "LOWER"};
+constexpr std::array kCeilings = {"ceiling", "upper", "upperLimit", "UPPER"};
+
+/** Whether a height is a number that nobody says is in metres or feet. */
+bool lacksUnit(const Json* properties, const char* metres, std::span<const char* const> names)
+{
+    return !numberAt(properties, metres) && std::ranges::any_of(names, [&](const char* name) {
+        const Json* value = memberOf(properties, name);
+        const Json* number = memberOf(value, "value");
+        return (value != nullptr && value->is_number() && value->get<double>() != 0) ||
+               (number != nullptr && number->is_number() && !memberOf(value, "unit"));
+    });
+}
+
 std::optional<double> heightAt(const Json* properties, const char* metres,
-                               std::initializer_list<const char*> names)
+                               std::span<const char* const> names)
 {
     if (const std::optional<double> height_m = numberAt(properties, metres))
         return height_m;
@@ -71,10 +88,9 @@ FileAirspace describedBy(const Json* properties)
         .rings = {},
         .fromUtc = timeAt(properties, "from_utc"),
         .untilUtc = timeAt(properties, "until_utc")};
-    const double floor_m =
-        heightAt(properties, "floor_m", {"floor", "lower", "lowerLimit", "LOWER"}).value_or(0);
+    const double floor_m = heightAt(properties, "floor_m", kFloors).value_or(0);
     area.floor_m = std::clamp(floor_m, 0.0, kLargestLength_m);
-    area.ceiling_m = heightAt(properties, "ceiling_m", {"ceiling", "upper", "upperLimit", "UPPER"});
+    area.ceiling_m = heightAt(properties, "ceiling_m", kCeilings);
     if (area.kind == "airspace") // that of all of them in files of ours
         area.kind.clear();
     if (area.ceiling_m && !(*area.ceiling_m <= kLargestLength_m))
@@ -83,22 +99,23 @@ FileAirspace describedBy(const Json* properties)
 }
 
 /** One area for each polygon: those of a MultiPolygon may lie apart. Holes count as airspace. */
-void addPolygons(const Json& feature, std::size_t number, AirspaceTable& table, ReadBudget& budget)
+void addPolygons(const Json* geometry, const FileAirspace& area, bool isClear, AirspaceTable& table,
+                 ReadBudget& budget)
 {
-    const Json* geometry = memberOf(&feature, "geometry");
     const Json* coordinates = arrayOf(geometry, "coordinates");
     const std::string type = textOf(memberOf(geometry, "type"));
+    if (const Json* parts = arrayOf(geometry, "geometries"); parts && type == "GeometryCollection")
+        for (const Json& part : *parts)
+            addPolygons(&part, area, isClear, table, budget);
     if (type != "Polygon" && type != "MultiPolygon")
         return;
-    FileAirspace area = describedBy(memberOf(&feature, "properties"));
-    area.line = number;
     const auto add = [&](const Json& rings) {
         std::optional<std::vector<LatLon>> ring;
         if (rings.is_array() && !rings.empty())
             ring = placesOf(&rings.front(), AxisOrder::LongitudeFirst);
-        if (!ring) {
-            table.rejected.add({.line = number,
-                                .fault = IssueId::AirspaceUnreadable,
+        if (!ring || !isClear) {
+            table.rejected.add({.line = area.line,
+                                .fault = ring ? IssueId::AirspaceUnit : IssueId::AirspaceUnreadable,
                                 .detail = cleanText(area.name, 60)});
             return;
         }
@@ -112,6 +129,16 @@ void addPolygons(const Json& feature, std::size_t number, AirspaceTable& table, 
         add(*coordinates);
     else
         std::ranges::for_each(*coordinates, add);
+}
+
+void addFeature(const Json& feature, std::size_t number, AirspaceTable& table, ReadBudget& budget)
+{
+    const Json* properties = memberOf(&feature, "properties");
+    FileAirspace area = describedBy(properties);
+    area.line = number;
+    const bool isClear = !lacksUnit(properties, "floor_m", kFloors) &&
+                         !lacksUnit(properties, "ceiling_m", kCeilings);
+    addPolygons(memberOf(&feature, "geometry"), area, isClear, table, budget);
 }
 
 /** The corners in the plane; none: no outline that a scenario can hold. */
@@ -148,7 +175,8 @@ bool isFar(const std::vector<Point>& ring_m, const Point& place_m)
 /**
  * Polygons of a GeoJSON text, by whatever of these properties there are: `name`; `class`, `type`,
  * `kind`; `floor_m`, `ceiling_m`, or `floor`, `ceiling`, `lower`, `upper`, `lowerLimit`,
- * `upperLimit` with a height as in OpenAir or `{value, unit}` (0 m, 1 ft, 6 FL); `from_utc`,
+ * `upperLimit` with a height as in OpenAir or `{value, unit}` (0 m, 1 ft, 6 FL), which a number
+ * alone is not; `from_utc`,
  * `until_utc`. Of an export of our own those of airspace.
  */
 AirspaceTable readAirspaceGeoJson(std::string_view text, ReadBudget& budget)
@@ -156,8 +184,9 @@ AirspaceTable readAirspaceGeoJson(std::string_view text, ReadBudget& budget)
     ParsedJson file = parseJson(text, budget);
     const Json* features = arrayOf(&file.root, "features");
     AirspaceTable table;
+    table.rejected.place = "feature";
     if (features == nullptr) {
-        addPolygons(file.root, 1, table, budget);
+        addFeature(file.root, 1, table, budget);
         return table;
     }
     const bool isOwn = std::ranges::any_of(*features, [](const Json& feature) {
@@ -168,7 +197,7 @@ AirspaceTable readAirspaceGeoJson(std::string_view text, ReadBudget& budget)
         budget.goOn();
         ++number;
         if (!isOwn || kindOf(memberOf(&feature, "properties")) == "airspace")
-            addPolygons(feature, number, table, budget);
+            addFeature(feature, number, table, budget);
     }
     return table;
 }

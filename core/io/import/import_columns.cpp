@@ -1,3 +1,4 @@
+#include "core/base/error.h"
 #include "core/io/import/import_fields.h"
 
 #include <algorithm>
@@ -29,6 +30,12 @@ constexpr std::array kSpeeds = {Unit{""},
                                 Unit{"knots", kKnot_mps},
                                 Unit{"kmh", 1 / 3.6},
                                 Unit{"cms", 0.01}};
+/** Of AIS and NMEA. */
+constexpr auto kSpeedsOverGround = [] {
+    auto units = kSpeeds;
+    units[0].factor = kKnot_mps;
+    return units;
+}();
 constexpr std::array kLengths = {Unit{""},
                                  Unit{"m"},
                                  Unit{"km", 1000},
@@ -63,7 +70,8 @@ std::span<const Custom> customs()
                 "lastupdate", "acquisitiontime", "begin", "when"}},
         Custom{Latitude, kDegrees, {"latitude", "lat", "sightinglatitude"}},
         Custom{Longitude, kDegrees, {"longitude", "lon", "long", "lng", "sightinglongitude"}},
-        Custom{Speed, kSpeeds, {"speed", "driftspeed", "sog"}},
+        Custom{Speed, kSpeeds, {"speed", "driftspeed"}},
+        Custom{Speed, kSpeedsOverGround, {"sog"}},
         Custom{Direction, kDegrees, {"direction", "driftdirection", "course", "cog", "bearing"}},
         Custom{Sigma, kVariances, {"sigma", "sigma0", "variance"}},
         Custom{Growth, kGrowths, {"q", "growth"}},
@@ -81,14 +89,27 @@ const Custom& customOf(SightingField field)
                          [&](const Custom& custom) { return custom.field == field; });
 }
 
-/** Factor of the unit that a column's name ends with; 1 without one. */
+/** Whether the plain name ends with these letters, and something else is in front of them in the
+ * name itself: "Draft" is not in feet. */
+bool endsWithWord(std::string_view name, std::string_view word)
+{
+    if (!plainName(name).ends_with(word))
+        return false;
+    std::size_t at = name.size();
+    for (std::size_t left = word.size(); left > 0;)
+        left -= plainName(name.substr(--at, 1)).size();
+    return at > 0 && std::string_view(" _([/-.,:").find(name[at - 1]) != std::string_view::npos;
+}
+
+/** Factor of the unit that a column's name ends with; the customary one without. */
 double unitFactor(SightingField field, std::string_view name)
 {
-    const std::string plain = plainName(name);
+    if (const std::optional<FieldUse> guess = fieldOfColumn(name); guess && guess->field == field)
+        return guess->factor;
     double factor = 1;
     std::size_t longest = 0;
     for (const Unit& unit : customOf(field).units)
-        if (plain.ends_with(unit.suffix) && unit.suffix.size() > longest) {
+        if (unit.suffix.size() > longest && endsWithWord(name, unit.suffix)) {
             longest = unit.suffix.size();
             factor = unit.factor;
         }
@@ -112,8 +133,8 @@ std::string plainName(std::string_view name)
 std::optional<FieldUse> fieldOfColumn(std::string_view name)
 {
     const std::string plain = plainName(name);
+    std::size_t rank = 0;
     for (const Custom& custom : customs()) {
-        std::size_t rank = 0;
         for (const std::string_view known : custom.names) {
             ++rank;
             if (!plain.starts_with(known))
@@ -127,6 +148,51 @@ std::optional<FieldUse> fieldOfColumn(std::string_view name)
     return std::nullopt;
 }
 
+std::optional<PlacePart> placePartOf(std::string_view name)
+{
+    using enum PlacePart::Kind;
+    struct Axis
+    {
+        SightingField field;
+        std::initializer_list<std::string_view> names;
+        std::string_view letters;
+    };
+    static const std::array kAxes = {
+        Axis{SightingField::Latitude, {"latitude", "lat"}, "ns"},
+        Axis{SightingField::Longitude, {"longitude", "long", "lon", "lng"}, "ew"}};
+    static const std::map<std::string_view, PlacePart::Kind> kKinds{
+        {"min", Minutes},    {"mins", Minutes},        {"minutes", Minutes},
+        {"sec", Seconds},    {"secs", Seconds},        {"seconds", Seconds},
+        {"hem", Hemisphere}, {"hemi", Hemisphere},     {"hemisphere", Hemisphere},
+        {"dir", Hemisphere}, {"direction", Hemisphere}};
+    const std::string plain = plainName(name);
+    for (const Axis& axis : kAxes) {
+        if (plain == axis.letters)
+            return PlacePart{axis.field, Hemisphere};
+        for (const std::string_view known : axis.names) {
+            if (!plain.starts_with(known))
+                continue;
+            const std::string_view rest = std::string_view(plain).substr(known.size());
+            if (rest == axis.letters)
+                return PlacePart{axis.field, Hemisphere};
+            if (const auto kind = kKinds.find(rest); kind != kKinds.end())
+                return PlacePart{axis.field, kind->second};
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<SightingField> unclearTimeOf(std::string_view name)
+{
+    const std::size_t end = name.find_first_of(" _([/-.,:");
+    if (end == std::string_view::npos || fieldOfColumn(name))
+        return std::nullopt;
+    const std::optional<FieldUse> use = fieldOfColumn(name.substr(0, end));
+    const bool isTime =
+        use && (use->field == SightingField::Time || use->field == SightingField::Date);
+    return isTime ? std::optional(use->field) : std::nullopt;
+}
+
 std::optional<FieldUse> ColumnNames::of(const std::string& column)
 {
     const auto it = m_known.find(column);
@@ -138,17 +204,31 @@ std::optional<FieldUse> ColumnNames::of(const std::string& column)
     return m_known.emplace(column, find(column)).first->second;
 }
 
-std::optional<FieldUse> ColumnNames::find(const std::string& column) const
+std::optional<FieldUse> ColumnNames::find(const std::string& column)
 {
     for (const FieldColumn& mapped : m_mapping)
-        if (mapped.column == column)
+        if (mapped.column == column) {
+            m_found.insert(column);
             return FieldUse{.field = mapped.field, .factor = unitFactor(mapped.field, column)};
+        }
     const std::optional<FieldUse> guess = fieldOfColumn(column);
     const bool taken =
         guess && std::any_of(m_mapping.begin(), m_mapping.end(), [&](const FieldColumn& mapped) {
             return mapped.field == guess->field;
         });
     return taken ? std::nullopt : guess;
+}
+
+void ColumnNames::requireMapped(const std::string& subject) const
+{
+    std::vector<Issue> issues;
+    for (const FieldColumn& mapped : m_mapping)
+        if (!m_found.contains(mapped.column))
+            issues.push_back({Severity::Error,
+                              nameOf(kSightingFieldNames, mapped.field),
+                              {IssueId::NoSuchColumn, {printable(mapped.column)}}});
+    if (!issues.empty())
+        throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
 }
 
 } // namespace berg

@@ -23,7 +23,8 @@ struct ReadColumn
 struct CsvLayout
 {
     std::vector<ReadColumn> columns;
-    std::size_t width = 0; ///< cells of a whole row
+    std::vector<std::pair<std::size_t, PlacePart>> parts = {}; ///< by their columns, as appended
+    std::size_t width = 0;                                     ///< cells of a whole row
     bool header = true;
     bool timeNeeded = true;
     bool isMonthFirst = true; ///< by the customs of the format, where no date tells otherwise
@@ -38,10 +39,65 @@ bool isBlank(const CsvRow& row)
                        [](const std::string& cell) { return trimmed(cell).empty(); });
 }
 
+bool isNumber(const std::string& cell)
+{
+    return decimalOf(trimmed(cell)).has_value();
+}
+
+/** Without what may stand above the header: the separator as spreadsheets tell it, and comments. */
+struct TableText
+{
+    std::string_view text;
+    std::size_t skipped = 0; ///< lines
+    std::optional<char> separator = {};
+
+    [[nodiscard]] CsvReader reader() const
+    {
+        return {text, separator.value_or(csvSeparator(text))};
+    }
+};
+
+/** Without the first line. */
+TableText below(const TableText& table)
+{
+    TableText rest = table;
+    const std::size_t end = std::min(rest.text.find_first_of("\r\n"), rest.text.size());
+    rest.text.remove_prefix(end);
+    rest.text.remove_prefix(rest.text.starts_with("\r\n") ? 2 : rest.text.empty() ? 0 : 1);
+    ++rest.skipped;
+    return rest;
+}
+
+TableText tableOf(std::string_view text)
+{
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    constexpr std::string_view kSeparator = "sep=";
+    TableText table{.text = text};
+    if (text.starts_with(kByteOrderMark))
+        table.text.remove_prefix(kByteOrderMark.size());
+    const std::string_view first =
+        trimmed(table.text.substr(0, std::min(table.text.find_first_of("\r\n"), std::size_t{16})));
+    if (first.size() == kSeparator.size() + 1 && first.starts_with(kSeparator)) {
+        table = below(table);
+        table.separator = first.back();
+    }
+    TableText header = table; // a comment may be that
+    while (table.text.starts_with('#')) {
+        header = table;
+        table = below(table);
+        while (table.text.starts_with('\n') || table.text.starts_with('\r'))
+            table = below(table);
+    }
+    CsvRow row;
+    CsvReader reader = table.reader();
+    const bool isData = !reader.next(row) || std::ranges::any_of(row.cells, isNumber);
+    return isData ? header : table;
+}
+
 /** The first row with anything in it; no cells when there is none. */
 CsvRow firstRow(std::string_view text)
 {
-    CsvReader reader(text, csvSeparator(text));
+    CsvReader reader = tableOf(text).reader();
     CsvRow row;
     while (reader.next(row))
         if (!isBlank(row))
@@ -84,19 +140,23 @@ void fill(FieldTexts& texts, const CsvRow& row, const CsvLayout& layout)
     texts.clear();
     for (const ReadColumn& column : layout.columns)
         texts.set(column.use, row.cells[column.index]);
+    for (const auto& [index, part] : layout.parts)
+        texts.append(part, row.cells[index]);
 }
 
 /** Calls `use(row)` for each row below the header that is not blank, until it returns false. */
 template <class Use>
 void forRows(const ImportText& source, bool header, Use use)
 {
-    CsvReader reader(source.text, csvSeparator(source.text));
+    const TableText table = tableOf(source.text);
+    CsvReader reader = table.reader();
     CsvRow row;
     bool first = header;
     while (reader.next(row)) {
         source.budget.goOn();
         if (isBlank(row))
             continue;
+        row.line += table.skipped;
         if (first)
             first = false;
         else if (!use(row))
@@ -120,10 +180,10 @@ std::optional<DateOrder> dateOrder(const ImportText& source, const CsvLayout& la
     return told;
 }
 
-bool reads(const CsvLayout& layout, SightingField field)
+bool reads(const std::vector<ReadColumn>& columns, SightingField field)
 {
-    return std::any_of(layout.columns.begin(), layout.columns.end(),
-                       [&](const ReadColumn& column) { return column.use.field == field; });
+    return std::ranges::any_of(columns,
+                               [&](const ReadColumn& column) { return column.use.field == field; });
 }
 
 SightingTable readRows(const ImportText& source, const CsvLayout& layout)
@@ -133,13 +193,22 @@ SightingTable readRows(const ImportText& source, const CsvLayout& layout)
     if (layout.header)
         for (const std::string& cell : header.cells)
             table.columns.push_back(cleanText(cell, kLongestName));
+    std::vector<bool> used(table.columns.size(), false);
     for (const ReadColumn& column : layout.columns)
-        if (column.index < table.columns.size())
+        if (column.index < table.columns.size()) {
             table.mapping.push_back(
                 {.field = column.use.field, .column = table.columns[column.index]});
+            used[column.index] = true;
+        }
+    for (const auto& [index, part] : layout.parts)
+        used[index] = true;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (!used[i] && !table.columns[i].empty())
+            table.unused.push_back(table.columns[i]);
 
     RowRules rules{.timeNeeded = layout.timeNeeded};
-    rules.timeApart = reads(layout, SightingField::Date) && reads(layout, SightingField::Time);
+    rules.timeApart =
+        reads(layout.columns, SightingField::Date) && reads(layout.columns, SightingField::Time);
     const std::optional<DateOrder> told =
         source.dates ? source.dates : dateOrder(source, layout, rules.timeApart);
     const bool guesses = !told && !layout.isMonthFirst;
@@ -191,16 +260,46 @@ std::vector<ReadColumn> columnsOf(const std::vector<std::string>& header, Column
     return columns;
 }
 
-void requireMappedColumns(const ImportText& source, const std::vector<std::string>& header)
+/** Minutes, seconds and letters of latitudes and longitudes, in this order. */
+std::vector<std::pair<std::size_t, PlacePart>> partsOf(const std::vector<std::string>& header,
+                                                       ColumnNames& names)
+{
+    std::vector<std::pair<std::size_t, PlacePart>> parts;
+    const bool isBox = std::ranges::any_of(header, [](const std::string& name) {
+        const std::string plain = plainName(name);
+        return plain.starts_with("l") && plain.ends_with("max"); // beside them "lat_min" is another
+    });
+    for (std::size_t i = 0; i < header.size(); ++i)
+        if (const std::optional<PlacePart> part = placePartOf(header[i]);
+            part && !names.of(header[i]))
+            if (!isBox || part->kind == PlacePart::Kind::Hemisphere)
+                parts.emplace_back(i, *part);
+    std::ranges::stable_sort(parts, {}, [](const auto& part) { return part.second.kind; });
+    return parts;
+}
+
+/** Columns that say where or when, but not in a way that is understood. */
+void refuseUnclear(const std::vector<ReadColumn>& columns, const std::vector<std::string>& header,
+                   ColumnNames& names, const std::string& subject)
 {
     std::vector<Issue> issues;
-    for (const FieldColumn& mapped : source.mapping)
-        if (std::find(header.begin(), header.end(), mapped.column) == header.end())
+    for (const std::string& name : header) {
+        if (names.of(name))
+            continue;
+        const auto refuse = [&](SightingField field) {
             issues.push_back({Severity::Error,
-                              nameOf(kSightingFieldNames, mapped.field),
-                              {IssueId::NoSuchColumn, {printable(mapped.column)}}});
+                              nameOf(kSightingFieldNames, field),
+                              {IssueId::ColumnUnclear, {printable(name)}}});
+        };
+        const std::string plain = plainName(name);
+        if (plain == "hem" || plain == "hemi" || plain == "hemisphere")
+            refuse(SightingField::Longitude);
+        else if (const std::optional<SightingField> time = unclearTimeOf(name);
+                 time && !reads(columns, SightingField::Time) && !reads(columns, *time))
+            refuse(*time);
+    }
     if (!issues.empty())
-        throw Error(ErrorCode::InvalidInput, source.budget.subject(), std::move(issues));
+        throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
 }
 
 /** Two columns of one name: which of them holds the field, nobody can tell. */
@@ -230,10 +329,12 @@ CsvLayout layoutByName(const ImportText& source, std::initializer_list<SightingF
     std::vector<std::string> cells;
     for (const std::string& cell : header.cells)
         cells.push_back(cleanText(cell, kLongestName));
-    requireMappedColumns(source, cells);
     ColumnNames names(source.mapping);
-    CsvLayout layout{.columns = columnsOf(cells, names), .width = cells.size()};
+    CsvLayout layout{
+        .columns = columnsOf(cells, names), .parts = partsOf(cells, names), .width = cells.size()};
+    names.requireMapped(source.budget.subject());
     refuseTwins(layout.columns, cells, source.budget.subject());
+    refuseUnclear(layout.columns, cells, names, source.budget.subject());
     if (fields.size() > 0)
         std::erase_if(layout.columns, [&](const ReadColumn& column) {
             return std::find(fields.begin(), fields.end(), column.use.field) == fields.end();
@@ -243,7 +344,7 @@ CsvLayout layoutByName(const ImportText& source, std::initializer_list<SightingF
 
 void requireField(const CsvLayout& layout, SightingField field, const std::string& subject)
 {
-    if (!reads(layout, field))
+    if (!reads(layout.columns, field))
         throw Error(
             ErrorCode::InvalidInput, subject,
             {{Severity::Error, nameOf(kSightingFieldNames, field), {IssueId::NoColumnForIt}}});
@@ -256,11 +357,6 @@ void requirePlace(const CsvLayout& layout, const std::string& subject)
 }
 
 constexpr std::size_t kIipColumns = 10;
-
-bool isNumber(const std::string& cell)
-{
-    return decimalOf(trimmed(cell)).has_value();
-}
 
 /** A row of data of the IIP, told by its numbers. */
 bool isIipRow(const CsvRow& row)
@@ -305,7 +401,8 @@ SightingTable readAnyCsv(const ImportText& source)
 {
     CsvLayout layout = layoutByName(source);
     requirePlace(layout, source.budget.subject());
-    layout.timeNeeded = reads(layout, SightingField::Time) || reads(layout, SightingField::Date);
+    layout.timeNeeded =
+        reads(layout.columns, SightingField::Time) || reads(layout.columns, SightingField::Date);
     layout.isMonthFirst = false;
     SightingTable table = readRows(source, layout);
     decideIdentity(table);

@@ -46,6 +46,7 @@ public:
 
     SightingTable take()
     {
+        m_table.rejected.place = "packet";
         ParsedJson file = parseJson(m_source.text, m_source.budget);
         if (!file.root.is_array())
             throw Error(ErrorCode::WrongFormat, m_source.budget.subject(),
@@ -55,6 +56,7 @@ public:
                                   memberOf(memberOf(&packet, "properties"), "airspeed_mps"));
         forEachReleased(file.root.get_ref<Json::array_t&>(), m_source.budget,
                         [this](const Json& packet) { addPacket(packet); });
+        m_names.requireMapped(m_source.budget.subject());
         return std::move(m_table);
     }
 
@@ -122,13 +124,20 @@ private:
             reject(IssueId::NoPosition);
             return;
         }
-        addRow(m_table, withData(sightingOf(m_texts, {}, m_packet), m_data), m_source.budget);
+        addRow(m_table, withData(read(m_texts, false), m_data), m_source.budget);
+    }
+
+    [[nodiscard]] std::variant<Sighting, RejectedRow> read(const FieldTexts& texts, bool timeNeeded)
+    {
+        noteDate(m_table, texts, m_packet);
+        return sightingOf(texts, m_source.rules(timeNeeded), m_packet);
     }
 
     void addTrack(const Json& degrees, const std::optional<UtcTime>& epoch)
     {
         constexpr std::size_t kStep = 4;
         constexpr double kLongest_s = 1e9;
+        const std::size_t first = m_table.sightings.size();
         for (std::size_t i = 0; i + kStep <= degrees.size(); i += kStep) {
             m_source.budget.goOn();
             FieldTexts texts = m_texts;
@@ -138,10 +147,11 @@ private:
             else if (epoch && time.is_number() && std::abs(time.get<double>()) < kLongest_s)
                 texts.set(SightingField::Time, utcText(*epoch, time.get<double>()));
             if (setPlace(texts, degrees[i + 1], degrees[i + 2]))
-                addRow(m_table, sightingOf(texts, {.timeNeeded = true}, m_packet), m_source.budget);
+                addRow(m_table, read(texts, true), m_source.budget);
             else
                 reject(IssueId::NoPosition);
         }
+        m_tracks.give(m_table, first);
         if (degrees.size() % kStep != 0)
             reject(IssueId::NoPosition);
     }
@@ -189,6 +199,7 @@ private:
     const ImportText& m_source;
     ColumnNames m_names;
     SightingTable m_table;
+    TrackIds m_tracks;
     bool m_isOwn = false; ///< an export of our own
     std::size_t m_packet = 0;
     FieldTexts m_texts;

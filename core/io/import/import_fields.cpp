@@ -99,12 +99,15 @@ public:
         if (value && !outOfLimits(*value, limits))
             return value;
         if (m_wrong.empty()) {
-            m_wrong = text;
-            m_fault = !value && isGrouped(text) ? IssueId::DecimalComma : IssueId::NumberWrong;
+            const bool isComma = !value && isGrouped(text);
+            m_wrong = isComma ? text : nameOf(kSightingFieldNames, field) + (": " + text);
+            m_fault = isComma ? IssueId::DecimalComma
+                      : value ? IssueId::NumberWrong
+                              : IssueId::NotANumber;
         }
         return std::nullopt;
     }
-    /** Text of the first number that was wrong, empty when none was. */
+    /** Field and text of the first number that was wrong, empty when none was. */
     [[nodiscard]] const std::string& wrong() const { return m_wrong; }
     [[nodiscard]] IssueId fault() const { return m_fault; }
 
@@ -238,6 +241,32 @@ void FieldTexts::set(const FieldUse& use, std::string_view text)
     entry.rank = use.rank;
 }
 
+void FieldTexts::append(const PlacePart& part, std::string_view text)
+{
+    std::string& whole = m_entries[static_cast<std::size_t>(part.field)].text;
+    std::string_view value = trimmed(text);
+    if (value.empty() || whole.empty())
+        return;
+    if (part.kind == PlacePart::Kind::Hemisphere)
+        value = value.substr(0, 1);
+    else if (whole.ends_with(".0") || whole.ends_with(",0")) // of whole degrees or minutes
+        whole.resize(whole.size() - 2);
+    whole.append(1, ' ').append(value.substr(0, kLongestText));
+    if (part.kind != PlacePart::Kind::Hemisphere)
+        std::ranges::replace(whole, ',', '.');
+}
+
+void noteDate(SightingTable& table, const FieldTexts& texts, std::size_t line)
+{
+    const std::string time = timeText(texts, false);
+    if (!table.toldDates)
+        table.toldDates = dateOrderOf(time);
+    if (table.guessedDate.empty() && hasTwoReadings(time)) {
+        table.guessedDate = cleanText(time, 60);
+        table.guessedLine = line;
+    }
+}
+
 std::string timeText(const FieldTexts& texts, bool timeApart)
 {
     const std::string& date = texts.text(SightingField::Date);
@@ -332,6 +361,18 @@ void addRow(SightingTable& table, std::variant<Sighting, RejectedRow> row, ReadB
     budget.takeRow(sizeof(Sighting) + kAfterwards + sighting->id.capacity() +
                    sighting->name.capacity());
     table.sightings.push_back(std::move(*sighting));
+}
+
+void TrackIds::give(SightingTable& table, std::size_t first)
+{
+    if (first >= table.sightings.size() || !table.sightings[first].id.empty())
+        return;
+    const std::optional<UtcTime>& time = table.sightings[first].time;
+    std::string id = time ? "track " + utcText(*time, 0) : "track";
+    if (const int number = ++m_numbers[id]; number > 1)
+        id += ' ' + std::to_string(number);
+    for (std::size_t i = first; i < table.sightings.size(); ++i)
+        table.sightings[i].id = id;
 }
 
 void decideIdentity(SightingTable& table)

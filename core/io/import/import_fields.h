@@ -2,12 +2,11 @@
 
 // Private to core/io: from the texts of one row or feature to a sighting, for every format.
 
-#include "core/io/import/import_table.h"
-#include "core/io/import/import_time.h"
-#include "core/io/text/read_budget.h"
+#include "core/io/import/import_formats.h"
 #include "core/scenario/checks.h"
 
 #include <map>
+#include <set>
 #include <variant>
 
 namespace berg {
@@ -25,6 +24,25 @@ struct FieldUse
 /** Field that a column of this name holds by the customs of the trade; none for any other name. */
 [[nodiscard]] std::optional<FieldUse> fieldOfColumn(std::string_view name);
 
+/** A column that holds a part of a latitude or longitude whose degrees have one of their own. */
+struct PlacePart
+{
+    enum class Kind
+    {
+        Minutes,
+        Seconds,
+        Hemisphere
+    };
+    SightingField field = SightingField::Latitude;
+    Kind kind = Kind::Minutes;
+};
+
+/** "lat_min" holds minutes of the latitude, "E/W" the hemisphere; none for any other name. */
+[[nodiscard]] std::optional<PlacePart> placePartOf(std::string_view name);
+
+/** Date or time whose column this would be but for what follows, as "time (EST)"; none else. */
+[[nodiscard]] std::optional<SightingField> unclearTimeOf(std::string_view name);
+
 /** The columns of one file: those mapped explicitly, and guesses for the fields left. */
 class ColumnNames
 {
@@ -33,11 +51,14 @@ public:
 
     /** What the column serves as. */
     [[nodiscard]] std::optional<FieldUse> of(const std::string& column);
+    /** Throws `Error{InvalidInput}` for mapped columns that nobody has asked for. */
+    void requireMapped(const std::string& subject) const;
 
 private:
-    [[nodiscard]] std::optional<FieldUse> find(const std::string& column) const;
+    [[nodiscard]] std::optional<FieldUse> find(const std::string& column);
 
     const ColumnMapping& m_mapping;
+    std::set<std::string> m_found; ///< of the mapped ones
     std::map<std::string, std::optional<FieldUse>> m_known;
 };
 
@@ -49,6 +70,8 @@ public:
     /** Taken unless a column that fits better has given one that is not blank. */
     void set(const FieldUse& use, std::string_view text);
     void set(SightingField field, std::string_view text) { set(FieldUse{.field = field}, text); }
+    /** Behind what the field has: minutes, seconds or the letter of the hemisphere. */
+    void append(const PlacePart& part, std::string_view text);
     void drop(SightingField field) { m_entries[static_cast<std::size_t>(field)] = {}; }
     [[nodiscard]] const std::string& text(SightingField field) const { return at(field).text; }
     [[nodiscard]] double factor(SightingField field) const { return at(field).factor; }
@@ -66,14 +89,6 @@ private:
     }
 
     std::array<Entry, kFieldCount> m_entries;
-};
-
-/** What holds for all rows of a file. */
-struct RowRules
-{
-    DateOrder order = DateOrder::MonthFirst;
-    bool timeNeeded = false; ///< a row without time is rejected
-    bool timeApart = false;  ///< date and time of day have a column each
 };
 
 /** The sighting that the texts describe, or why there is none; `line` is set in both. */
@@ -106,6 +121,9 @@ template <class NumberOf>
     return isThere ? std::optional(change) : std::nullopt;
 }
 
+/** Tells the table of a row's date: whether it shows the order of all, or has two readings. */
+void noteDate(SightingTable& table, const FieldTexts& texts, std::size_t line);
+
 /** Date and time of day from one text, or from two; with `timeApart` neither may be missing. */
 [[nodiscard]] std::string timeText(const FieldTexts& texts, bool timeApart);
 
@@ -124,6 +142,18 @@ template <class NumberOf>
 
 /** Adds what was read of a row to the table. */
 void addRow(SightingTable& table, std::variant<Sighting, RejectedRow> row, ReadBudget& budget);
+
+/** Ids of the tracks of one file that have none, each another: "track", its first time, a number.
+ */
+class TrackIds
+{
+public:
+    /** Of the rows from `first` on, those of one track. */
+    void give(SightingTable& table, std::size_t first);
+
+private:
+    std::map<std::string, int> m_numbers;
+};
 
 /**
  * Of rows without ids: where each has a name, and not all the same, the name is the id; else, at

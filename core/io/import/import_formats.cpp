@@ -116,7 +116,7 @@ std::vector<Issue> issuesOf(const Rejections& rejected)
     for (const RejectedRow& row : rejected.first) {
         if (issues.size() == kMostTold)
             break;
-        issues.push_back({Severity::Error, "line " + std::to_string(row.line), reasonOf(row)});
+        issues.push_back({Severity::Error, placeOf(rejected, row.line), reasonOf(row)});
     }
     return issues;
 }
@@ -134,6 +134,20 @@ const ImportFormat* findImportFormat(std::string_view id)
 }
 
 namespace {
+
+/** Where the place is that of a geometry, no property can be. */
+void requireFreePlaces(const ImportFormat& format, const ColumnMapping& mapping,
+                       const std::string& subject)
+{
+    if (format.read != readGeoJson && format.read != readCzml)
+        return;
+    for (const FieldColumn& mapped : mapping)
+        if (mapped.field == SightingField::Latitude || mapped.field == SightingField::Longitude)
+            throw Error(ErrorCode::InvalidInput, subject,
+                        {{Severity::Error,
+                          nameOf(kSightingFieldNames, mapped.field),
+                          {IssueId::ColumnsFixed, {std::string(format.id)}}}});
+}
 
 SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, ReadBudget& budget)
 {
@@ -157,8 +171,19 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
     if (!format.namedColumns && !options.mapping.empty())
         throw Error(ErrorCode::InvalidInput, subject,
                     {IssueId::ColumnsFixed, {std::string(format.id)}});
-    SightingTable table = format.read(
-        {.text = text, .budget = budget, .mapping = options.mapping, .dates = options.dates});
+    requireFreePlaces(format, options.mapping, subject);
+    const ReadBudget before = budget;
+    ImportText source{
+        .text = text, .budget = budget, .mapping = options.mapping, .dates = options.dates};
+    SightingTable table = format.read(source);
+    if (!source.dates && table.toldDates == DateOrder::DayFirst) { // told too late for the first
+        table = {};
+        budget = before;
+        source.dates = DateOrder::DayFirst;
+        table = format.read(source);
+    }
+    if (source.dates || table.toldDates)
+        table.guessedDate.clear();
     table.format = format.id;
     table.positionSd_m = format.positionSd_m;
     return table;

@@ -11,6 +11,14 @@
 
 namespace berg {
 
+/** What holds for all rows of a file. */
+struct RowRules
+{
+    DateOrder order = DateOrder::MonthFirst;
+    bool timeNeeded = false; ///< a row without time is rejected
+    bool timeApart = false;  ///< date and time of day have a column each
+};
+
 /** What a reader is given. */
 struct ImportText
 {
@@ -18,6 +26,12 @@ struct ImportText
     ReadBudget& budget;
     const ColumnMapping& mapping; ///< columns the user has named; the rest is guessed
     std::optional<DateOrder> dates = {};
+
+    /** Of a row whose date and time are not apart. */
+    [[nodiscard]] RowRules rules(bool timeNeeded) const
+    {
+        return {.order = dates.value_or(DateOrder::MonthFirst), .timeNeeded = timeNeeded};
+    }
 };
 
 /** One row of the table that the command line and the dialog share. */

@@ -104,6 +104,7 @@ public:
 
     SightingTable take()
     {
+        m_table.rejected.place = "feature";
         ParsedJson file = parseJson(m_source.text, m_source.budget);
         const std::span<Json> features = featuresOf(file.root);
         for (const Json& feature : features) {
@@ -112,6 +113,7 @@ public:
             m_isOwn = m_isOwn || isOwnGeoJson(memberOf(&feature, "properties"));
         }
         forEachReleased(features, m_source.budget, [this](const Json& one) { addFeature(one); });
+        m_names.requireMapped(m_source.budget.subject());
         return std::move(m_table);
     }
 
@@ -167,6 +169,12 @@ private:
         }
     }
 
+    [[nodiscard]] std::variant<Sighting, RejectedRow> read(const FieldTexts& texts, bool timeNeeded)
+    {
+        noteDate(m_table, texts, m_feature);
+        return sightingOf(texts, m_source.rules(timeNeeded), m_feature);
+    }
+
     void addPoint(FieldTexts& texts, const Json& position, const Json* properties)
     {
         if (!setPlace(texts, position)) {
@@ -174,7 +182,7 @@ private:
             return;
         }
         std::variant<Sighting, RejectedRow> row =
-            withDrift(sightingOf(texts, {}, m_feature), driftOf(properties));
+            withDrift(read(texts, false), driftOf(properties));
         if (auto* const sighting = std::get_if<Sighting>(&row)) {
             sighting->appearsIn_s = appearsIn_s(properties);
             sighting->change =
@@ -185,6 +193,7 @@ private:
 
     void addCorners(const FieldTexts& common, const Json& corners, const Json* times)
     {
+        const std::size_t first = m_table.sightings.size();
         for (std::size_t i = 0; corners.is_array() && i < corners.size(); ++i) {
             m_source.budget.goOn();
             FieldTexts texts = common;
@@ -192,16 +201,18 @@ private:
             if (times != nullptr && i < times->size())
                 texts.set(SightingField::Time, cellText((*times)[i]));
             if (placed)
-                addRow(m_table, sightingOf(texts, {.timeNeeded = times != nullptr}, m_feature),
-                       m_source.budget);
+                addRow(m_table, read(texts, times != nullptr), m_source.budget);
             else
                 reject(IssueId::NoPosition);
         }
+        if (times != nullptr)
+            m_tracks.give(m_table, first);
     }
 
     const ImportText& m_source;
     ColumnNames m_names;
     SightingTable m_table;
+    TrackIds m_tracks;
     bool m_isOwn = false;  ///< an export of our own
     bool m_isRoute = true; ///< no feature has a place of its own
     std::size_t m_feature = 0;

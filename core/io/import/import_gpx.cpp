@@ -15,7 +15,6 @@ public:
         const XmlEvents events{.opened = [this](XmlPath path) { opened(path.back()); },
                                .closed = [this](XmlPath path) { closed(path); }};
         readXml(m_source.text, events, m_source.budget);
-        decideIdentity(m_table);
         return std::move(m_table);
     }
 
@@ -29,8 +28,10 @@ private:
     {
         if (element.name == "gpx")
             m_isOwn = element.attribute("creator") == "Bergwatch";
-        if (element.name == "trk")
+        if (element.name == "trk") {
             m_track.clear();
+            m_first = m_table.sightings.size();
+        }
         if (!isPoint(element.name))
             return;
         m_texts.clear();
@@ -57,6 +58,8 @@ private:
             extension(element);
         else if (isPoint(element.name))
             finish(element);
+        else if (element.name == "trk")
+            m_tracks.give(m_table, m_first);
     }
 
     void extension(const XmlElement& element)
@@ -102,7 +105,9 @@ private:
     const ImportText& m_source;
     bool m_isOwn = false; ///< an export of our own
     SightingTable m_table;
-    std::string m_track; ///< name of the one that is open
+    TrackIds m_tracks;
+    std::string m_track;     ///< name of the one that is open
+    std::size_t m_first = 0; ///< sighting of it
     FieldTexts m_texts;
     std::string m_name;
     std::string m_type;

@@ -226,7 +226,12 @@ private:
                     .array()
                     .round() /
                 kGivenParts;
-        if (!m_isFitted || !isNews())
+        constexpr double kSamePlace_m = 1;
+        const bool isOther =
+            isNews() || (m_iceberg.position_m - m_known->position_m).norm() > kSamePlace_m;
+        if (isOther || m_last->sighting->sigma_m2)
+            m_iceberg.sigma0_m2 = m_past[m_estimate.last].variance_m2;
+        if (!m_isFitted || !isOther)
             return;
         // A scenario has no covariance of the two: what it adds by t = 0 goes into the variance.
         const DriftVariances& known = m_estimate.fit->variances;
@@ -239,8 +244,6 @@ private:
     {
         const Sighting& last = *m_last->sighting;
         m_iceberg.observed_s = std::min(m_report.age_s, kLargestTime_s);
-        if (last.sigma_m2 || isNews())
-            m_iceberg.sigma0_m2 = m_past[m_estimate.last].variance_m2;
         if (last.appearsIn_s)
             m_iceberg.appears_s =
                 std::clamp(*last.appearsIn_s - m_report.age_s, 0.0, kLargestTime_s);

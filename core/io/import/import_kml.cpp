@@ -41,6 +41,7 @@ public:
         const XmlEvents events{.opened = [this](XmlPath path) { opened(path.back()); },
                                .closed = [this](XmlPath path) { closed(path); }};
         readXml(m_source.text, events, m_source.budget);
+        m_names.requireMapped(m_source.budget.subject());
         return std::move(m_table);
     }
 
@@ -62,6 +63,7 @@ private:
         m_name.clear();
         m_style.clear();
         m_point.clear();
+        m_further = 0;
         m_data.clear();
         m_rings.clear();
         m_holes = 0;
@@ -88,16 +90,40 @@ private:
             m_whens.push_back(kept(element.text));
         else if (element.name == "coord")
             m_coordinates.push_back({.line = element.line, .text = kept(element.text)});
-        else if (element.name == "when" || (element.name == "begin" && parent == "TimeSpan"))
-            m_texts.set(SightingField::Time, element.text);
-        else if (element.name == "coordinates" && parent == "Point" && m_point.empty())
-            m_point = element.text;
+        else if (element.name == "when" || element.name == "begin")
+            setTime(path);
+        else if (element.name == "coordinates" && parent == "Point")
+            addPoint(element.text);
         else if (element.name == "coordinates" && m_isOwn)
             shape(path);
         else if (element.name == "value" && parent == "Data")
             property(path[path.size() - 2].attribute("name"), element.text);
         else if (element.name == "SimpleData")
             property(element.attribute("name"), element.text);
+    }
+
+    /** That of the Placemark itself, not of how to look at it. */
+    void setTime(XmlPath path)
+    {
+        const std::string_view parent = parentName(path);
+        if ((parent == "TimeStamp" || parent == "TimeSpan") &&
+            parentName(path.first(path.size() - 1)) == "Placemark")
+            m_texts.set(SightingField::Time, path.back().text);
+    }
+
+    void addPoint(const std::string& text)
+    {
+        if (m_point.empty())
+            m_point = text;
+        else
+            ++m_further;
+    }
+
+    [[nodiscard]] std::variant<Sighting, RejectedRow> read(const FieldTexts& texts,
+                                                           std::size_t line, bool timeNeeded)
+    {
+        noteDate(m_table, texts, line);
+        return sightingOf(texts, m_source.rules(timeNeeded), line);
     }
 
     /** A text that is kept until the end of the Placemark, in a list that grows. */
@@ -137,14 +163,21 @@ private:
                         m_style == "#asset" || isOfAircraft() || isOfPermit())) {
             readOwn();
         } else if (!m_coordinates.empty()) {
+            m_further += m_point.empty() ? std::size_t{0} : std::size_t{1};
             finishTrack();
         } else if (m_point.empty()) {
             addRow(m_table, RejectedRow{.line = m_line, .fault = IssueId::NotAPoint, .detail = {}},
                    m_source.budget);
         } else {
             setPlace(m_texts, m_point, ",");
-            addRow(m_table, withData(sightingOf(m_texts, {}, m_line), m_data), m_source.budget);
+            addRow(m_table, withData(read(m_texts, m_line, false), m_data), m_source.budget);
         }
+        for (; m_further > 0; --m_further)
+            addRow(m_table,
+                   RejectedRow{.line = m_line,
+                               .fault = IssueId::FurtherPlace,
+                               .detail = cleanText(m_name, 60)},
+                   m_source.budget);
     }
 
     /** What is made anew of a scenario, and airspace. */
@@ -191,26 +224,30 @@ private:
 
     void finishTrack()
     {
+        const std::size_t first = m_table.sightings.size();
         for (std::size_t i = 0; i < m_coordinates.size(); ++i) {
             const std::size_t line = m_coordinates[i].line;
             FieldTexts texts = m_texts;
             if (i < m_whens.size())
                 texts.set(SightingField::Time, m_whens[i]);
             setPlace(texts, m_coordinates[i].text, " \t\n");
-            addRow(m_table, sightingOf(texts, {.timeNeeded = true}, line), m_source.budget);
+            addRow(m_table, read(texts, line, true), m_source.budget);
         }
+        m_tracks.give(m_table, first);
     }
 
     const ImportText& m_source;
     ColumnNames m_names;
     bool m_isOwn; ///< an export of our own
     SightingTable m_table;
+    TrackIds m_tracks;
     bool m_inside = false; ///< of a Placemark
     std::size_t m_line = 0;
     FieldTexts m_texts;
     std::string m_name;
     std::string m_style;
     std::string m_point;
+    std::size_t m_further = 0; ///< points after it
     std::vector<std::string> m_rings;
     std::size_t m_holes = 0;
     OwnData m_data;

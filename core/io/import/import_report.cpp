@@ -46,7 +46,7 @@ std::string findingText(const SceneFinding& finding)
 std::string rejectedText(const RejectedRow& row)
 {
     JsonObject object;
-    object.add("line", row.line);
+    object.add("line", row.line); // or feature, packet: `Rejections::place`
     object.add("reason", englishText(reasonOf(row)));
     return object.inLine();
 }
@@ -88,6 +88,7 @@ std::string importJson(const SightingTable& table, const ImportResult& result)
     else
         object.addText("start_utc", "null");
     object.addText("origin", originText(result.scenario.origin));
+    object.addText("unused_columns", jsonArrayOf(table.unused));
     object.addText("scene", jsonLines(textsOf(result.scene, findingText), 1));
     object.addText("icebergs", jsonLines(icebergs, 1));
     object.addText("rejected_rows", jsonLines(textsOf(result.rejected.first, rejectedText), 1));

@@ -3,12 +3,14 @@
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
 #include "core/base/stopped.h"
+#include "core/io/import/import_fields.h"
 #include "core/io/text/read_budget.h"
 #include "core/scenario/checks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace berg {
 
@@ -115,36 +117,41 @@ public:
 private:
     std::string idOf(const Sighting& sighting)
     {
-        if (!sighting.id.empty())
-            return sighting.id;
-        std::string plain = unnamedId(sighting, m_table);
-        if (m_table.oneIceberg || sighting.time)
+        const bool isNamed = !sighting.id.empty();
+        std::string plain = isNamed ? sighting.id : unnamedId(sighting, m_table);
+        if (sighting.time || (m_table.oneIceberg && !isNamed))
             return plain;
-        // Waypoints at two places are two, however near the id takes them to be.
-        const std::pair place(sighting.place.latitude_deg, sighting.place.longitude_deg);
+        // Waypoints at two places are two, of one name or however near the id takes them to be.
+        const std::tuple place(sighting.id, sighting.place.latitude_deg,
+                               sighting.place.longitude_deg);
         if (const auto known = m_places.find(place); known != m_places.end())
             return known->second;
         int& number = m_numbers.try_emplace(plain, 1).first->second;
-        const auto id = [&] { return number == 1 ? plain : plain + ' ' + std::to_string(number); };
-        while (isOfAnotherWaypoint(id()))
+        const auto id = [&] {
+            constexpr std::size_t kNumber = 6; // and the blank before it
+            return number == 1
+                       ? plain
+                       : cleanText(plain, kLongestId - kNumber) + ' ' + std::to_string(number);
+        };
+        while (isOfAnotherWaypoint(id(), isNamed))
             ++number;
         return m_places.emplace(place, id()).first->second;
     }
 
-    [[nodiscard]] bool isOfAnotherWaypoint(const std::string& id) const
+    [[nodiscard]] bool isOfAnotherWaypoint(const std::string& id, bool isNamed) const
     {
         const auto it = m_rows.find(id);
         if (it == m_rows.end())
             return false;
         const Sighting& first = *m_icebergs[it->second].sightings.front().sighting;
-        return !first.time && first.id.empty();
+        return !first.time && first.id.empty() != isNamed;
     }
 
     const SightingTable& m_table;
     std::optional<UtcTime> m_start;
     std::vector<SightedIceberg> m_icebergs;
     std::map<std::string, std::size_t, std::less<>> m_rows;
-    std::map<std::pair<double, double>, std::string> m_places; ///< of waypoints without name
+    std::map<std::tuple<std::string, double, double>, std::string> m_places; ///< of waypoints
     std::map<std::string, int> m_numbers; ///< the last that was given to a place of this id
 };
 

@@ -11,6 +11,11 @@ IssueReason reasonOf(const RejectedRow& row)
     return {row.fault, {printable(row.detail)}};
 }
 
+std::string placeOf(const Rejections& rejected, std::size_t line)
+{
+    return std::string(rejected.place) + ' ' + std::to_string(line);
+}
+
 void Rejections::add(RejectedRow row)
 {
     constexpr std::size_t kMostStored = 1000;

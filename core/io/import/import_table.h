@@ -3,6 +3,7 @@
 #include "core/base/geodesy.h"
 #include "core/base/geometry.h"
 #include "core/io/import/import_scene.h"
+#include "core/io/import/import_time.h"
 #include "core/io/text/utc_time.h"
 #include "core/plan/solve/names.h"
 
@@ -74,7 +75,7 @@ struct SightedChange
 /** One row of a file: an iceberg was at this place. What the file does not tell is empty. */
 struct Sighting
 {
-    std::size_t line = 0; ///< of the file; the feature's number in GeoJSON
+    std::size_t line = 0; ///< of the file; see `Rejections::place`
     std::string id;       ///< empty: the file names no iceberg
     std::string name;
     std::optional<UtcTime> time;
@@ -107,9 +108,13 @@ struct Rejections
 {
     std::vector<RejectedRow> first;
     std::size_t count = 0;
+    std::string_view place = "line"; ///< what `RejectedRow::line` counts: or "feature", "packet"
 
     void add(RejectedRow row);
 };
+
+/** "line 3", "feature 3" or "packet 3". */
+[[nodiscard]] std::string placeOf(const Rejections& rejected, std::size_t line);
 
 /** Which column of the file serves as which field. */
 struct FieldColumn
@@ -129,12 +134,14 @@ struct SightingTable
     Rejections rejected;
     std::vector<std::string> columns; ///< of the file by name; empty where there are none
     ColumnMapping mapping;            ///< as used
+    std::vector<std::string> unused;  ///< columns of which nothing is taken
     double positionSd_m = kGps_m;     ///< of such files, where a sighting does not tell
     /** Without ids the rows are one iceberg (a beacon's track) rather than one each. */
     bool oneIceberg = false;
     /** A date that was read month first although nothing in the file tells; empty: none. */
     std::string guessedDate;
-    std::size_t guessedLine = 0; ///< where that date is
+    std::size_t guessedLine = 0;        ///< where that date is
+    std::optional<DateOrder> toldDates; ///< by the first date that can only be read one way
 };
 
 // Hostile or mistaken files end here.

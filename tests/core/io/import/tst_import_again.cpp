@@ -50,6 +50,34 @@ private slots:
         QVERIFY(result.scenario == base);
     }
 
+    /** Seen at the same time elsewhere: the variance is that of the new place. */
+    void anotherPlaceHasItsOwnVariance()
+    {
+        const Scenario base =
+            importSightings(openSea(), csv("a,2024-05-01T00:00:00Z,60,-50\n")).scenario;
+        const ImportOptions rough{.positionSd_m = 1000};
+        for (const char* text :
+             {"id,time,lat,lon\na,2024-05-01T00:00:00Z,60.05,-50\n", "id,lat,lon\na,60.05,-50\n"}) {
+            const ImportResult moved = importSightings(base, readSightings(text, "file"), rough);
+            QCOMPARE(moved.updated, std::size_t{1});
+            QCOMPARE(moved.scenario.icebergs[0].sigma0_m2, 1e6);
+        }
+    }
+
+    /** Without times there is no track: each place is an iceberg. */
+    void oneNameAtSeveralPlaces()
+    {
+        const ImportResult result = importSightings(
+            openSea(), readSightings("id,lat,lon\nBerg,60,-50\nBerg,60,-50.1\nBerg,60,-50\n"
+                                     "Berg 2,60,-50.2\n",
+                                     "file"));
+        QCOMPARE(result.added, std::size_t{3});
+        QCOMPARE(result.scenario.icebergs[0].id, std::string("Berg"));
+        QCOMPARE(result.scenario.icebergs[1].id, std::string("Berg 2"));
+        QCOMPARE(result.scenario.icebergs[2].id, std::string("Berg 2 2"));
+        QVERIFY(has(result.icebergs[0], ImportNote::Repeated));
+    }
+
     /** It is not passed over in silence that one without a time counts as seen now. */
     void sightingsWithoutATimeAreTold()
     {

@@ -214,6 +214,28 @@ private slots:
         QVERIFY(std::abs(limited.ceiling_m.value_or(0) - 1981.2) < 1e-9);
     }
 
+    /** 500 may be feet or metres. */
+    void heightsWithoutUnitAreRejected()
+    {
+        const auto feature = [](const std::string& name, const std::string& limits) {
+            return "{'type': 'Feature', 'properties': {'name': '" + name + "', " + limits +
+                   "}, 'geometry': {'type': 'GeometryCollection', 'geometries': [{'type': "
+                   "'Polygon', 'coordinates': [[[-48, 47], [-47.9, 47], [-47.9, 47.1], "
+                   "[-48, 47.1], [-48, 47]]]}]}}";
+        };
+        std::string text = "{'type': 'FeatureCollection', 'features': [" +
+                           feature("bare", "'floor': 500, 'ceiling': 1500") + ", " +
+                           feature("value", "'lower': {'value': 500}") + ", " +
+                           feature("ground", "'floor': 0, 'ceiling': '1500 ft'") + "]}";
+        std::ranges::replace(text, '\'', '"'); // moc loses its way in raw strings
+        const AirspaceResult result = read(text);
+        QCOMPARE(result.rejected.count, std::size_t{2});
+        QVERIFY(result.rejected.first[1].fault == IssueId::AirspaceUnit);
+        QCOMPARE(placeOf(result.rejected, result.rejected.first[1].line), std::string("feature 2"));
+        QCOMPARE(result.added, std::size_t{1});
+        QVERIFY(std::abs(named(result.scenario, "ground").ceiling_m.value_or(0) - 457.2) < 1e-9);
+    }
+
     /** An export of our own gives back its airspace, and nothing else of it. */
     void ownExportComesBack()
     {

@@ -95,7 +95,7 @@ private slots:
         QCOMPARE(timeOf(grounded), std::string("2014-11-07T00:00:00Z"));
         QVERIFY(!at(table, 4).grounded);
         QVERIFY(faultAt(table, 5).starts_with("latitude"));
-        QVERIFY(faultAt(table, 6).starts_with("a number is out of range: \"wide\""));
+        QVERIFY(faultAt(table, 6).starts_with("\"length: wide\" is no number"));
         QCOMPARE(faultAt(table, 7), std::string("has no time"));
     }
 
@@ -205,6 +205,69 @@ private slots:
         QCOMPARE(timeOf(table.sightings[3]), std::string("2022-08-01T11:00:00Z"));
     }
 
+    /** Each is an iceberg of its own, and points are not a track. */
+    void tracksWithoutNames_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("gpx") << QByteArray(
+            "<gpx><trk><trkseg><trkpt lat='60' lon='-50'><time>2021-06-02T00:00:00Z</time></trkpt>"
+            "<trkpt lat='60.01' lon='-50'><time>2021-06-02T02:00:00Z</time></trkpt></trkseg></trk>"
+            "<trk><trkseg><trkpt lat='61' lon='-50'><time>2021-06-02T00:00:00Z</time></trkpt>"
+            "<trkpt lat='61.01' lon='-50'><time>2021-06-02T02:00:00Z</time></trkpt></trkseg></trk>"
+            "</gpx>");
+        const std::string line =
+            R"({"type": "Feature", "properties": {"times":)"
+            R"(["2021-06-02T00:00:00Z", "2021-06-02T02:00:00Z"]}, "geometry":)"
+            R"({"type": "LineString", "coordinates": [[-50, 60], [-50, 61]]}})";
+        QTest::newRow("geojson") << QByteArray::fromStdString(
+            R"({"type": "FeatureCollection", "features": [)" + line + ',' + line + "]}");
+        const std::string track = "<Placemark><Track><when>2021-06-02T00:00:00Z</when>"
+                                  "<when>2021-06-02T02:00:00Z</when><coord>-50 60 0</coord>"
+                                  "<coord>-50 60.01 0</coord></Track></Placemark>";
+        QTest::newRow("kml") << QByteArray::fromStdString("<kml>" + track + track + "</kml>");
+    }
+    void tracksWithoutNames()
+    {
+        QFETCH(const QByteArray, text);
+        const SightingTable table = readText(text.toStdString());
+        QCOMPARE(table.sightings.size(), std::size_t{4});
+        QCOMPARE(table.sightings[1].id, std::string("track 2021-06-02T00:00:00Z"));
+        QCOMPARE(table.sightings[2].id, std::string("track 2021-06-02T00:00:00Z 2"));
+        QVERIFY(table.sightings[0].id == table.sightings[1].id);
+        QVERIFY(table.sightings[2].id == table.sightings[3].id);
+        QVERIFY(!table.oneIceberg);
+    }
+
+    void waypointsWithTimesAreNoTrack()
+    {
+        const SightingTable table =
+            readText("<gpx><wpt lat='60' lon='-50'><time>2021-06-02T00:00:00Z</time></wpt>"
+                     "<wpt lat='61' lon='-50'><time>2021-06-02T00:10:00Z</time></wpt></gpx>");
+        QVERIFY(!table.oneIceberg);
+        QVERIFY(table.sightings[0].id.empty() && table.sightings[1].id.empty());
+    }
+
+    /** A time of a view is not that of the place. */
+    void timesOfViewsInKml()
+    {
+        const SightingTable table =
+            readText("<kml><Placemark><LookAt><TimeSpan><begin>1999-01-01</begin></TimeSpan>"
+                     "</LookAt><TimeStamp><when>2021-06-02</when></TimeStamp><Point><coordinates>"
+                     "-50,60</coordinates></Point></Placemark></kml>");
+        QCOMPARE(timeOf(table.sightings[0]), std::string("2021-06-02T00:00:00Z"));
+    }
+
+    void furtherPlacesInKmlAreRejected()
+    {
+        const std::string point = "<Point><coordinates>-50,60</coordinates></Point>";
+        const SightingTable table = readText("<kml>\n<Placemark><name>a</name><MultiGeometry>" +
+                                             point + point + "</MultiGeometry></Placemark></kml>");
+        QCOMPARE(table.sightings.size(), std::size_t{1});
+        QCOMPARE(table.rejected.count, std::size_t{1});
+        QCOMPARE(faultAt(table, 2),
+                 std::string("has more than one place: only the first is taken: \"a\""));
+    }
+
     void longitudes_data()
     {
         QTest::addColumn<double>("expected_deg");
@@ -312,13 +375,15 @@ private slots:
         row("header only", "id,lat,lon\n", "auto", "InvalidInput", "no sightings");
         row("no latitude", "id,place\n1,2\n", "auto", "WrongFormat", "known formats");
         row("no latitude, asked", "id,lon\n1,2\n", "csv", "InvalidInput", "latitude");
+        row("no feature in order", R"({"type": "Point", "coordinates": [1, 99]})", "auto",
+            "InvalidInput", "feature 1: ");
         row("no row in order", "id,lat,lon\n1,99,2\n2,98,2\n", "auto", "InvalidInput", "line 3: ");
         row("nine columns", "2021,1,04/01/2021,5,48,-50,VIS,SM,PIN\n", "iip", "WrongFormat", "10");
         row("no beacon", "id,lat,lon\n1,2,3\n", "cis-beacon", "InvalidInput", "time");
         row("broken JSON", R"({"coordinates": )", "geojson", "SyntaxError", "line 1");
         row("cut JSON", R"({"type": "FeatureCollection", )", "auto", "SyntaxError", "line 1");
         row("JSON without features", R"({"a": "coordinates"})", "geojson", "InvalidInput",
-            "line 1");
+            "feature 1");
         row("broken XML", "<kml><Placemark></kml>", "auto", "SyntaxError", "line 1");
         row("entities", "<!DOCTYPE kml [<!ENTITY a \"b\">]><kml>&a;</kml>", "auto", "SyntaxError",
             "DOCTYPE");

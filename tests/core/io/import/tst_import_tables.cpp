@@ -29,7 +29,7 @@ private slots:
         QCOMPARE(at(table, 4).place.longitude_deg, -51.25);
         QCOMPARE(timeOf(at(table, 4)), std::string("2024-05-01T06:00:00Z"));
         QCOMPARE(timeOf(at(table, 11)), std::string("2024-05-01T04:30:00Z"));
-        QCOMPARE(faultAt(table, 5), std::string("a number is out of range: \"-4\""));
+        QCOMPARE(faultAt(table, 5), std::string("a number is out of range: \"sigma: -4\""));
         QVERIFY(faultAt(table, 6).starts_with("latitude"));
         QCOMPARE(faultAt(table, 7), std::string("text follows a closing quote"));
         QVERIFY(faultAt(table, 8).starts_with("longitude"));
@@ -85,6 +85,8 @@ private slots:
         row("speed_kn", "speed", 1852.0 / 3600);
         row("Speed (km/h)", "speed", 1 / 3.6);
         row("speed", "speed");
+        row("SOG", "speed", 1852.0 / 3600); // of AIS
+        row("sog_mps", "speed");
         row("COG", "direction");
         row("sigma_m2", "sigma");
         row("q_m2ps", "q");
@@ -127,6 +129,92 @@ private slots:
         QVERIFY(table.mapping[0] == (FieldColumn{SightingField::Latitude, "A"}));
     }
 
+    /** A unit stands behind a blank or another mark: a draft is not in feet. */
+    void unitsOfMappedColumns_data()
+    {
+        QTest::addColumn<double>("radius_m");
+        QTest::newRow("Draft") << 100.0;
+        QTest::newRow("Draft_ft") << 30.48;
+        QTest::newRow("Draft (km)") << 100'000.0;
+    }
+    void unitsOfMappedColumns()
+    {
+        QFETCH(const double, radius_m);
+        const std::string column = QTest::currentDataTag();
+        const SightingTable table = readText("lat,lon," + column + "\n60.5,-50.5,100\n",
+                                             {.mapping = {{SightingField::Radius, column}}});
+        COMPARE_NEAR(*table.sightings[0].radius_m, radius_m, 1e-9);
+    }
+
+    /** Hemisphere, minutes and seconds in columns of their own. */
+    void placesInParts_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("letters") << QByteArray("lat,N/S,lon,E/W\n60.75,N,50.5,W\n");
+        QTest::newRow("words") << QByteArray("E/W,lon,lat,lat_dir\nWest,50.5,60.75,North\n");
+        QTest::newRow("minutes") << QByteArray("lat_deg,lat_min,lon_deg,lon_min\n60,45.0,-50,30\n");
+        QTest::newRow("floats") << QByteArray(
+            "lat_deg,lat_min,lon_deg,lon_min\n60.0,45,-50.0,30\n");
+        QTest::newRow("commas") << QByteArray("lat;lat_min;lon;lon_min\n60;45,0;-50;30,0\n");
+        QTest::newRow("seconds") << QByteArray("lat,lat_min,lat_sec,NS,lon,lon_min,lon_sec,EW\n"
+                                               "60,44,60,N,50,30,0,W\n60,45,0,N,50,30,0,W\n");
+    }
+    void placesInParts()
+    {
+        QFETCH(const QByteArray, text);
+        const SightingTable table = readText(text.toStdString());
+        QCOMPARE(table.sightings.size(), std::size_t{1});
+        COMPARE_NEAR(table.sightings[0].place.latitude_deg, 60.75, 1e-9);
+        COMPARE_NEAR(table.sightings[0].place.longitude_deg, -50.5, 1e-9);
+        QVERIFY(table.unused.empty());
+    }
+
+    void columnsNotUsedAreTold()
+    {
+        const SightingTable table = readText("lat,lon,lat_min,lat_max,depth\n60,-50,59,61,9\n");
+        QCOMPARE(table.unused, (std::vector<std::string>{"lat_min", "lat_max", "depth"}));
+        QCOMPARE(table.sightings[0].place.latitude_deg, 60.0);
+    }
+
+    void aZoneThatIsNotUnderstoodIsRefused()
+    {
+        const auto said = [](const std::string& text) {
+            const std::optional<Error> error = errorOf([&] { (void)readText(text); });
+            return error ? std::string(error->what()) : std::string("nothing");
+        };
+        const std::string row = "\n60,-50,2021-06-02 07:30,2021-06-02 12:30\n";
+        QVERIFY(said("lat,lon,time (EST),sent" + row).find("\"time (EST)\"") != std::string::npos);
+        QCOMPARE(said("lat,lon,time (EST),time (UTC)" + row), std::string("nothing"));
+        QVERIFY(said("lat,lon,hemisphere\n60,50,W\n").find("hemisphere") != std::string::npos);
+    }
+
+    /** Above the header; a comment may be that itself. */
+    void linesAboveTheHeader_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<int>("line");
+        QTest::newRow("separator") << QByteArray("sep=;\r\nid;lat;lon\r\na;60,1;-50,5\r\n") << 3;
+        QTest::newRow("comments") << QByteArray("# by X\n# lat, lon\n\nid,lat,lon\na,60.1,-50.5\n")
+                                  << 5;
+        QTest::newRow("header") << QByteArray("#id,lat,lon\na,60.1,-50.5\n") << 2;
+    }
+    void linesAboveTheHeader()
+    {
+        QFETCH(const QByteArray, text);
+        QFETCH(const int, line);
+        const SightingTable table = readText(text.toStdString());
+        QCOMPARE(table.sightings.size(), std::size_t{1});
+        QCOMPARE(table.sightings[0].id, std::string("a"));
+        QCOMPARE(table.sightings[0].place.longitude_deg, -50.5);
+        QCOMPARE(table.sightings[0].line, static_cast<std::size_t>(line));
+    }
+
+    void wordsAreNoNumbers()
+    {
+        const SightingTable table = readText("lat,lon,speed,direction\n60,-50,1,NE\n60,-50,1,45\n");
+        QCOMPARE(faultAt(table, 2), std::string("\"direction: NE\" is no number"));
+    }
+
     void mappingOfMissingColumn()
     {
         const std::optional<Error> error = errorOf([] {
@@ -134,6 +222,15 @@ private slots:
         });
         QVERIFY(error && error->code() == ErrorCode::InvalidInput);
         QVERIFY(names(error->issues(), "time"));
+        const std::string point = R"({"type": "Feature", "properties": {"berg": "a"},)"
+                                  R"("geometry": {"type": "Point", "coordinates": [1, 2]}})";
+        const auto code = [&](SightingField field, const char* column) {
+            return codeOf([&] { (void)readText(point, {.mapping = {{field, column}}}); });
+        };
+        QCOMPARE(code(SightingField::Id, "iceberg"), std::string("InvalidInput"));
+        QCOMPARE(code(SightingField::Latitude, "berg"), std::string("InvalidInput"));
+        QCOMPARE(readText(point, {.mapping = {{SightingField::Id, "berg"}}}).sightings[0].id,
+                 std::string("a"));
     }
 
     void dateAndTimeApart()
@@ -215,6 +312,50 @@ private slots:
         QCOMPARE(timeOf(asked.sightings[0]), std::string("2021-02-05T00:00:00Z"));
         QCOMPARE(readText(open + "60,-50,13/02/2021\n").guessedDate, std::string());
         QCOMPARE(readText("lat,lon,time\n60,-50,05/05/2021\n").guessedDate, std::string());
+    }
+
+    /** Of maps as of tables: told by a later date, asked for, or guessed. */
+    void datesOfMaps_data()
+    {
+        QTest::addColumn<QByteArray>("head");
+        QTest::addColumn<QByteArray>("before"); ///< the date
+        QTest::addColumn<QByteArray>("behind");
+        QTest::addColumn<QByteArray>("tail");
+        QTest::newRow("geojson")
+            << QByteArray(R"({"type": "FeatureCollection", "features": [{"type": "Feature"})")
+            << QByteArray(R"(,{"type": "Feature", "properties": {"time": ")")
+            << QByteArray(R"("}, "geometry": {"type": "Point", "coordinates": [-50, 60]}})")
+            << QByteArray("]}");
+        QTest::newRow("kml") << QByteArray("<kml>")
+                             << QByteArray("<Placemark><ExtendedData><Data name=\"time\"><value>")
+                             << QByteArray("</value></Data></ExtendedData><Point><coordinates>"
+                                           "-50,60</coordinates></Point></Placemark>")
+                             << QByteArray("</kml>");
+        QTest::newRow("czml") << QByteArray(R"([{"id": "document"})")
+                              << QByteArray(R"(,{"properties": {"time": ")")
+                              << QByteArray(
+                                     R"("}, "position": {"cartographicDegrees": [-50, 60]}})")
+                              << QByteArray("]");
+    }
+    void datesOfMaps()
+    {
+        QFETCH(const QByteArray, head);
+        QFETCH(const QByteArray, before);
+        QFETCH(const QByteArray, behind);
+        QFETCH(const QByteArray, tail);
+        const std::string open = (head + before + "05/02/2021" + behind).toStdString();
+        const SightingTable guessed = readText(open + tail.toStdString());
+        QCOMPARE(guessed.guessedDate, std::string("05/02/2021"));
+        QCOMPARE(timeOf(guessed.sightings[0]), std::string("2021-05-02T00:00:00Z"));
+        const SightingTable asked =
+            readText(open + tail.toStdString(), {.mapping = {}, .dates = DateOrder::DayFirst});
+        QCOMPARE(asked.guessedDate, std::string());
+        QCOMPARE(timeOf(asked.sightings[0]), std::string("2021-02-05T00:00:00Z"));
+        const SightingTable told =
+            readText(open + (before + "13/02/2021" + behind + tail).toStdString());
+        QCOMPARE(told.guessedDate, std::string());
+        QCOMPARE(told.sightings.size(), std::size_t{2});
+        QCOMPARE(timeOf(told.sightings[0]), std::string("2021-02-05T00:00:00Z"));
     }
 };
 
