@@ -89,7 +89,11 @@ MissionWorker::Flight MissionWorker::handedOver(Flight present, const FlightHand
     Flight next;
     if (bringsBack)
         next = std::exchange(m_givenUp, {});
-    if (handover.keepsFlight)
+    // Who asked may have seen no more than the flight that was flown on from: that is meant then.
+    const bool isLess = std::exchange(m_hasFlownOn, false) && m_givenUp.mission &&
+                        (!present.mission || present.mission->simulation().time_s() <
+                                                 m_givenUp.mission->simulation().time_s());
+    if (handover.keepsFlight && !isLess)
         m_givenUp = std::move(present);
     return next;
 }
@@ -225,8 +229,12 @@ void MissionWorker::flyOnFrom(double time_s)
     std::erase_if(run.interventions,
                   [&run](const Intervention& change) { return change.time_s > run.flownUntil_s; });
     m_mission->setIncumbentListener(nullptr);
+    m_givenUp = {.mission = std::move(m_mission), .phase = m_phase};
+    m_hasFlownOn = true;
     auto again = std::make_unique<Mission>(replay(run, m_request.stop));
-    m_givenUp = {.mission = std::exchange(m_mission, std::move(again)), .phase = m_phase};
+    if (m_request.stop.stop_requested())
+        return; // a newer request waits
+    m_mission = std::move(again);
     listenToIncumbents();
     m_published = {}; // all of it again: the end that was sent is given up
     m_phase = RunPhase::Paused;

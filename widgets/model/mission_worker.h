@@ -98,6 +98,7 @@ private:
     ExportPaint m_paint;
     std::optional<Error> m_error;
     RunPhase m_phase = RunPhase::Planning;
+    bool m_hasFlownOn = false; ///< from what `m_givenUp` was then, in this generation
     QTimer m_timer;
     QElapsedTimer m_clock;
     double m_rate = 1;

@@ -227,6 +227,34 @@ private slots:
         QCOMPARE(f.record().history.plans.size(), mission.plans().size());
     }
 
+    /** The thread may not even have begun to fly on when that flight is stopped. */
+    void flightIsNotLostBeforeItIsFlownOn_data()
+    {
+        QTest::addColumn<bool>("isStopped");
+        QTest::newRow("stopped") << true;
+        QTest::newRow("brought back at once") << false;
+    }
+    void flightIsNotLostBeforeItIsFlownOn()
+    {
+        QFETCH(bool, isStopped);
+        Flight f;
+        f.workspace.seek(100);
+        QVERIFY(f.untilShown(100));
+        f.workspace.flyOnFromHere();
+        if (isStopped) {
+            f.workspace.reset();
+            QVERIFY(f.until([&] { return f.record().now.phase == RunPhase::Ready; }));
+        }
+        QCOMPARE(f.workspace.givenUp_s(), std::optional(300.0));
+        f.workspace.bringBackFlight();
+        QVERIFY(f.until([&] {
+            return f.record().now.generation == f.workspace.runner().generation() &&
+                   f.record().now.phase != RunPhase::Planning;
+        }));
+        QCOMPARE(f.record().now.time_s, 300.0);
+        QCOMPARE(f.record().history.samples.size(), std::size_t{301});
+    }
+
     void resetForgetsTheInstant()
     {
         Flight f;

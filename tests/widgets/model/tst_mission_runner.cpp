@@ -234,6 +234,25 @@ private slots:
         QVERIFY(isBack());
     }
 
+    /** Stopped by somebody who has not seen yet that it was flown on from an earlier time. */
+    void flightIsKeptThatWasFlownOnUnseen()
+    {
+        MissionRunner runner;
+        FlightRecord record;
+        const Scenario scenario = randomScenario(4);
+        runner.setScenario(scenario);
+        runner.stepBy(50);
+        QVERIFY(follow(runner, record, [](const FlightRecord& r) { return r.now.time_s >= 50; }));
+        const QSignalSpy updated(&runner, &MissionRunner::updated);
+        runner.flyOnFrom(20);
+        QTRY_COMPARE_WITH_TIMEOUT(updated.count(), 1, kPatience_ms);
+        runner.restart(true);
+        QVERIFY(inPhase(runner, record, RunPhase::Ready));
+        runner.bringBack(scenario, false);
+        QVERIFY(inPhase(runner, record, RunPhase::Paused));
+        QVERIFY(record.now.time_s >= 50);
+    }
+
     void refusesWhatTheMissionRefuses()
     {
         MissionRunner runner;
