@@ -6,6 +6,7 @@
 #include "app/dialogs/recovery_dialog.h"
 #include "app/dialogs/wind_dialog.h"
 
+#include <QCloseEvent>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -33,6 +34,17 @@ constexpr const char* kFolderKey = "files/folder";
 struct Dialogs
 {
     Q_DECLARE_TR_FUNCTIONS(Dialogs)
+};
+
+/** Cannot be closed by who waits. */
+class BusyDialog final : public QProgressDialog
+{
+public:
+    using QProgressDialog::QProgressDialog;
+    void reject() override {}
+
+protected:
+    void closeEvent(QCloseEvent* event) override { event->ignore(); }
 };
 
 QString consequence(Interaction::FlightEnd why)
@@ -254,12 +266,12 @@ void DialogInteraction::waitUntil(QWidget* parent, const QString& text,
         wait(QEventLoop::ExcludeUserInputEvents);
     if (isDone())
         return;
-    QProgressDialog dialog(text, Dialogs::tr("Cancel"), 0, 0, parent);
-    dialog.setWindowModality(Qt::WindowModal);
-    if (!mayCancel)
-        dialog.setCancelButton(nullptr);
-    dialog.show();
-    while (!isDone() && !(mayCancel && dialog.wasCanceled()))
+    const auto dialog =
+        mayCancel ? std::make_unique<QProgressDialog>(text, Dialogs::tr("Cancel"), 0, 0, parent)
+                  : std::make_unique<BusyDialog>(text, QString(), 0, 0, parent);
+    dialog->setWindowModality(Qt::WindowModal);
+    dialog->show();
+    while (!isDone() && !(mayCancel && dialog->wasCanceled()))
         wait(QEventLoop::AllEvents);
 }
 

@@ -11,6 +11,7 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPointer>
 #include <QStatusBar>
 
 #include <array>
@@ -142,12 +143,34 @@ private slots:
         w.interaction.path = w.file(u"a.bergrun"_s);
         w.trigger(u"saveRunAction"_s);
         QTRY_COMPARE(w.interaction.waits, QStringList{u"Saving a.bergrun"_s});
+        QVERIFY(!w.interaction.mayCancelWaits.back());
         w.workspace.reset();
         QVERIFY(w.untilReady());
         QVERIFY(w.window().openFile(w.interaction.path));
         QCOMPARE(w.interaction.waits.back(), u"Reading a.bergrun"_s);
+        QVERIFY(w.interaction.mayCancelWaits.back());
         QVERIFY(w.until([&] { return w.workspace.isMidFlight(); }));
         QVERIFY(w.interaction.errors.isEmpty());
+    }
+
+    /** A part of it goes on when the wait is over. */
+    void windowIsNotMadeAnewWhileItWaits()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.workspace.stepTicks(50);
+        QVERIFY(w.until([&] { return w.workspace.isMidFlight(); }));
+        w.interaction.path = w.file(u"a.bergrun"_s);
+        const QPointer<MainWindow> window(&w.window());
+        bool wasThere = false;
+        w.interaction.whileWaiting = [&] {
+            emit window->unitsChosen();
+            QCoreApplication::sendPostedEvents();
+            wasThere = !window.isNull();
+        };
+        w.trigger(u"saveRunAction"_s);
+        QTRY_VERIFY(wasThere);
+        QTRY_VERIFY(window.isNull());
+        QVERIFY(w.window().isVisible());
     }
 
     void anyEditOpensAgain_data()

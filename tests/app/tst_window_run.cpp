@@ -187,6 +187,29 @@ private slots:
         QVERIFY(QApplication::activeModalWidget() == nullptr);
     }
 
+    /** Nor does the window take input meanwhile. */
+    void waitingThatCannotBeCancelledIsNotClosed()
+    {
+        bool isDone = false;
+        bool isStillShown = false;
+        QTimer poll;
+        connect(&poll, &QTimer::timeout, this, [&] {
+            QWidget* dialog = QApplication::activeModalWidget();
+            if (dialog == nullptr)
+                return;
+            poll.stop();
+            QTest::keyClick(dialog, Qt::Key_Escape);
+            dialog->close();
+            isStillShown = dialog->isVisible() && QApplication::activeModalWidget() == dialog;
+            isDone = true;
+        });
+        poll.start(10);
+        DialogInteraction().waitUntil(
+            nullptr, u"Waiting"_s, [&] { return isDone; }, false);
+        QVERIFY(isStillShown);
+        QVERIFY(QApplication::activeModalWidget() == nullptr);
+    }
+
     void longMessagesFitTheScreen()
     {
         const QString rows = u"<tr><td>%1</td></tr>"_s.arg(QString(2000, u'x')).repeated(300);

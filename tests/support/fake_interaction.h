@@ -41,7 +41,9 @@ public:
     QStringList overwriteReasons;       ///< each question before writing over a file
     QStringList reloadQuestions;
     std::vector<std::vector<RecoveryOffer>> recoveryOffers;
-    QStringList waits; ///< what was waited for while the window lived
+    QStringList waits;                  ///< what was waited for while the window lived
+    std::vector<bool> mayCancelWaits;   ///< of each of them
+    std::function<void()> whileWaiting; ///< what happens before the end is looked for
     QStringList errors;
     QStringList informations;
     std::vector<ExportOffer> offers;
@@ -134,9 +136,12 @@ public:
         return asked <= recoveryAnswers.size() ? recoveryAnswers[asked - 1] : RecoveryAnswer{};
     }
     void waitUntil(QWidget*, const QString& text, const std::function<bool()>& isDone,
-                   bool) override
+                   bool mayCancel) override
     {
         waits << text;
+        mayCancelWaits.push_back(mayCancel);
+        if (whileWaiting)
+            whileWaiting();
         constexpr int kLongest_ms = 60'000;
         static_cast<void>(QTest::qWaitFor(isDone, kLongest_ms));
     }
