@@ -63,7 +63,8 @@ void Selection::clear()
 void Selection::keepExisting(const Scenario& scenario)
 {
     const std::size_t areas = scenario.noFly.size();
-    const bool isFewer = areas < std::exchange(m_noFlyAreas, areas);
+    const std::size_t before = std::exchange(m_noFlyAreas, areas);
+    const bool isAnotherList = before != 0 && areas != before;
     if (m_ids.empty())
         return;
     std::unordered_set<std::string_view> known;
@@ -77,7 +78,7 @@ void Selection::keepExisting(const Scenario& scenario)
         if (id == kAreaKey)
             return !scenario.area_m.empty();
         if (const std::optional<std::size_t> place = noFlyPlace(id))
-            return !isFewer && *place < areas;
+            return !isAnotherList && *place < areas;
         return known.contains(id);
     };
     std::vector<std::string> kept;

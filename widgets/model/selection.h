@@ -43,8 +43,8 @@ public:
     void set(std::vector<std::string> ids);
     void toggle(const std::string& id);
     void clear();
-    /** Drops what is not in the scenario; of no-fly areas all when one has gone, as places are not
-     * those of before. */
+    /** Drops what is not in the scenario; of no-fly areas all when there are more or fewer, as
+     * places are not those of before. */
     void keepExisting(const Scenario& scenario);
 
 signals:

@@ -70,18 +70,32 @@ private slots:
         QCOMPARE(changed.count(), 1);
     }
 
-    /** The area that takes the place of one that is gone was not chosen. */
-    void noFlyAreasAreDroppedWhenOneGoes()
+    void noFlyAreasAreDroppedWhenOneComesOrGoes_data()
     {
-        Scenario scenario = test::emptySea();
-        scenario.noFly.resize(3);
+        QTest::addColumn<int>("removed");
+        QTest::newRow("first") << 0;
+        QTest::newRow("last") << 2;
+    }
+    /** The area that takes the place of another one was not chosen. */
+    void noFlyAreasAreDroppedWhenOneComesOrGoes()
+    {
+        QFETCH(int, removed);
+        Scenario all = test::emptySea();
+        for (const char* name : {"A", "B", "C"})
+            all.noFly.emplace_back().name = name;
+        Scenario fewer = all;
+        fewer.noFly.erase(fewer.noFly.begin() + removed);
         Selection selection;
-        selection.set({noFlyKey(0)});
-        selection.keepExisting(scenario);
-        QCOMPARE(selection.ids(), (Ids{noFlyKey(0)}));
-        scenario.noFly.pop_back();
-        selection.keepExisting(scenario);
-        QVERIFY(selection.isEmpty());
+        selection.keepExisting(all);
+        for (const Scenario* next : {&fewer, &all, &fewer}) { // removed, undone, redone
+            selection.set({noFlyKey(0)});
+            selection.keepExisting(*next);
+            QVERIFY(selection.isEmpty());
+        }
+        selection.set({noFlyKey(1)}); // as one that was just drawn
+        fewer.noFly[1].name = "Changed";
+        selection.keepExisting(fewer);
+        QCOMPARE(selection.ids(), (Ids{noFlyKey(1)}));
     }
 
     void freshIdsClashWithNothing()
