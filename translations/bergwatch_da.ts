@@ -510,6 +510,30 @@
         <source>--output: this format has a file for each UAV; choose one with --uav</source>
         <translation>--output: dette format har en fil for hver drone; vælg én med --uav</translation>
     </message>
+    <message>
+        <source>%1: &apos;-&apos; is not possible here: give a name</source>
+        <translation>%1: »-« er ikke muligt her: angiv et navn</translation>
+    </message>
+    <message>
+        <source>--map: %1 is mapped twice</source>
+        <translation>--map: %1 er tilknyttet to gange</translation>
+    </message>
+    <message>
+        <source>feature %1</source>
+        <translation>objekt %1</translation>
+    </message>
+    <message>
+        <source>packet %1</source>
+        <translation>pakke %1</translation>
+    </message>
+    <message>
+        <source>--dt, --duration: the time step is longer than the duration</source>
+        <translation>--dt, --duration: tidstrinnet er længere end varigheden</translation>
+    </message>
+    <message>
+        <source>--first-seed is for --random N; scenarios hold their own seeds</source>
+        <translation>--first-seed gælder --random N; scenarier har egne frø</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -4017,10 +4041,6 @@ Tilstødende område %4</translation>
         <translation>Dukker op efter flyvningens slutning, så det bliver aldrig planlagt.</translation>
     </message>
     <message>
-        <source>The file holds members that this version does not know. They are kept, but not used.</source>
-        <translation>Filen indeholder felter, som denne version ikke kender. De bevares, men bruges ikke.</translation>
-    </message>
-    <message>
         <source>The endurance is too short for the path to the nearest iceberg and back.</source>
         <translation>Udholdenheden er for kort til vejen til det nærmeste isbjerg og tilbage.</translation>
     </message>
@@ -4954,10 +4974,6 @@ Tilstødende område %4</translation>
         <translation>er efter flyvningens slutning</translation>
     </message>
     <message>
-        <source>members that this version does not know are kept, but not used</source>
-        <translation>felter, som denne version ikke kender, bevares, men bruges ikke</translation>
-    </message>
-    <message>
         <source>icebergs outside it are not monitored; the UAV may fly beyond it</source>
         <translation>isbjerge uden for det overvåges ikke; dronen må flyve ud over det</translation>
     </message>
@@ -5132,6 +5148,26 @@ Tilstødende område %4</translation>
     <message>
         <source>in one flight of twenty the wind is too strong to come home</source>
         <translation>i én flyvning ud af tyve er vinden for stærk til at komme hjem</translation>
+    </message>
+    <message>
+        <source>The file holds members that this version does not know, &quot;%2&quot; to begin with. They are kept, but not used.</source>
+        <translation>Filen har felter, som denne version ikke kender, først »%2«. De bevares, men bruges ikke.</translation>
+    </message>
+    <message>
+        <source>the column &quot;%1&quot; is not understood: rename it, or assign it with a mapping</source>
+        <translation>kolonnen »%1« forstås ikke: omdøb den, eller tilknyt den</translation>
+    </message>
+    <message>
+        <source>has more than one place: only the first is taken</source>
+        <translation>har mere end ét sted: kun det første bruges</translation>
+    </message>
+    <message>
+        <source>airspace left out: a height has no unit</source>
+        <translation>luftrum udeladt: en højde har ingen enhed</translation>
+    </message>
+    <message>
+        <source>members that this version does not know are kept, but not used: &quot;%1&quot;</source>
+        <translation>felter, som denne version ikke kender, bevares, men bruges ikke: »%1«</translation>
     </message>
 </context>
 <context>

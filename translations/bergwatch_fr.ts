@@ -510,6 +510,30 @@
         <source>--output: this format has a file for each UAV; choose one with --uav</source>
         <translation>--output : ce format a un fichier par drone ; choisissez-en un avec --uav</translation>
     </message>
+    <message>
+        <source>%1: &apos;-&apos; is not possible here: give a name</source>
+        <translation>%1 : « - » n’est pas possible ici : donnez un nom</translation>
+    </message>
+    <message>
+        <source>--map: %1 is mapped twice</source>
+        <translation>--map : %1 est associé deux fois</translation>
+    </message>
+    <message>
+        <source>feature %1</source>
+        <translation>entité %1</translation>
+    </message>
+    <message>
+        <source>packet %1</source>
+        <translation>paquet %1</translation>
+    </message>
+    <message>
+        <source>--dt, --duration: the time step is longer than the duration</source>
+        <translation>--dt, --duration : le pas de temps est plus long que la durée</translation>
+    </message>
+    <message>
+        <source>--first-seed is for --random N; scenarios hold their own seeds</source>
+        <translation>--first-seed va avec --random N ; les scénarios ont leurs propres graines</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -4017,10 +4041,6 @@ Zone adjacente %4</translation>
         <translation>Apparaît après la fin du vol ; il n&apos;est donc jamais planifié.</translation>
     </message>
     <message>
-        <source>The file holds members that this version does not know. They are kept, but not used.</source>
-        <translation>Le fichier contient des champs que cette version ne connaît pas. Ils sont conservés, mais pas utilisés.</translation>
-    </message>
-    <message>
         <source>The endurance is too short for the path to the nearest iceberg and back.</source>
         <translation>L&apos;autonomie est insuffisante pour aller à l&apos;iceberg le plus proche et en revenir.</translation>
     </message>
@@ -4954,10 +4974,6 @@ Zone adjacente %4</translation>
         <translation>est après la fin du vol</translation>
     </message>
     <message>
-        <source>members that this version does not know are kept, but not used</source>
-        <translation>les champs que cette version ne connaît pas sont conservés, mais pas utilisés</translation>
-    </message>
-    <message>
         <source>icebergs outside it are not monitored; the UAV may fly beyond it</source>
         <translation>les icebergs en dehors ne sont pas surveillés ; le drone peut en sortir</translation>
     </message>
@@ -5132,6 +5148,26 @@ Zone adjacente %4</translation>
     <message>
         <source>in one flight of twenty the wind is too strong to come home</source>
         <translation>un vol sur vingt, le vent est trop fort pour rentrer à la base</translation>
+    </message>
+    <message>
+        <source>The file holds members that this version does not know, &quot;%2&quot; to begin with. They are kept, but not used.</source>
+        <translation>Le fichier contient des membres que cette version ne connaît pas, d’abord « %2 ». Ils sont conservés, mais pas utilisés.</translation>
+    </message>
+    <message>
+        <source>the column &quot;%1&quot; is not understood: rename it, or assign it with a mapping</source>
+        <translation>la colonne « %1 » n’est pas comprise : renommez-la, ou associez-la</translation>
+    </message>
+    <message>
+        <source>has more than one place: only the first is taken</source>
+        <translation>a plus d’un lieu : seul le premier est pris</translation>
+    </message>
+    <message>
+        <source>airspace left out: a height has no unit</source>
+        <translation>espace aérien laissé de côté : une hauteur n’a pas d’unité</translation>
+    </message>
+    <message>
+        <source>members that this version does not know are kept, but not used: &quot;%1&quot;</source>
+        <translation>les membres que cette version ne connaît pas sont conservés, mais pas utilisés : « %1 »</translation>
     </message>
 </context>
 <context>

@@ -510,6 +510,30 @@
         <source>--output: this format has a file for each UAV; choose one with --uav</source>
         <translation>--output: dette formatet har en fil for hver UAV; velg én med --uav</translation>
     </message>
+    <message>
+        <source>%1: &apos;-&apos; is not possible here: give a name</source>
+        <translation>%1: «-» er ikke mulig her: oppgi et navn</translation>
+    </message>
+    <message>
+        <source>--map: %1 is mapped twice</source>
+        <translation>--map: %1 er tilordnet to ganger</translation>
+    </message>
+    <message>
+        <source>feature %1</source>
+        <translation>objekt %1</translation>
+    </message>
+    <message>
+        <source>packet %1</source>
+        <translation>pakke %1</translation>
+    </message>
+    <message>
+        <source>--dt, --duration: the time step is longer than the duration</source>
+        <translation>--dt, --duration: tidssteget er lengre enn varigheten</translation>
+    </message>
+    <message>
+        <source>--first-seed is for --random N; scenarios hold their own seeds</source>
+        <translation>--first-seed gjelder --random N; scenarioer har egne frø</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -4017,10 +4041,6 @@ Tilstøtende område %4</translation>
         <translation>Dukker opp etter flygingens slutt, så det blir aldri planlagt.</translation>
     </message>
     <message>
-        <source>The file holds members that this version does not know. They are kept, but not used.</source>
-        <translation>Filen inneholder felter som denne versjonen ikke kjenner. De beholdes, men brukes ikke.</translation>
-    </message>
-    <message>
         <source>The endurance is too short for the path to the nearest iceberg and back.</source>
         <translation>Utholdenheten er for kort til veien til nærmeste isfjell og tilbake.</translation>
     </message>
@@ -4954,10 +4974,6 @@ Tilstøtende område %4</translation>
         <translation>er etter at flygingen er slutt</translation>
     </message>
     <message>
-        <source>members that this version does not know are kept, but not used</source>
-        <translation>felter som denne versjonen ikke kjenner, beholdes, men brukes ikke</translation>
-    </message>
-    <message>
         <source>icebergs outside it are not monitored; the UAV may fly beyond it</source>
         <translation>isfjell utenfor det overvåkes ikke; UAV-en kan fly utenfor det</translation>
     </message>
@@ -5132,6 +5148,26 @@ Tilstøtende område %4</translation>
     <message>
         <source>in one flight of twenty the wind is too strong to come home</source>
         <translation>i én av tjue flyginger er vinden for sterk til å komme hjem</translation>
+    </message>
+    <message>
+        <source>The file holds members that this version does not know, &quot;%2&quot; to begin with. They are kept, but not used.</source>
+        <translation>Filen har felt som denne versjonen ikke kjenner, først «%2». De beholdes, men brukes ikke.</translation>
+    </message>
+    <message>
+        <source>the column &quot;%1&quot; is not understood: rename it, or assign it with a mapping</source>
+        <translation>kolonnen «%1» forstås ikke: gi den et annet navn, eller tilordne den</translation>
+    </message>
+    <message>
+        <source>has more than one place: only the first is taken</source>
+        <translation>har mer enn ett sted: bare det første brukes</translation>
+    </message>
+    <message>
+        <source>airspace left out: a height has no unit</source>
+        <translation>luftrom utelatt: en høyde har ingen enhet</translation>
+    </message>
+    <message>
+        <source>members that this version does not know are kept, but not used: &quot;%1&quot;</source>
+        <translation>felt som denne versjonen ikke kjenner, beholdes, men brukes ikke: «%1»</translation>
     </message>
 </context>
 <context>
