@@ -4,49 +4,75 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <vector>
+#include <cstdint>
 
 namespace berg {
 
 namespace {
 
-/** Seen at s, the estimate at t is truth(s) + v (t - s): so far it can be from start + v t. */
-double farthestOff_m(const Scenario& scenario, const Iceberg& iceberg, const Point& velocity_mps)
+constexpr std::int64_t kSecondsPerCheck = 4096;
+
+/** What the estimate is off from start + v t, all along the run. */
+struct Drift
 {
-    DriftModel drift({.position_m = iceberg.position_m,
-                      .velocity_mps = velocity_mps,
-                      .q_m2ps = iceberg.q_m2ps,
-                      .track = iceberg.track.empty()
-                                   ? nullptr
-                                   : std::make_shared<const RecordedTrack>(iceberg.track)},
-                     static_cast<std::uint64_t>(scenario.seed), iceberg.id, scenario.noise);
+    const Scenario& scenario;
+    const Iceberg& iceberg;
+    Point velocity_mps = Point::Zero();
+    std::int64_t seconds = 0; ///< the run, rounded up
+};
+
+bool trackKeepsWithin(const Drift& drift, double room_m)
+{
+    const RecordedTrack& track = drift.iceberg.track;
+    const auto isWithin = [&](double s) {
+        return (track.at(s) - drift.iceberg.position_m - drift.velocity_mps * s).norm() < room_m;
+    };
     // Between these instants it moves along a line.
-    std::vector<double> corners_s = iceberg.track.time_s;
-    for (double second = 0; second < scenario.duration_s + 1; second += 1)
-        corners_s.push_back(second);
-    std::erase_if(corners_s, [&](double s) { return s < 0 || s > scenario.duration_s + 1; });
-    std::sort(corners_s.begin(), corners_s.end());
-    double off_m = 0;
-    for (const double s : corners_s)
-        off_m =
-            std::max(off_m, (drift.position_m(s) - iceberg.position_m - velocity_mps * s).norm());
-    return off_m;
+    return isWithin(0) && isWithin(static_cast<double>(drift.seconds)) &&
+           std::all_of(track.time_s.begin(), track.time_s.end(), [&](double s) {
+               return s < 0 || s > drift.scenario.duration_s + 1 || isWithin(s);
+           });
+}
+
+bool noiseKeepsWithin(const Drift& drift, double room_m, const std::stop_token& stop)
+{
+    DriftModel noise({.q_m2ps = drift.iceberg.q_m2ps},
+                     static_cast<std::uint64_t>(drift.scenario.seed), drift.iceberg.id,
+                     drift.scenario.noise);
+    const double fastest_mps = noise.speedLimit_mps();
+    for (std::int64_t second = 0; second <= drift.seconds; ++second) {
+        if (second % kSecondsPerCheck == 0 && stop.stop_requested())
+            return false;
+        const double left_m = room_m - noise.position_m(static_cast<double>(second)).norm();
+        if (left_m <= 0)
+            return false;
+        if (left_m > fastest_mps * static_cast<double>(drift.seconds - second))
+            return true; // whatever is still to be drawn
+    }
+    return true;
 }
 
 } // namespace
 
-bool staysInside(const Scenario& scenario, const Iceberg& iceberg)
+bool staysInside(const Scenario& scenario, const Iceberg& iceberg, const std::stop_token& stop)
 {
+    if (stop.stop_requested())
+        return false;
     if (scenario.area_m.empty())
         return true;
-    if (scenario.observer.model == ObserverModel::Kalman)
+    if (scenario.observer.model == ObserverModel::Kalman ||
+        !insidePolygon(scenario.area_m, iceberg.position_m))
         return false;
-    const Point velocity_mps = iceberg.velocity_mps + scenario.current_mps;
-    const double off_m = farthestOff_m(scenario, iceberg, velocity_mps);
-    const Point end_m = iceberg.position_m + velocity_mps * scenario.duration_s;
-    return insidePolygon(scenario.area_m, iceberg.position_m) &&
-           distanceToEdges(scenario.area_m, iceberg.position_m, end_m) > off_m;
+    // Seen at s, the estimate at t is truth(s) + v (t - s): as far off start + v t as the truth
+    // was.
+    const Drift drift{.scenario = scenario,
+                      .iceberg = iceberg,
+                      .velocity_mps = iceberg.velocity_mps + scenario.current_mps,
+                      .seconds = static_cast<std::int64_t>(std::ceil(scenario.duration_s))};
+    const Point end_m = iceberg.position_m + drift.velocity_mps * scenario.duration_s;
+    const double room_m = distanceToEdges(scenario.area_m, iceberg.position_m, end_m);
+    return iceberg.track.empty() ? noiseKeepsWithin(drift, room_m, stop)
+                                 : trackKeepsWithin(drift, room_m);
 }
 
 } // namespace berg

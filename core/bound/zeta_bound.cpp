@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <span>
 
 namespace berg {
 
@@ -14,6 +16,10 @@ namespace {
 
 /** Icebergs of one dynamic programme: its work grows by a factor of 2.3 with each. */
 constexpr int kMostTogether = 14;
+/** So many groups are always that large. The first of them tell the mean age. */
+constexpr std::size_t kFewGroups = 8;
+/** Of more groups one pass takes this part of the work limit at most: they are smaller then. */
+constexpr std::int64_t kPassesInLimit = 3;
 constexpr std::size_t kMostAppearances = 16;
 constexpr int kCoarsestCells = 8;
 constexpr int kFinestCells = 128;
@@ -44,15 +50,19 @@ public:
         for (int i = 0; i < static_cast<int>(scenario.icebergs.size()); ++i)
             middles_m.push_back(
                 (m_motion.position_m(i, 0) + m_motion.position_m(i, m_motion.blocks())) / 2);
-        for (std::vector<int>& group : spreadGroups(middles_m, kMostTogether))
-            m_floors.emplace_back(m_scenario, m_motion, std::move(group));
+        formGroups(middles_m, kMostTogether);
+        for (int most = kMostTogether - 1; most > 0 && m_floors.size() > kFewGroups &&
+                                           workOfPass() > m_meter.limit / kPassesInLimit;
+             --most)
+            formGroups(middles_m, most);
     }
 
     void run()
     {
         const bool moving = moves();
-        // A first look at standing icebergs tells the mean age.
-        if (moving && !look({{.from = 0, .begin = 0, .end = 1}}, kCoarsestCells))
+        // A first look at standing icebergs tells the mean age: of some groups, of all it would
+        // take as long as a pass.
+        if (moving && !look({{.from = 0, .begin = 0, .end = 1}}, kCoarsestCells, kFewGroups))
             return;
         for (int cells = kCoarsestCells; cells <= kCellsOfSlices; cells *= 2)
             if (!look(windows(1), cells))
@@ -87,6 +97,22 @@ public:
     }
 
 private:
+    void formGroups(const std::vector<Point>& middles_m, int most)
+    {
+        m_floors.clear();
+        for (std::vector<int>& group : spreadGroups(middles_m, most))
+            m_floors.emplace_back(m_scenario, m_motion, std::move(group));
+    }
+
+    [[nodiscard]] std::int64_t workOfPass() const
+    {
+        std::int64_t work = 0;
+        for (const BoundWindow& window : windows(1))
+            for (const GroupFloor& floor : m_floors)
+                work += floor.workOf(window, kCoarsestCells);
+        return work;
+    }
+
     [[nodiscard]] bool moves() const
     {
         return std::any_of(m_floors.begin(), m_floors.end(), [&](const GroupFloor& floor) {
@@ -155,10 +181,11 @@ private:
     }
 
     /** False when the work is at its end. */
-    bool look(const std::vector<BoundWindow>& windows, int cells)
+    bool look(const std::vector<BoundWindow>& windows, int cells,
+              std::size_t groups = std::numeric_limits<std::size_t>::max())
     {
         for (const BoundWindow& window : windows)
-            for (GroupFloor& floor : m_floors) {
+            for (GroupFloor& floor : std::span(m_floors).first(std::min(groups, m_floors.size()))) {
                 if (m_meter.used + floor.workOf(window, cells) > m_meter.limit)
                     return false; // what is cut would be wasted
                 floor.raise(window, cells, m_meter);
@@ -198,8 +225,9 @@ ZetaBound zetaLowerBound(const Scenario& scenario, const BoundOptions& options)
 {
     // Those that may leave the area may stop counting: what bounds the rest bounds them all.
     Scenario staying = scenario;
-    std::erase_if(staying.icebergs,
-                  [&](const Iceberg& iceberg) { return !staysInside(scenario, iceberg); });
+    std::erase_if(staying.icebergs, [&](const Iceberg& iceberg) {
+        return !staysInside(scenario, iceberg, options.stop);
+    });
     BoundSearch search(staying, options);
     search.run();
     return search.result();

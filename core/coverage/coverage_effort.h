@@ -11,7 +11,8 @@ namespace berg {
 
 // How much the policy `coverage` does, and from what it starts; the same for one UAV and several.
 
-/** Work of the first plan, and of each one after it: about 200 ms and 5 ms. */
+/** Work of the first plan, and of each one after it: about 200 ms and 5 ms on an idle core with the
+ * simple observer. Under load it takes longer, with the Kalman observer up to seconds. */
 inline constexpr std::int64_t kFirstWork = 8'000'000;
 inline constexpr std::int64_t kNextWork = 200'000;
 /** Where looks pay there is more to choose, and the first plan takes so many times as long. */

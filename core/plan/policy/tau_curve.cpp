@@ -38,10 +38,16 @@ std::int64_t restartsFor(std::int64_t icebergs)
     return std::min<std::int64_t>(icebergs * icebergs / 50, 150);
 }
 
+/** Work of a search for each move: far more where the distances do not fit into the cache. */
+std::int64_t workOfMove(std::int64_t icebergs)
+{
+    return 1 + icebergs * icebergs / 500'000;
+}
+
 /** What is known of the optimum at a crossing of two lines. */
 enum class Knowledge
 {
-    Searched, ///< the local search found nothing better
+    Searched, ///< the local search found nothing better, or its work is at its end
     Proven,
     GivenUp ///< not proven within the limits
 };
@@ -227,13 +233,18 @@ private:
 
     std::optional<Knowledge> search(const Crossing& crossing)
     {
+        if (m_searched >= m_options.workLimit)
+            return Knowledge::Searched;
         const VisitCosts costs(problemOfUav(m_problem, 0));
-        SearchEffort effort{.cut = [this] { return m_options.stop.stop_requested(); }};
+        const std::int64_t moveWork = workOfMove(costs.icebergs);
+        SearchEffort effort{.cut = [this] { return m_options.stop.stop_requested(); },
+                            .limit = (m_options.workLimit - m_searched) / moveWork + 1};
         OrderSearch search(costs, effort);
         search.take(line(crossing.left).plan.front());
         search.disturb(restartsFor(costs.icebergs));
         if (m_options.stop.stop_requested())
             return std::nullopt;
+        m_searched += effort.work * moveWork;
         offer({search.best()}, crossing);
         return Knowledge::Searched;
     }
@@ -312,7 +323,8 @@ private:
     std::vector<Crossing> m_envelope; ///< left to right; the last one is the end
     std::map<std::pair<int, int>, Knowledge> m_known;
     std::map<double, Eigen::VectorXd> m_multipliers; ///< by tau of the crossing
-    std::int64_t m_work = 0;
+    std::int64_t m_work = 0;                         ///< of proofs
+    std::int64_t m_searched = 0;                     ///< work of searches
 };
 
 /** One plan for every tau: mu does not depend on it, or there is nothing to visit. */

@@ -39,7 +39,11 @@ struct TauCurve
 struct TauCurveOptions
 {
     double tauMax = 5; ///< > 0
-    /** Arcs looked at by proofs, about 2 ns each; repeats. What is left unproven says so. */
+    /**
+     * Of the searches for plans, and as much again of their proofs: moves valued and arcs looked
+     * at, 2 to 5 ns each; repeats. Searches at their end leave the curve found so far, which has
+     * fewer intervals then. What is left unproven says so. Dynamic programming is not counted.
+     */
     std::int64_t workLimit = 10'000'000'000;
     std::stop_token stop;                              ///< checked at least every 10 ms
     std::function<void(const TauCurve&)> onProgress{}; ///< the curve as known so far; may be empty
@@ -52,9 +56,9 @@ struct TauCurveOptions
  * first interval holds what is optimal for tau -> 0+: ties of sigma broken by distance.
  *
  * Of one UAV proven up to 13 icebergs by dynamic programming, above by `improveBound` as far as the
- * work limit allows. Of several as far as `solveFleet` proves its plans: up to 14 icebergs.
- * `betweenStarts_m`: as `fleetTuningWeight`. Throws `Error{InvalidInput}` for problems that
- * `validate` faults.
+ * work limit allows. Of several as far as `solveFleet` proves its plans: all up to 14 icebergs,
+ * with more those that the limited work for one plan is enough for. `betweenStarts_m`: as
+ * `fleetTuningWeight`. Throws `Error{InvalidInput}` for problems that `validate` faults.
  */
 [[nodiscard]] TauCurve tauCurve(const FleetProblem& problem, const Eigen::MatrixXd& betweenStarts_m,
                                 const TauCurveOptions& options);

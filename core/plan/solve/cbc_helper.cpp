@@ -152,9 +152,11 @@ std::string CbcHelper::howItEnded()
     for (int i = 0; i < kTries; ++i) {
         if (waitpid(m_process, &status, WNOHANG) == m_process) {
             m_process = -1;
-            if (WIFSIGNALED(status))
-                return std::string("it was ended by signal ") + std::to_string(WTERMSIG(status)) +
-                       " (" + sigdescr_np(WTERMSIG(status)) + ')';
+            if (WIFSIGNALED(status)) {
+                const char* description = sigdescr_np(WTERMSIG(status));
+                return "it was ended by signal " + std::to_string(WTERMSIG(status)) +
+                       (description != nullptr ? std::string(" (") + description + ')' : "");
+            }
             return "it ended with exit code " + std::to_string(WEXITSTATUS(status));
         }
         poll(nullptr, 0, kAskEvery_ms);

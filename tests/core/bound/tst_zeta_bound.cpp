@@ -1,4 +1,5 @@
 #include "core/base/random.h"
+#include "core/bound/stays_inside.h"
 #include "core/bound/zeta_bound.h"
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
@@ -130,9 +131,11 @@ private slots:
     void unevenGrowth();
     void standingFieldsAreWellBounded();
     void moreIcebergsThanOneProgramme();
+    void manyMovingIcebergs();
     void moreWorkIsNoWorse();
     void sameAgain();
     void stopped();
+    void stoppedBeforeTheArea();
     void stoppedOnTheWay();
     void idealFleets_data() { addFeatureRows(); }
     void idealFleets();
@@ -288,6 +291,33 @@ void TestZetaBound::moreIcebergsThanOneProgramme()
     QVERIFY(bound_m2s > boundOf(s));
 }
 
+/** Little work is shared among all of them, however many: most are never seen, and count. */
+void TestZetaBound::manyMovingIcebergs()
+{
+    double last_m2s = 0;
+    for (const int icebergs : {150, 300, 600}) {
+        Scenario s = randomScenario(
+            4, {.icebergs = icebergs, .size_m = Point(1e5, 1e5), .speedMax_mps = 0.3});
+        s.duration_s = 500;
+        double unseen_m2s = 0;
+        for (const Iceberg& iceberg : s.icebergs)
+            unseen_m2s +=
+                s.duration_s * (initialSigma_m2(iceberg) + iceberg.q_m2ps * s.duration_s / 2);
+        const double bound_m2s = boundOf(s);
+        QVERIFY2(bound_m2s > 0.9 * unseen_m2s && bound_m2s <= unseen_m2s,
+                 qPrintable(u"%1: %2 of %3"_s.arg(icebergs).arg(bound_m2s).arg(unseen_m2s)));
+        QVERIFY(bound_m2s > last_m2s);
+        last_m2s = bound_m2s;
+    }
+    // As dense as they are seen often: still no more than what is flown.
+    Scenario dense = randomScenario(4, {.icebergs = 150, .size_m = Point(5000, 5000)});
+    dense.duration_s = 500;
+    Mission mission(dense, {.workLimit = 10'000, .record = false});
+    mission.advance(dense.duration_s);
+    const double bound_m2s = boundOf(dense);
+    QVERIFY(0 < bound_m2s && bound_m2s <= mission.metrics().zeta_m2s);
+}
+
 void TestZetaBound::moreWorkIsNoWorse()
 {
     const Scenario s = randomScenario(3, {.icebergs = 9});
@@ -318,6 +348,23 @@ void TestZetaBound::stopped()
     source.request_stop();
     const ZetaBound bound = zetaLowerBound(randomScenario(1), {.stop = source.get_token()});
     QVERIFY(bound.cancelled);
+    QCOMPARE(bound.zeta_m2s, 0.0);
+}
+
+/** Noise of a week is not drawn to find out which icebergs stay in the area. */
+void TestZetaBound::stoppedBeforeTheArea()
+{
+    Scenario s = randomScenario(1);
+    s.duration_s = 1000;
+    s.area_m = {{-1e6, -1e6}, {1e6, -1e6}, {1e6, 1e6}, {-1e6, 1e6}};
+    std::stop_source source;
+    QVERIFY(staysInside(s, s.icebergs[0], source.get_token()));
+    source.request_stop();
+    QVERIFY(!staysInside(s, s.icebergs[0], source.get_token()));
+    s.duration_s = 604'800;
+    const ZetaBound bound = zetaLowerBound(s, {.stop = source.get_token()});
+    QVERIFY(bound.cancelled);
+    QCOMPARE(bound.work, std::int64_t{0});
     QCOMPARE(bound.zeta_m2s, 0.0);
 }
 

@@ -358,6 +358,22 @@ private slots:
         }
     }
 
+    /** Searches end with it as well: a curve of hundreds of icebergs has as many intervals. */
+    void workLimitEndsSearches()
+    {
+        const TvpProblem problem = makeProblem(Shape::RealSigma, 8, 200, Route::Open);
+        std::size_t fewer = 0;
+        for (const std::int64_t work : {0LL, 3'000'000LL, 30'000'000LL}) {
+            const TauCurve curve = tauCurve(problem, {.workLimit = work});
+            QCOMPARE(curve.reason, StopReason::WorkLimit);
+            QVERIFY(curve.complete);
+            QVERIFY(!allProven(curve));
+            checkShape(curve, problem, 5);
+            QVERIFY(curve.intervals.size() > fewer);
+            fewer = curve.intervals.size();
+        }
+    }
+
     void repeats()
     {
         for (const int icebergs : {9, 18}) {
