@@ -9,6 +9,7 @@
 #include "core/io/import/import_geojson_scene.h"
 #include "core/io/import/import_icebergs.h"
 #include "core/io/import/json_members.h"
+#include "core/io/text/byte_order_mark.h"
 #include "core/io/text/json_writer.h"
 #include "core/scenario/operation.h"
 
@@ -209,10 +210,8 @@ AirspaceResult importAirspace(const Scenario& base, std::string_view bytes,
 {
     ReadBudget budget(subject, bytes.size(), stop);
     const std::string decoded = textOfBytes(bytes, subject);
-    std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (text.starts_with(kByteOrderMark))
-        text.remove_prefix(kByteOrderMark.size());
+    const std::string_view text =
+        withoutByteOrderMark(decoded.empty() ? bytes : std::string_view(decoded));
     const bool isJson = trimmed(text).starts_with('{');
     if (!isJson && !isOpenAir(text))
         throw Error(ErrorCode::WrongFormat, subject, {IssueId::NotAirspace});

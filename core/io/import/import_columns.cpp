@@ -67,7 +67,7 @@ std::span<const Custom> customs()
         Custom{Time,
                kClock,
                {"datetime", "timestamp", "time", "sightingtime", "observed", "observedat",
-                "lastupdate", "acquisitiontime", "begin", "when"}},
+                "lastupdate", "acquisitiontime", "begin", "when", "basedatetime"}},
         Custom{Latitude, kDegrees, {"latitude", "lat", "sightinglatitude"}},
         Custom{Longitude, kDegrees, {"longitude", "lon", "long", "lng", "sightinglongitude"}},
         Custom{Speed, kSpeeds, {"speed", "driftspeed"}},

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/io/import/import_fields.h"
+#include "core/io/text/byte_order_mark.h"
 #include "core/io/text/csv_reader.h"
 #include "core/scenario/checks.h"
 
@@ -70,11 +71,8 @@ TableText below(const TableText& table)
 
 TableText tableOf(std::string_view text)
 {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     constexpr std::string_view kSeparator = "sep=";
-    TableText table{.text = text};
-    if (text.starts_with(kByteOrderMark))
-        table.text.remove_prefix(kByteOrderMark.size());
+    TableText table{.text = withoutByteOrderMark(text)};
     const std::string_view first =
         trimmed(table.text.substr(0, std::min(table.text.find_first_of("\r\n"), std::size_t{16})));
     if (first.size() == kSeparator.size() + 1 && first.starts_with(kSeparator)) {

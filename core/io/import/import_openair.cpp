@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "core/io/import/import_airspace.h"
 #include "core/io/import/import_fields.h"
+#include "core/io/text/byte_order_mark.h"
 #include "core/io/text/utc_time.h"
 
 #include <algorithm>
@@ -370,9 +371,7 @@ std::optional<double> airspaceHeight_m(std::string_view given)
 
 bool isOpenAir(std::string_view text)
 {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (text.starts_with(kByteOrderMark))
-        text.remove_prefix(kByteOrderMark.size());
+    text = withoutByteOrderMark(text);
     while (!text.empty()) {
         const std::size_t end = text.find('\n');
         const std::string_view line = trimmed(text.substr(0, end));

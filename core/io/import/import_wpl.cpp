@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/io/import/import_fields.h"
 #include "core/io/import/import_mission.h"
+#include "core/io/text/byte_order_mark.h"
 #include "core/scenario/checks.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace berg {
 namespace {
 
 constexpr std::string_view kHead = "QGC WPL";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kBlanks = " \t\r\v\f";
 
 /** index, current, frame, command, p1 .. p4, latitude, longitude, altitude, autocontinue. */
@@ -39,17 +39,12 @@ bool isNumber(std::string_view text)
     return error == std::errc() && end == text.data() + text.size();
 }
 
-std::string_view withoutMark(std::string_view text)
-{
-    return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
-}
-
 /** Reads one file line by line. */
 class WplReading
 {
 public:
     explicit WplReading(const ImportText& source)
-        : m_budget(source.budget), m_rest(withoutMark(source.text)), m_places(source)
+        : m_budget(source.budget), m_rest(withoutByteOrderMark(source.text)), m_places(source)
     {
     }
 
@@ -184,7 +179,7 @@ SightingTable readWpl(const ImportText& source)
 
 bool isWpl(std::string_view text)
 {
-    return withoutMark(text).starts_with(kHead);
+    return withoutByteOrderMark(text).starts_with(kHead);
 }
 
 } // namespace berg

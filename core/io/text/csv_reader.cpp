@@ -1,5 +1,7 @@
 #include "core/io/text/csv_reader.h"
 
+#include "core/io/text/byte_order_mark.h"
+
 #include <algorithm>
 #include <array>
 
@@ -9,7 +11,6 @@ namespace {
 
 /** Times the size of a text. */
 constexpr std::size_t kMostReadAgain = 8;
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool endsLine(char c)
 {
@@ -18,10 +19,9 @@ bool endsLine(char c)
 
 } // namespace
 
-CsvReader::CsvReader(std::string_view text, char separator) : m_text(text), m_separator(separator)
+CsvReader::CsvReader(std::string_view text, char separator)
+    : m_text(withoutByteOrderMark(text)), m_separator(separator)
 {
-    if (m_text.starts_with(kByteOrderMark))
-        m_text.remove_prefix(kByteOrderMark.size());
 }
 
 bool CsvReader::atLineEnd() const

@@ -1,3 +1,4 @@
+#include "core/io/text/byte_order_mark.h"
 #include "core/io/text/json_reader.h"
 
 #include <algorithm>
@@ -215,8 +216,7 @@ std::string_view withoutMark(std::string_view text, const ReadBudget& budget)
 {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         throw Error(ErrorCode::WrongFormat, budget.subject(), {IssueId::Utf16});
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    return text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+    return withoutByteOrderMark(text);
 }
 
 } // namespace

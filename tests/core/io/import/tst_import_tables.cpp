@@ -81,6 +81,7 @@ private slots:
         row("Lon (dd)", "longitude");
         row("lng", "longitude");
         row("datetime_utc", "time");
+        row("BaseDateTime", "time"); // of AIS
         row("Date", "date");
         row("speed_kn", "speed", 1852.0 / 3600);
         row("Speed (km/h)", "speed", 1 / 3.6);
