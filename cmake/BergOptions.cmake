@@ -1,6 +1,7 @@
 # berg_options: the flags of every target of ours; third-party headers are SYSTEM and stay quiet.
 add_library(berg_options INTERFACE)
 target_include_directories(berg_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_definitions(berg_options INTERFACE BERGWATCH_VERSION="${PROJECT_VERSION}")
 target_compile_options(
   berg_options
   INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast

@@ -21,7 +21,7 @@ int main(int argc, char** argv)
     return runProgram(
         {.name = "bergwatch-cli",
          .about = "Bergwatch: plan, fly and measure UAV missions that monitor drifting icebergs",
-         .version = BERG_VERSION,
+         .version = BERGWATCH_VERSION,
          .addCommands = addCommands,
          .isSilent = mpiRank().value_or(0) > 0}, // the first process says what is wrong
         argc, argv, stop);

@@ -97,7 +97,7 @@ std::string tableText(const StudySummary& summary)
 ReportOrigin originNow(const std::optional<double>& elapsed_s)
 {
     const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-    return {.program = std::string("Bergwatch ") + BERG_VERSION,
+    return {.program = std::string("Bergwatch ") + BERGWATCH_VERSION,
             .machine = machineText(),
             .madeUtc = utcText(now, 0),
             .elapsed_s = elapsed_s,
