@@ -24,10 +24,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kDone = 0;
-constexpr int kFailed = 1;
-constexpr int kWrongUsage = 2;
-constexpr int kBadInput = 3;
+using berg::cli::kBadInput;
+using berg::cli::kDone;
+using berg::cli::kFailure;
+using berg::cli::kWrongUsage;
 
 struct Main
 {
@@ -244,13 +244,13 @@ int exitCodeOf(const Work& work)
         return kWrongUsage;
     } catch (const berg::Error& error) {
         print(stderr, berg::errorReport(error));
-        return error.code() == berg::ErrorCode::FileUnwritable ? kFailed : kBadInput;
+        return error.code() == berg::ErrorCode::FileUnwritable ? kFailure : kBadInput;
     } catch (const std::bad_alloc&) {
         print(stderr, Main::tr("There is not enough memory."));
-        return kFailed;
+        return kFailure;
     } catch (const std::exception& error) {
         print(stderr, Main::tr("Bergwatch has crashed: %1").arg(QString::fromUtf8(error.what())));
-        return kFailed;
+        return kFailure;
     }
 }
 

@@ -29,6 +29,7 @@
 #include "widgets/map/paint/overview_inset.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
+#include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/message_list.h"
 #include "widgets/panels/flight/playback_bar.h"

@@ -1,5 +1,6 @@
 #include "app/window/window_run.h"
 
+#include "app/cli/console.h"
 #include "app/window/run_settings.h"
 #include "app/window/scenario_files.h"
 #include "app/window/start_guide.h"
@@ -7,6 +8,7 @@
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "widgets/map/view/map_view.h"
+#include "widgets/model/workspace.h"
 #include "widgets/theme/accessible_roles.h"
 #include "widgets/theme/language.h"
 #include "widgets/words/error_text.h"
@@ -26,8 +28,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 
 namespace {
-
-constexpr int kBadInput = 3;
 
 void say(const QString& text)
 {
@@ -172,7 +172,7 @@ int runWindow(const WindowOptions& options)
     if (!named.fault.isEmpty())
         say(named.fault);
     if (picture && !named.fault.isEmpty())
-        return kBadInput;
+        return cli::kBadInput;
     WindowHolder holder(workspace, interaction, settings);
     MainWindow& window = holder.window();
     if (!picture && !settings.contains(u"window/state"_s))

@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t kSecondsPerCheck = 4096;
 
 /** What the estimate is off from start + v t, all along the run. */
-struct Drift
+struct IcebergRun
 {
     const Scenario& scenario;
     const Iceberg& iceberg;
@@ -21,7 +21,7 @@ struct Drift
     std::int64_t seconds = 0; ///< the run, rounded up
 };
 
-bool trackKeepsWithin(const Drift& drift, double room_m)
+bool trackKeepsWithin(const IcebergRun& drift, double room_m)
 {
     const RecordedTrack& track = drift.iceberg.track;
     const auto isWithin = [&](double s) {
@@ -34,7 +34,7 @@ bool trackKeepsWithin(const Drift& drift, double room_m)
            });
 }
 
-bool noiseKeepsWithin(const Drift& drift, double room_m, const std::stop_token& stop)
+bool noiseKeepsWithin(const IcebergRun& drift, double room_m, const std::stop_token& stop)
 {
     DriftModel noise({.q_m2ps = drift.iceberg.q_m2ps},
                      static_cast<std::uint64_t>(drift.scenario.seed), drift.iceberg.id,
@@ -65,10 +65,10 @@ bool staysInside(const Scenario& scenario, const Iceberg& iceberg, const std::st
         return false;
     // Seen at s, the estimate at t is truth(s) + v (t - s): as far off start + v t as the truth
     // was.
-    const Drift drift{.scenario = scenario,
-                      .iceberg = iceberg,
-                      .velocity_mps = iceberg.velocity_mps + scenario.current_mps,
-                      .seconds = static_cast<std::int64_t>(std::ceil(scenario.duration_s))};
+    const IcebergRun drift{.scenario = scenario,
+                           .iceberg = iceberg,
+                           .velocity_mps = iceberg.velocity_mps + scenario.current_mps,
+                           .seconds = static_cast<std::int64_t>(std::ceil(scenario.duration_s))};
     const Point end_m = iceberg.position_m + drift.velocity_mps * scenario.duration_s;
     const double room_m = distanceToEdges(scenario.area_m, iceberg.position_m, end_m);
     return iceberg.track.empty() ? noiseKeepsWithin(drift, room_m, stop)

@@ -8,7 +8,7 @@ namespace berg {
 
 namespace {
 
-constexpr CoverageHorizon kPart{.length_s = 800, .rest_s = 25};
+constexpr CoverageHorizon kHorizonPart{.length_s = 800, .rest_s = 25};
 /** A run that is not so many times as long is judged as a whole: what is left would be short. */
 constexpr double kWhole = 1.25;
 /** What a horizon holds where looks pay: so often every iceberg, or so many legs. */
@@ -44,12 +44,12 @@ double part_s(const FlightPicture& picture, std::size_t uavs)
 {
     constexpr double kTourOfTree = 1.25; // of points that are spread evenly
     if (picture.observer.model == ObserverModel::Simple)
-        return kPart.length_s;
+        return kHorizonPart.length_s;
     const auto icebergs = static_cast<double>(picture.tracks.size());
     const double leg_s =
         kTourOfTree * spanningTree_m(picture) / picture.motion.airspeed_mps / icebergs;
     const double legs = kRoundsAhead * icebergs / static_cast<double>(uavs);
-    return std::max(kPart.length_s, leg_s * std::min(legs, kMostLegsAhead));
+    return std::max(kHorizonPart.length_s, leg_s * std::min(legs, kMostLegsAhead));
 }
 
 } // namespace
@@ -61,7 +61,7 @@ CoverageHorizon horizonOf(std::span<const FlightPicture> pictures)
     const double length_s = part_s(pictures.front(), pictures.size());
     return left_s <= kWhole * length_s
                ? CoverageHorizon{.length_s = left_s}
-               : CoverageHorizon{.length_s = length_s, .rest_s = kPart.rest_s};
+               : CoverageHorizon{.length_s = length_s, .rest_s = kHorizonPart.rest_s};
 }
 
 bool isWeighted(const FlightPicture& picture)

@@ -256,6 +256,37 @@ void scanFolder(const fs::path& root, const std::string& folder, Scan& scan)
     }
 }
 
+/** The type or constant that `line` defines at the left margin; empty: none. */
+std::string nameGivenBy(const std::string& line)
+{
+    static const std::regex kType(R"(^(?:struct|class|enum class) (\w+)(?: final)?(?: : .*)?$)");
+    static const std::regex kConstant(
+        R"(^(?:inline )?constexpr [^(={]*\b(k[A-Z]\w*)(?:\[| =|\{).*)");
+    std::smatch found;
+    if (std::regex_match(line, found, kType) || std::regex_match(line, found, kConstant))
+        return found[1];
+    return {};
+}
+
+/** Where names of types and constants stand, by name, in files that end in `extension`. */
+std::multimap<std::string, std::string> namesGiven(const std::string& extension)
+{
+    std::multimap<std::string, std::string> names;
+    for (const char* folder : {"core", "app", "widgets"}) {
+        for (const fs::directory_entry& entry :
+             fs::recursive_directory_iterator(fs::path(BERG_SOURCE_DIR) / folder)) {
+            if (entry.path().extension() != extension)
+                continue;
+            std::ifstream in(entry.path());
+            for (std::string line; std::getline(in, line);) {
+                if (std::string name = nameGivenBy(line); !name.empty())
+                    names.emplace(std::move(name), entry.path().string());
+            }
+        }
+    }
+    return names;
+}
+
 } // namespace
 
 /** Holds the source tree to the table of layers. */
@@ -431,6 +462,30 @@ private slots:
         for (const Module& room : kRooms)
             QVERIFY2(fs::is_directory(fs::path(BERG_SOURCE_DIR) / room.name), room.name.c_str());
         QVERIFY(scan.includes > 200);
+    }
+
+    void namesAreFound()
+    {
+        QCOMPARE(nameGivenBy("struct Drift"), "Drift");
+        QCOMPARE(nameGivenBy("class AlarmStrip : public QWidget"), "AlarmStrip");
+        QCOMPARE(nameGivenBy("enum class Half { Left, Right };"), "");
+        QCOMPARE(nameGivenBy("class Workspace;"), "");
+        QCOMPARE(nameGivenBy("inline constexpr int kRounds = 20;"), "kRounds");
+        QCOMPARE(nameGivenBy("constexpr std::array<Row, 2> kRows{"), "kRows");
+        QCOMPARE(nameGivenBy("constexpr double kOfMember{kRows.size()};"), "kOfMember");
+        QCOMPARE(nameGivenBy("constexpr double half(double x)"), "");
+        QCOMPARE(nameGivenBy("    constexpr int kWithin = 1;"), "");
+    }
+
+    /** Else sources compiled together may not compile: what they own would be ambiguous. */
+    void namesOfHeadersAreGivenOnce()
+    {
+        const std::multimap<std::string, std::string> inHeaders = namesGiven(".h");
+        std::multimap<std::string, std::string> all = namesGiven(".cpp");
+        QVERIFY(inHeaders.size() > 500 && all.size() > 500);
+        all.insert(inHeaders.begin(), inHeaders.end());
+        for (const auto& [name, file] : inHeaders)
+            QVERIFY2(all.count(name) == 1, (name + " of " + file).c_str());
     }
 };
 

@@ -15,7 +15,6 @@ namespace berg {
 
 namespace {
 
-constexpr int kMostIcebergs = SubsetSolver::kMostIcebergs;
 #if defined(__x86_64__) && defined(__GNUC__)
 #define BERG_WIDE [[gnu::target("avx2,popcnt")]]
 bool hasWideVectors()
@@ -184,7 +183,7 @@ private:
     {
         // Not zeroed: that would be dear here.
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
-        std::array<Next, kMostIcebergs> nexts;
+        std::array<Next, SubsetSolver::kMostIcebergs> nexts;
         std::size_t count = 0;
         for (std::uint32_t rest = upper; rest != 0; rest &= rest - 1) {
             const int j = std::countr_zero(rest);
@@ -327,7 +326,7 @@ SolveOutcome solveWithRows(const TvpProblem& problem, const SolveOptions& option
 template <int Rows>
 SolveOutcome solveWithAtLeast(const TvpProblem& problem, const SolveOptions& options)
 {
-    if constexpr (Rows < kMostIcebergs)
+    if constexpr (Rows < SubsetSolver::kMostIcebergs)
         if (problem.icebergCount() > Rows)
             return solveWithAtLeast<Rows + 4>(problem, options);
     return problem.criterion == Criterion::Latency
@@ -339,10 +338,11 @@ SolveOutcome solveWithAtLeast(const TvpProblem& problem, const SolveOptions& opt
 
 std::optional<IssueReason> SubsetSolver::whyNot(const TvpProblem& problem) const
 {
-    if (problem.icebergCount() <= kMostIcebergs)
+    if (problem.icebergCount() <= SubsetSolver::kMostIcebergs)
         return std::nullopt;
-    return IssueReason{IssueId::ProofTooLarge,
-                       {nameOf(kBackendNames, Backend::Exact), std::int64_t{kMostIcebergs}}};
+    return IssueReason{
+        IssueId::ProofTooLarge,
+        {nameOf(kBackendNames, Backend::Exact), std::int64_t{SubsetSolver::kMostIcebergs}}};
 }
 
 SolveOutcome SubsetSolver::doSolve(const TvpProblem& problem, const SolveOptions& options) const

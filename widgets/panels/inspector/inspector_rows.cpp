@@ -14,11 +14,11 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kPositionStep_m = 10;
+constexpr double kPositionArrowStep_m = 10;
 constexpr int kMoreDecimals = 3; ///< of nautical miles than of metres
 constexpr double kHalfTurn_deg = 180;
-constexpr double kDirectionStep_deg = 5; ///< beyond north on either side the arrows go round
-constexpr double kKnotSteps = 2;         ///< as large a step as in m/s, about
+constexpr double kBearingStep_deg = 5; ///< beyond north on either side the arrows go round
+constexpr double kKnotSteps = 2;       ///< as large a step as in m/s, about
 
 /** Reads, writes and limits what is SI in a unit. */
 NumberRow inUnit(NumberRow row, const ShownUnit& unit)
@@ -93,7 +93,8 @@ std::vector<InspectorRow> positionRows(const QString& kind)
                                              .label = label,
                                              .toolTip = toolTip,
                                              .undoText = InspectorRows::tr("Change position")},
-                                            {}, number, limits::kCoordinate_m, kPositionStep_m));
+                                            {}, number, limits::kCoordinate_m,
+                                            kPositionArrowStep_m));
     };
     return {row(
                 u"East"_s, InspectorRows::tr("East"),
@@ -180,14 +181,13 @@ std::vector<InspectorRow> velocityRows(const VelocityRows& given)
         .words = given.east.words,
         .unit = u"°"_s,
         .decimals = {.least = 0, .most = 1},
-        .step = kDirectionStep_deg,
+        .step = kBearingStep_deg,
         .read = direction_deg,
         .write =
             [write, read](Scenario& scenario, const std::string& id, double value_deg) {
                 write(scenario, id, read(scenario, id).norm(), value_deg);
             },
-        .range =
-            always({.low = -kDirectionStep_deg, .high = 2 * kHalfTurn_deg + kDirectionStep_deg})};
+        .range = always({.low = -kBearingStep_deg, .high = 2 * kHalfTurn_deg + kBearingStep_deg})};
     direction.words.key = given.key + u"Direction"_s;
     direction.words.label = given.directionLabel;
     direction.words.toolTip = given.directionToolTip;
