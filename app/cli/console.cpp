@@ -54,24 +54,6 @@ Interrupts& interrupts()
     _exit(kInterrupted);
 }
 
-} // namespace
-
-EndsAtOnce::EndsAtOnce()
-{
-    const std::lock_guard lock(interrupts().mutex);
-    ++interrupts().readers;
-    if (interrupts().source.stop_requested())
-        endAtOnce();
-}
-
-EndsAtOnce::~EndsAtOnce()
-{
-    const std::lock_guard lock(interrupts().mutex);
-    --interrupts().readers;
-}
-
-namespace {
-
 /** Waits for signals in the mask of all threads, from the first on. */
 void awaitInterrupts(const sigset_t& set)
 {
@@ -87,7 +69,23 @@ void awaitInterrupts(const sigset_t& set)
     _exit(kInterrupted);
 }
 
+bool isQuiet = false; // set in main before anything runs
+
 } // namespace
+
+EndsAtOnce::EndsAtOnce()
+{
+    const std::lock_guard lock(interrupts().mutex);
+    ++interrupts().readers;
+    if (interrupts().source.stop_requested())
+        endAtOnce();
+}
+
+EndsAtOnce::~EndsAtOnce()
+{
+    const std::lock_guard lock(interrupts().mutex);
+    --interrupts().readers;
+}
 
 std::stop_token interruptToken()
 {
@@ -149,10 +147,6 @@ void print(const std::string& text)
     if (std::fflush(stdout) != 0 || !written)
         throw Error(ErrorCode::FileUnwritable, "standard output", {IssueId::StreamUnwritable});
 }
-
-namespace {
-bool isQuiet = false; // set in main before anything runs
-} // namespace
 
 void beQuiet()
 {

@@ -6,11 +6,7 @@
 
 namespace berg::cli {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-} // namespace
 
 OutputFolder::OutputFolder(const std::string& path) : m_path(path)
 {

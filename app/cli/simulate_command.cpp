@@ -121,17 +121,19 @@ Flown replayRun(const SimulateArguments& arguments, const std::string& text,
 std::optional<double> lowerBound_m2s(const Mission& mission, bool quiet,
                                      const std::stop_token& stop)
 {
-    if (std::ranges::any_of(mission.interventions(),
-                            [](const Intervention& change) { return change.seen.has_value(); }))
+    const auto isAny = [&mission](auto member) {
+        return std::ranges::any_of(mission.interventions(), [member](const Intervention& change) {
+            return (change.*member).has_value();
+        });
+    };
+    if (isAny(&Intervention::seen))
         throw UsageError(QT_TRANSLATE_NOOP(
             "CommandLine", "--bound is for what the UAV sees by itself; in this run an "
                            "iceberg was reported seen"));
-    if (std::ranges::any_of(mission.interventions(),
-                            [](const Intervention& change) { return change.wind_mps.has_value(); }))
+    if (isAny(&Intervention::wind_mps))
         throw UsageError(QT_TRANSLATE_NOOP(
             "CommandLine", "--bound is for the scenario's wind; in this run it changed"));
-    if (std::ranges::any_of(mission.interventions(),
-                            [](const Intervention& change) { return change.removed.has_value(); }))
+    if (isAny(&Intervention::removed))
         throw UsageError(QT_TRANSLATE_NOOP(
             "CommandLine", "--bound is for all icebergs; in this run one was removed"));
     ProgressBar bar(said(QT_TRANSLATE_NOOP("CommandLine", "bounding"), {}), !quiet);

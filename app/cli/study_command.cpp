@@ -25,11 +25,7 @@ Study added(Study whole, Study part, const std::string& file)
     std::vector<Study> both;
     both.push_back(std::move(whole));
     both.push_back(std::move(part));
-    try {
-        return merge(std::move(both));
-    } catch (const Error& error) {
-        throw Error(error.code(), file, error.issues());
-    }
+    return naming(file, [&] { return merge(std::move(both)); });
 }
 
 Study merged(const std::vector<std::string>& files)
@@ -43,8 +39,6 @@ Study merged(const std::vector<std::string>& files)
 int showStudy(const StudyArguments& arguments, const std::stop_token& /*stop*/)
 {
     const StudyOutput& output = arguments.output;
-    if (output.replaceStudy && output.studyFile.empty())
-        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--replace-study: is for --study FILE"));
     checkFiles(filesOf(output, arguments.files));
     StudyFile file(output.studyFile, output.replaceStudy);
     const Study study = reading([&] {

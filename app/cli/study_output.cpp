@@ -118,6 +118,8 @@ void sayWhenIncomplete(const Study& study)
 
 CommandFiles filesOf(const StudyOutput& output, std::vector<std::string> inputs)
 {
+    if (output.replaceStudy && output.studyFile.empty())
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--replace-study: is for --study FILE"));
     if (output.studyFile == "-")
         throw UsageError(kNoStream, {"--study"});
     return {.inputs = std::move(inputs),

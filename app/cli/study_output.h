@@ -21,7 +21,7 @@ struct StudyOutput
     [[nodiscard]] bool writesFiles() const { return !tableFile.empty() || !reportFile.empty(); }
 };
 
-/** What a command with these inputs writes, for `checkFiles`. */
+/** What a command with these inputs writes, for `checkFiles`. Throws `UsageError`. */
 [[nodiscard]] CommandFiles filesOf(const StudyOutput& output, std::vector<std::string> inputs);
 
 /** The options that fill it; `study`: what the file of `--study` is for. */

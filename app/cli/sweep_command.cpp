@@ -113,8 +113,6 @@ void checkTogether(const SweepArguments& arguments)
     if (isPart && arguments.output.writesFiles())
         throw UsageError(QT_TRANSLATE_NOOP(
             "CommandLine", "--shard: the files of all shards are written by 'study'"));
-    if (arguments.output.replaceStudy && arguments.output.studyFile.empty())
-        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--replace-study: is for --study FILE"));
 }
 
 /** One `sweep` of the command line. */

@@ -3,6 +3,7 @@
 #include "core/base/geometry.h"
 
 #include <span>
+#include <vector>
 
 namespace berg {
 
@@ -19,5 +20,16 @@ struct Circle
  * Welzl, Smallest enclosing disks (1991), in its iterative form.
  */
 [[nodiscard]] Circle enclosingCircle(std::span<const Point> points_m);
+
+/** The same round the places that things of these numbers have. */
+template <class PlaceOf>
+[[nodiscard]] Circle circleRound(std::span<const int> numbers, const PlaceOf& placeOf)
+{
+    std::vector<Point> places_m;
+    places_m.reserve(numbers.size());
+    for (const int number : numbers)
+        places_m.push_back(placeOf(number));
+    return enclosingCircle(places_m);
+}
 
 } // namespace berg

@@ -3,6 +3,8 @@
 #include "core/base/angles.h"
 #include "core/base/edge_sweep.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -115,18 +117,13 @@ bool isRound(std::span<const Point> outline_m, std::span<const Point> polygon_m,
     return isSimplePolygon(outline_m);
 }
 
-struct Box
+Eigen::AlignedBox2d boxOf(std::span<const Point> corners)
 {
-    explicit Box(std::span<const Point> corners)
-    {
-        for (const Point& corner : corners) {
-            low = low.cwiseMin(corner);
-            high = high.cwiseMax(corner);
-        }
-    }
-    Point low = Point::Constant(HUGE_VAL);
-    Point high = Point::Constant(-HUGE_VAL);
-};
+    Eigen::AlignedBox2d box;
+    for (const Point& corner : corners)
+        box.extend(corner);
+    return box;
+}
 
 } // namespace
 
@@ -178,22 +175,17 @@ std::vector<Point> grownOutline(std::span<const Point> corners_m, double by_m)
 
 bool polygonsMeet(std::span<const Point> a, std::span<const Point> b)
 {
-    const Box boxA(a);
-    const Box boxB(b);
-    if (a.size() < 3 || b.size() < 3 || (boxA.low.array() > boxB.high.array()).any() ||
-        (boxB.low.array() > boxA.high.array()).any())
+    const Eigen::AlignedBox2d common = boxOf(a).intersection(boxOf(b));
+    if (a.size() < 3 || b.size() < 3 || common.isEmpty())
         return false;
     if (insidePolygon(a, b.front()) || insidePolygon(b, a.front()))
         return true;
-    const Point low = boxA.low.cwiseMax(boxB.low);
-    const Point high = boxA.high.cwiseMin(boxB.high);
     std::vector<SweptEdge> edges;
     const auto add = [&](std::span<const Point> polygon, std::size_t whose) {
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const Point& from = polygon[i];
             const Point& to = polygon[(i + 1) % polygon.size()];
-            if ((from.cwiseMin(to).array() <= high.array()).all() &&
-                (from.cwiseMax(to).array() >= low.array()).all())
+            if (common.intersects({from.cwiseMin(to), from.cwiseMax(to)}))
                 edges.push_back({.from = from, .to = to, .index = whose});
         }
     };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/error.h"
+
 namespace berg {
 
 /**
@@ -9,14 +11,23 @@ namespace berg {
 class ForbidSolving
 {
 public:
-    ForbidSolving();
-    ~ForbidSolving();
+    ForbidSolving() { ++s_guards; }
+    ~ForbidSolving() { --s_guards; }
     ForbidSolving(const ForbidSolving&) = delete;
     ForbidSolving& operator=(const ForbidSolving&) = delete;
+
+private:
+    friend void requireSolvingAllowed();
+
+    inline static thread_local int s_guards = 0; ///< of this thread
 };
 
 /** At the door of everything that may take long. Throws `std::logic_error` where it is forbidden.
  */
-void requireSolvingAllowed();
+inline void requireSolvingAllowed()
+{
+    require(ForbidSolving::s_guards == 0,
+            "planning or flying on a thread that must stay responsive");
+}
 
 } // namespace berg

@@ -133,22 +133,15 @@ double GroupFloor::spread(const BoundWindow& window) const
            region({}, m_scenario.uavs.at(0)).half_m.norm();
 }
 
-ViewRegion GroupFloor::region(const Enclosure& enclosure, const Uav& uav) const
+ViewRegion GroupFloor::region(const Circle& enclosure, const Uav& uav) const
 {
-    const Point half_m = uav.fov_m / 2;
-    ViewRegion result{.centre_m = enclosure.centre_m, .half_m = half_m, .disk = true};
-    switch (m_scenario.fovShape) {
-    case FovShape::North: // its first extent points north
-        result.half_m = Point(half_m.y(), half_m.x());
-        result.disk = false;
-        break;
-    case FovShape::Disk:
-        result.half_m = Point::Constant(half_m.x());
-        break;
-    case FovShape::Body: // any heading
-        result.half_m = Point::Constant(half_m.norm());
-        break;
-    }
+    ViewRegion result{.centre_m = enclosure.centre_m,
+                      .disk = m_scenario.fovShape != FovShape::North};
+    if (result.disk) // whatever its heading
+        result.half_m.setConstant(
+            FieldOfView::reach_m({.fov_m = uav.fov_m, .shape = m_scenario.fovShape}));
+    else // its first extent points north
+        result.half_m = Point(uav.fov_m.y(), uav.fov_m.x()) / 2;
     result.half_m.array() += enclosure.radius_m + kSlack_m;
     return result;
 }

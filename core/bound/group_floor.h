@@ -70,7 +70,7 @@ private:
     [[nodiscard]] std::vector<int> present(const BoundWindow& window) const;
     [[nodiscard]] Point meanVelocity_mps(const std::vector<int>& icebergs,
                                          const BoundWindow& window) const;
-    [[nodiscard]] ViewRegion region(const Enclosure& enclosure, const Uav& uav) const;
+    [[nodiscard]] ViewRegion region(const Circle& enclosure, const Uav& uav) const;
     [[nodiscard]] double growth_m2ps(int iceberg) const;
     /** By UAV. */
     [[nodiscard]] std::optional<std::vector<Chains>> chainsOf(const std::vector<int>& icebergs,

@@ -85,8 +85,7 @@ TrueMotion::Path TrueMotion::pathOf(const Scenario& scenario, const Iceberg& ice
     return path;
 }
 
-Enclosure TrueMotion::enclosure(int iceberg, int fromEdge, int toEdge,
-                                const Point& velocity_mps) const
+Circle TrueMotion::enclosure(int iceberg, int fromEdge, int toEdge, const Point& velocity_mps) const
 {
     const Path& path = m_paths[at(iceberg)];
     const auto inFrame = [&](int edge) -> Point {
@@ -99,7 +98,7 @@ Enclosure TrueMotion::enclosure(int iceberg, int fromEdge, int toEdge,
         if (edge > fromEdge)
             offChord_m = std::max(offChord_m, path.offChord_m[at(edge - 1)]);
     }
-    Enclosure result{.centre_m = box.center()};
+    Circle result{.centre_m = box.center()};
     for (int edge = fromEdge; edge <= toEdge; ++edge)
         result.radius_m = std::max(result.radius_m, (inFrame(edge) - result.centre_m).norm());
     result.radius_m += offChord_m;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/enclosing_circle.h"
 #include "core/scenario/scenario.h"
 
 #include <cstdint>
@@ -7,13 +8,6 @@
 #include <vector>
 
 namespace berg {
-
-/** Circle in a frame that moves with constant velocity. */
-struct Enclosure
-{
-    Point centre_m = Point::Zero();
-    double radius_m = 0;
-};
 
 /**
  * Where the icebergs of a scenario truly are, the drawn noise included, over blocks of whole time
@@ -43,8 +37,8 @@ public:
      * Holds the iceberg at every instant between the two edges, in the frame that moves with
      * `velocity_mps` and is that of the map at the first of them.
      */
-    [[nodiscard]] Enclosure enclosure(int iceberg, int fromEdge, int toEdge,
-                                      const Point& velocity_mps) const;
+    [[nodiscard]] Circle enclosure(int iceberg, int fromEdge, int toEdge,
+                                   const Point& velocity_mps) const;
 
 private:
     /** One iceberg: at the edges, and how far off the chord between them it gets. */

@@ -215,9 +215,7 @@ private:
 
 double ZetaBound::by_m2s(double time_s) const
 {
-    const auto after =
-        std::upper_bound(curve.begin(), curve.end(), time_s,
-                         [](double time, const BoundPoint& point) { return time < point.time_s; });
+    const auto after = std::ranges::upper_bound(curve, time_s, {}, &BoundPoint::time_s);
     return after == curve.begin() ? 0 : std::prev(after)->zeta_m2s;
 }
 

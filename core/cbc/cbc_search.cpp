@@ -274,9 +274,7 @@ SolveOutcome branchAndCut(const OsiClpSolverInterface& relaxation, CbcRun& run)
     }
     run.setMain(nullptr);
 
-    SolveOutcome outcome;
-    outcome.work = model.getNodeCount();
-    outcome.detail = detailOf(model);
+    SolveOutcome outcome{.work = model.getNodeCount(), .detail = detailOf(model)};
     conclude(model, run, outcome);
     return outcome;
 }
@@ -296,13 +294,10 @@ SolveOutcome search(CbcRun& run)
         solver.getModelPtr()->scaling(kNoScaling); // its coefficients are 1 and -1
     // The dual simplex, because initialSolve() begins with a crash that does not ask the stopper.
     solver.resolve();
-    if (run.mustStop()) {
-        SolveOutcome outcome;
-        outcome.status = run.best().empty() ? SolveStatus::None : SolveStatus::Feasible;
-        outcome.reason = *run.stopped();
-        outcome.detail = "CBC: stopped in the first relaxation";
-        return outcome;
-    }
+    if (run.mustStop())
+        return {.status = run.best().empty() ? SolveStatus::None : SolveStatus::Feasible,
+                .reason = *run.stopped(),
+                .detail = "CBC: stopped in the first relaxation"};
     if (solver.isProvenOptimal())
         run.raiseBound(solver.getObjValue());
     run.report();
@@ -312,12 +307,10 @@ SolveOutcome search(CbcRun& run)
 /** Ended before the search; the hint, if any, comes back. */
 SolveOutcome unsolved(const FleetPlan& hint, StopReason reason)
 {
-    SolveOutcome outcome;
-    outcome.status = hint.empty() ? SolveStatus::None : SolveStatus::Feasible;
-    outcome.reason = reason;
-    outcome.plan = hint;
-    outcome.hintUsed = !hint.empty();
-    return outcome;
+    return {.status = hint.empty() ? SolveStatus::None : SolveStatus::Feasible,
+            .reason = reason,
+            .plan = hint,
+            .hintUsed = !hint.empty()};
 }
 
 SolveOutcome solveMilp(const TvpProblem& problem, const SolveOptions& options,

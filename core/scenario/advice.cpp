@@ -6,7 +6,7 @@
 #include "core/scenario/checks.h"
 #include "core/scenario/drift_advice.h"
 #include "core/scenario/fence.h"
-#include "core/scenario/sortie.h"
+#include "core/scenario/findings.h"
 #include "core/scenario/weather.h"
 #include "core/vehicle/safety_guard.h"
 
@@ -59,15 +59,12 @@ struct Flyer
 Flyer flyerOf(const Scenario& scenario, std::size_t i)
 {
     const Uav& uav = scenario.uavs[i];
-    // A disk has one extent, the first.
-    const bool isDisk = scenario.fovShape == FovShape::Disk;
-    const double farthest_m = isDisk ? uav.fov_m.x() / 2 : uav.fov_m.norm() / 2;
-    const double nearest_m = isDisk ? uav.fov_m.x() / 2 : uav.fov_m.minCoeff() / 2;
-    const double surely_m = scenario.reachRadius_m.value_or(nearest_m);
+    const SensorSpec sensor{.fov_m = uav.fov_m, .shape = scenario.fovShape};
+    const double surely_m = scenario.reachRadius_m.value_or(surelySeen_m(sensor));
     return {.uav = uav,
             .path = entryPath("uavs", i),
-            .reach_m = scenario.reachRadius_m.value_or(farthest_m),
-            .seen_m = nearest_m,
+            .reach_m = scenario.reachRadius_m.value_or(FieldOfView::reach_m(sensor)),
+            .seen_m = surelySeen_m(sensor),
             .surely_m = surely_m,
             .isWide = turnRadius_m(uav.spec) > surely_m};
 }
@@ -102,32 +99,21 @@ public:
         for (const Flyer& flyer : m_flyers)
             adviseEndurance(flyer);
         for (Issue& issue : airspaceIssues(m_s))
-            m_issues.push_back(std::move(issue));
-        for (Issue& issue : weatherIssues(m_s))
-            m_issues.push_back(std::move(issue));
+            m_found.warn(std::move(issue.field), issue.reason.id,
+                         std::move(issue.reason.arguments));
+        adviseWeather(m_s, m_found);
         adviseFences();
         adviseAsset();
         for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
             adviseIceberg(i);
-        for (Issue& issue : driftIssues(m_s))
-            m_issues.push_back(std::move(issue));
+        adviseDrift(m_s, m_found);
         adviseSamePlace();
         adviseReach();
         advisePlanner();
-        return std::move(m_issues);
+        return m_found.take();
     }
 
 private:
-    void warn(std::string field, IssueId id)
-    {
-        m_issues.push_back(Issue{Severity::Warning, std::move(field), {.id = id}});
-    }
-    void hint(std::string field, IssueId id, std::vector<IssueArgument> arguments = {})
-    {
-        m_issues.push_back(
-            Issue{Severity::Hint, std::move(field), {.id = id, .arguments = std::move(arguments)}});
-    }
-
     [[nodiscard]] bool isOutside(const Point& p_m) const
     {
         return !m_s.area_m.empty() && !insidePolygon(m_s.area_m, p_m);
@@ -184,16 +170,15 @@ private:
 
     const Scenario& m_s;
     std::vector<Flyer> m_flyers;
-    std::vector<Issue> m_issues;
+    Findings m_found{Findings::Kind::All};
 };
 
 void Adviser::adviseUnused()
 {
-    std::string unknown; // the first of them, by its name
+    std::optional<Issue> unknown; // the first of them
     const auto look = [&unknown](const std::string& extraJson) {
-        if (const std::size_t open = extraJson.find('"');
-            unknown.empty() && open != std::string::npos)
-            unknown = extraJson.substr(open + 1, extraJson.find('"', open + 1) - open - 1);
+        if (!unknown)
+            unknown = unknownMembers({}, extraJson);
     };
     const auto lookInAll = [&look](const auto& parts) {
         for (const auto& part : parts)
@@ -215,32 +200,33 @@ void Adviser::adviseUnused()
     lookInAll(m_s.icebergs);
     for (const Iceberg& iceberg : m_s.icebergs)
         look(iceberg.trackExtraJson);
-    if (!unknown.empty())
-        hint({}, IssueId::UnknownMembers, {unknown});
+    if (unknown)
+        m_found.hint({}, IssueId::UnknownMembers, unknown->reason.arguments);
     if (!m_s.area_m.empty() && !m_s.geofence)
-        hint("area_m", IssueId::AreaNoFence);
+        m_found.hint("area_m", IssueId::AreaNoFence);
     if (m_s.observer.model == ObserverModel::Simple)
         for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
             if (m_s.icebergs[i].velocitySd_mps > 0 || m_s.icebergs[i].velocityTime_s > 0)
-                hint(entryPath("icebergs", i) + ".velocity_sd_mps", IssueId::VelocitySdUnused);
+                m_found.hint(entryPath("icebergs", i) + ".velocity_sd_mps",
+                             IssueId::VelocitySdUnused);
 }
 
 void Adviser::adviseUavs()
 {
     for (const Flyer& flyer : m_flyers) {
         if (isOutside(flyer.uav.position_m))
-            hint(flyer.path + ".position_m", IssueId::UavOutside);
+            m_found.hint(flyer.path + ".position_m", IssueId::UavOutside);
         if (flyer.isWide && !m_s.reachRadius_m)
-            hint(flyer.path + ".fov_m", IssueId::WideTurn);
+            m_found.hint(flyer.path + ".fov_m", IssueId::WideTurn);
         if (flyer.uav.spec.autopilot_s * flyer.uav.spec.airspeed_mps > LosGains().lookahead_m)
-            warn(flyer.path + ".autopilot_s", IssueId::SlowAutopilot);
+            m_found.warn(flyer.path + ".autopilot_s", IssueId::SlowAutopilot);
     }
     if (m_s.reachRadius_m && std::any_of(m_flyers.begin(), m_flyers.end(),
                                          [](const Flyer& flyer) { return flyer.isWide; }))
-        hint("planner.reach_radius_m", IssueId::ReachInsideTurn);
+        m_found.hint("planner.reach_radius_m", IssueId::ReachInsideTurn);
     if (std::any_of(m_flyers.begin(), m_flyers.end(),
                     [&](const Flyer& flyer) { return m_s.reachRadius_m > flyer.seen_m; }))
-        warn("planner.reach_radius_m", IssueId::ReachBeyondView);
+        m_found.warn("planner.reach_radius_m", IssueId::ReachBeyondView);
 }
 
 /** Told of each that is near one before it. */
@@ -253,7 +239,7 @@ void Adviser::adviseLayers()
     for (auto flyer = m_flyers.begin(); flyer != m_flyers.end(); ++flyer)
         if (std::any_of(m_flyers.begin(), flyer,
                         [&](const Flyer& before) { return isNear(before.uav, flyer->uav); }))
-            hint(flyer->path + ".altitude_m", IssueId::SameLayer);
+            m_found.hint(flyer->path + ".altitude_m", IssueId::SameLayer);
 }
 
 void Adviser::adviseEndurance(const Flyer& flyer)
@@ -261,13 +247,13 @@ void Adviser::adviseEndurance(const Flyer& flyer)
     const Uav& uav = flyer.uav;
     const std::optional<SortieSpec> sortie = sortieOf(uav);
     if (!sortie && uav.home_m)
-        hint(flyer.path + ".home_m", IssueId::HomeUnused);
+        m_found.hint(flyer.path + ".home_m", IssueId::HomeUnused);
     if (!sortie)
         return;
     const std::optional<Path> home =
         pathTo(startOf(uav), {.place_m = sortie->home_m}, motionOf(m_s, uav), m_s.dt_s);
     if (!flyer.fence && (!home || home->time_s + kHomeReserve_s > sortie->endurance_s))
-        warn(flyer.path + ".endurance_s", IssueId::NoPathHome);
+        m_found.warn(flyer.path + ".endurance_s", IssueId::NoPathHome);
     const auto isKeptApart = [&](const Flyer& other) {
         return &other != &flyer && m_s.separation_m > 0 &&
                std::abs(other.uav.spec.altitude_m - uav.spec.altitude_m) < kLayerHeight_m;
@@ -275,9 +261,7 @@ void Adviser::adviseEndurance(const Flyer& flyer)
     const double wait_s =
         kWaitForOne_s * static_cast<double>(std::ranges::count_if(m_flyers, isKeptApart));
     if (reserve_s(uav.spec) < wait_s)
-        m_issues.push_back(Issue{Severity::Warning,
-                                 flyer.path + ".endurance_s",
-                                 {.id = IssueId::CrowdedReturn, .arguments = {wait_s}}});
+        m_found.warn(flyer.path + ".endurance_s", IssueId::CrowdedReturn, {wait_s});
     bool visits = false;
     bool returns = false;
     for (const Iceberg& iceberg : m_s.icebergs) {
@@ -289,7 +273,7 @@ void Adviser::adviseEndurance(const Flyer& flyer)
                                  sortie->endurance_s;
     }
     if (visits && !returns)
-        warn(flyer.path + ".endurance_s", IssueId::NoRoundTrip);
+        m_found.warn(flyer.path + ".endurance_s", IssueId::NoRoundTrip);
 }
 
 void Adviser::adviseFences()
@@ -300,15 +284,15 @@ void Adviser::adviseFences()
             continue;
         isFenced = true;
         if (flyer.fence->turnClearance_m(startOf(flyer.uav)) < 0)
-            warn(flyer.path + ".position_m", IssueId::StartNearFence);
+            m_found.warn(flyer.path + ".position_m", IssueId::StartNearFence);
         if (const std::optional<SortieSpec> sortie = sortieOf(flyer.uav))
             adviseReturn(flyer, *sortie);
     }
     if (isFenced && traitsOf(m_s.planner.policy).method == PolicyMethod::PredictedZeta)
-        hint(m_s.geofence        ? "geofence"
-             : m_s.noFly.empty() ? "asset.standoff_m"
-                                 : "no_fly",
-             IssueId::FenceUnplanned);
+        m_found.hint(m_s.geofence        ? "geofence"
+                     : m_s.noFly.empty() ? "asset.standoff_m"
+                                         : "no_fly",
+                     IssueId::FenceUnplanned);
     adviseShutOff();
 }
 
@@ -323,11 +307,11 @@ void Adviser::adviseReturn(const Flyer& flyer, const SortieSpec& sortie)
         {.motion = motionOf(m_s, uav), .sortie = sortie, .fence = flyer.fence, .clock = clock});
     const std::optional<ReturnPath> path = guard.returnPath(startOf(uav));
     if (!path)
-        warn(flyer.path + ".position_m", IssueId::NoSafeReturn);
+        m_found.warn(flyer.path + ".position_m", IssueId::NoSafeReturn);
     else if (guard.time_s(*path) + kHomeReserve_s > sortie.endurance_s)
-        warn(flyer.path + ".endurance_s", IssueId::NoPathHome);
+        m_found.warn(flyer.path + ".endurance_s", IssueId::NoPathHome);
     if (!guard.safeHeading_rad({.position_m = sortie.home_m}, sortie.endurance_s))
-        warn(flyer.path + ".home_m", IssueId::HomeNearFence);
+        m_found.warn(flyer.path + ".home_m", IssueId::HomeNearFence);
 }
 
 void Adviser::adviseShutOff()
@@ -343,7 +327,7 @@ void Adviser::adviseShutOff()
         if (allVisitors(iceberg, [&](const Flyer& flyer) {
                 return isShutOffFrom(flyer, iceberg.position_m);
             }))
-            warn(entryPath("icebergs", i) + ".position_m", IssueId::ShutOff);
+            m_found.warn(entryPath("icebergs", i) + ".position_m", IssueId::ShutOff);
     }
 }
 
@@ -352,7 +336,7 @@ void Adviser::adviseAsset()
     if (m_s.asset && std::any_of(m_s.icebergs.begin(), m_s.icebergs.end(), [&](const Iceberg& b) {
             return b.appears_s == 0 && (b.position_m - m_s.asset->position_m).norm() < b.radius_m;
         }))
-        warn("asset.position_m", IssueId::AssetInIce);
+        m_found.warn("asset.position_m", IssueId::AssetInIce);
 }
 
 void Adviser::adviseIceberg(std::size_t i)
@@ -360,12 +344,12 @@ void Adviser::adviseIceberg(std::size_t i)
     const Iceberg& iceberg = m_s.icebergs[i];
     const std::string path = entryPath("icebergs", i);
     if (isOutside(estimateAt(iceberg, iceberg.appears_s)))
-        warn(path + ".position_m", IssueId::OutsideArea);
+        m_found.warn(path + ".position_m", IssueId::OutsideArea);
     else if (comesInTime(iceberg) &&
              isOutside(iceberg.track.empty() ? endOf(iceberg) : iceberg.track.at(m_s.duration_s)))
-        hint(path + ".velocity_mps", IssueId::LeavesArea);
+        m_found.hint(path + ".velocity_mps", IssueId::LeavesArea);
     if (iceberg.velocity_mps.norm() > kFastDrift_mps)
-        hint(path + ".velocity_mps", IssueId::Fast);
+        m_found.hint(path + ".velocity_mps", IssueId::Fast);
     if (!iceberg.track.empty())
         adviseTrack(iceberg, path);
 }
@@ -373,10 +357,10 @@ void Adviser::adviseIceberg(std::size_t i)
 void Adviser::adviseTrack(const Iceberg& iceberg, const std::string& path)
 {
     if (iceberg.track.time_s.back() < m_s.duration_s)
-        hint(path + ".track", IssueId::TrackShort);
+        m_found.hint(path + ".track", IssueId::TrackShort);
     const Point gap_m = iceberg.track.at(iceberg.appears_s) - iceberg.position_m;
     if (allVisitors(iceberg, [&](const Flyer& f) { return gap_m.norm() > f.reach_m; }))
-        warn(path + ".track", IssueId::TrackFar);
+        m_found.warn(path + ".track", IssueId::TrackFar);
 }
 
 void Adviser::adviseSamePlace()
@@ -398,7 +382,7 @@ void Adviser::adviseSamePlace()
         }
     for (std::size_t i = 0; i < all.size(); ++i)
         if (isSecond[i])
-            warn(entryPath("icebergs", i) + ".position_m", IssueId::SamePlace);
+            m_found.warn(entryPath("icebergs", i) + ".position_m", IssueId::SamePlace);
 }
 
 /** Of an iceberg that a UAV catches up with the end is the easiest instant to be there. */
@@ -421,11 +405,11 @@ void Adviser::adviseReach()
             far.push_back(i);
     }
     if (coming > 0 && far.size() == coming) {
-        warn("duration_s", IssueId::TooShort);
+        m_found.warn("duration_s", IssueId::TooShort);
         return;
     }
     for (const std::size_t i : far)
-        warn(entryPath("icebergs", i) + ".position_m", IssueId::OutOfReach);
+        m_found.warn(entryPath("icebergs", i) + ".position_m", IssueId::OutOfReach);
 }
 
 void Adviser::advisePlanner()
@@ -433,24 +417,33 @@ void Adviser::advisePlanner()
     const std::size_t count = m_s.icebergs.size();
     const PlannerSettings& planner = m_s.planner;
     if (m_s.clusters && !traitsOf(planner.policy).plansClusters)
-        hint("planner.clusters", IssueId::ClustersIgnored);
+        m_found.hint("planner.clusters", IssueId::ClustersIgnored);
     if (!traitsOf(planner.policy).usesTau || count == 0)
         return;
     if (std::all_of(m_s.icebergs.begin(), m_s.icebergs.end(),
                     [](const Iceberg& iceberg) { return initialSigma_m2(iceberg) == 0; }))
-        hint("icebergs", IssueId::NoSigma);
+        m_found.hint("icebergs", IssueId::NoSigma);
     if (planner.tau == 0) // sorting proves itself
         return;
     const bool exact = planner.backend == Backend::Exact;
     if (count > kMostProven && exact)
-        warn("planner.backend", IssueId::SolverUnable);
+        m_found.warn("planner.backend", IssueId::SolverUnable);
     else if (count > kMostProven)
-        hint("icebergs", IssueId::BeyondProof);
+        m_found.hint("icebergs", IssueId::BeyondProof);
     else if (count > kQuickProof && exact)
-        hint("planner.backend", IssueId::LongProof);
+        m_found.hint("planner.backend", IssueId::LongProof);
 }
 
 } // namespace
+
+std::optional<Issue> unknownMembers(const std::string& field, const std::string& extraJson)
+{
+    const std::size_t open = extraJson.find('"');
+    if (open == std::string::npos)
+        return std::nullopt;
+    const std::string first = extraJson.substr(open + 1, extraJson.find('"', open + 1) - open - 1);
+    return Issue{Severity::Hint, field, {.id = IssueId::UnknownMembers, .arguments = {first}}};
+}
 
 std::vector<Issue> advice(const Scenario& scenario)
 {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -21,29 +22,6 @@ int digits(std::string_view text, std::size_t from, std::size_t count)
         value = value * 10 + (c - '0');
     }
     return value;
-}
-
-/** Number of continuation bytes and smallest code point that a UTF-8 lead byte announces. */
-struct Utf8Lead
-{
-    std::size_t following = 0;
-    std::uint32_t bits = 0;     ///< payload of the lead byte
-    std::uint32_t smallest = 0; ///< a smaller code point would be an overlong form
-};
-
-bool readLead(unsigned char byte, Utf8Lead& lead)
-{
-    if (byte < 0x80U)
-        lead = {.following = 0, .bits = byte, .smallest = 0};
-    else if ((byte & 0xE0U) == 0xC0U)
-        lead = {.following = 1, .bits = byte & 0x1FU, .smallest = 0x80};
-    else if ((byte & 0xF0U) == 0xE0U)
-        lead = {.following = 2, .bits = byte & 0x0FU, .smallest = 0x800};
-    else if ((byte & 0xF8U) == 0xF0U)
-        lead = {.following = 3, .bits = byte & 0x07U, .smallest = 0x10000};
-    else
-        return false;
-    return true;
 }
 
 } // namespace
@@ -80,20 +58,23 @@ std::string printable(std::string_view text)
 
 bool isUtf8(std::string_view text)
 {
-    Utf8Lead lead;
-    for (std::size_t i = 0; i < text.size(); i += lead.following + 1) {
-        if (!readLead(static_cast<unsigned char>(text[i]), lead) ||
-            text.size() - i <= lead.following)
+    // By count of the bytes that follow the lead: a smaller code point is an overlong form.
+    constexpr std::array<std::uint32_t, 4> kSmallest{0, 0x80, 0x800, 0x10000};
+    for (std::size_t i = 0; i < text.size();) {
+        const auto lead = static_cast<unsigned char>(text[i++]);
+        const int ones = std::countl_one(lead); // 0, or all bytes of the character
+        const std::size_t following = ones == 0 ? 0 : static_cast<std::size_t>(ones - 1);
+        if (ones == 1 || ones > 4 || text.size() - i < following)
             return false;
-        std::uint32_t code = lead.bits;
-        for (std::size_t k = 1; k <= lead.following; ++k) {
-            const auto byte = static_cast<unsigned char>(text[i + k]);
+        std::uint32_t code = lead & (0x7FU >> ones);
+        for (std::size_t k = 0; k < following; ++k) {
+            const auto byte = static_cast<unsigned char>(text[i++]);
             if ((byte & 0xC0U) != 0x80U)
                 return false;
             code = (code << 6U) | (byte & 0x3FU);
         }
         const bool surrogate = code >= 0xD800U && code <= 0xDFFFU;
-        if (code < lead.smallest || surrogate || code > 0x10FFFFU)
+        if (code < kSmallest[following] || surrogate || code > 0x10FFFFU)
             return false;
     }
     return true;

@@ -1,6 +1,6 @@
 #include "core/scenario/drift_advice.h"
 
-#include "core/scenario/checks.h"
+#include "core/scenario/findings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,15 +19,15 @@ SensorSpec sensorOf(const Scenario& scenario, const Uav& uav)
 }
 
 /** Across what is seen, the smaller extent. */
-double width_m(const SensorSpec& sensor)
+double width_m(const Scenario& scenario, const Uav& uav)
 {
-    return sensor.shape == FovShape::Disk ? sensor.fov_m.x() : sensor.fov_m.minCoeff();
+    return 2 * surelySeen_m(sensorOf(scenario, uav));
 }
 
 const Uav& widestView(const Scenario& scenario)
 {
-    return *std::ranges::max_element(
-        scenario.uavs, {}, [&](const Uav& uav) { return width_m(sensorOf(scenario, uav)); });
+    return *std::ranges::max_element(scenario.uavs, {},
+                                     [&](const Uav& uav) { return width_m(scenario, uav); });
 }
 
 std::int64_t atLeastOne(double value)
@@ -74,7 +74,7 @@ double sdAfterRound_m(const Scenario& scenario, const Iceberg& iceberg, const Ua
 {
     const ObserverSpec& observer = scenario.observer;
     const double interval_s = std::max(observer.interval_s, scenario.dt_s);
-    const double inView_s = width_m(sensorOf(scenario, uav)) / uav.spec.airspeed_mps;
+    const double inView_s = width_m(scenario, uav) / uav.spec.airspeed_mps;
     Track track = initialTrack(iceberg, observer.model);
     const double looks = std::clamp(observer.detection * inView_s / interval_s, 1.0, kMostLooks);
     for (int look = 0; look < static_cast<int>(looks); ++look) {
@@ -97,27 +97,22 @@ double chanceInView(const SensorSpec& sensor, double sd_m, double spread_m)
     return std::erf(half.x() / std::numbers::sqrt2) * std::erf(half.y() / std::numbers::sqrt2);
 }
 
-std::vector<Issue> driftIssues(const Scenario& scenario)
+void adviseDrift(const Scenario& scenario, Findings& findings)
 {
-    std::vector<Issue> issues;
-    const auto add = [&](Severity severity, std::string field, IssueId id,
-                         std::vector<IssueArgument> arguments) {
-        issues.push_back(
-            Issue{severity, std::move(field), {.id = id, .arguments = std::move(arguments)}});
-    };
     const Uav& uav = widestView(scenario);
-    const double view_m = width_m(sensorOf(scenario, uav));
+    const double view_m = width_m(scenario, uav);
     for (std::size_t i = 0; i < scenario.icebergs.size(); ++i) {
         const Iceberg& iceberg = scenario.icebergs[i];
         const double sd_m = std::sqrt(initialSigma_m2(iceberg));
         if (iceberg.observed_s > 0 && sd_m > view_m / 2)
-            add(Severity::Warning, entryPath("icebergs", i) + ".observed_s", IssueId::SeenLongAgo,
+            findings.warn(
+                entryPath("icebergs", i) + ".observed_s", IssueId::SeenLongAgo,
                 {atLeastOne(iceberg.observed_s / 3600), roughly(sd_m), atLeastOne(sd_m / view_m)});
     }
     const double next_s = round_s(scenario);
     if (scenario.observer.model == ObserverModel::Simple || next_s <= 0 ||
         next_s > scenario.duration_s)
-        return issues;
+        return;
     double out = 0;
     std::int64_t count = 0;
     for (const Iceberg& iceberg : scenario.icebergs) {
@@ -128,9 +123,8 @@ std::vector<Issue> driftIssues(const Scenario& scenario)
                                 sdAfterRound_m(scenario, iceberg, uav, next_s));
     }
     if (out >= 0.5)
-        add(Severity::Hint, "icebergs", IssueId::OutOfViewNext,
-            {roughly(next_s / 60), std::int64_t{std::llround(out)}, count});
-    return issues;
+        findings.hint("icebergs", IssueId::OutOfViewNext,
+                      {roughly(next_s / 60), std::int64_t{std::llround(out)}, count});
 }
 
 } // namespace berg

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "core/base/issue.h"
 #include "core/scenario/scenario.h"
 
 namespace berg {
+
+class Findings;
 
 /**
  * Chance that an iceberg, whose place is normally distributed about the middle of the field of view
@@ -19,6 +20,6 @@ namespace berg {
  * round is that of one UAV among several with an equal share: from each iceberg to the nearest not
  * yet visited, and back.
  */
-[[nodiscard]] std::vector<Issue> driftIssues(const Scenario& scenario);
+void adviseDrift(const Scenario& scenario, Findings& findings);
 
 } // namespace berg

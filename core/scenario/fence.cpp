@@ -74,4 +74,13 @@ std::shared_ptr<const Geofence> fenceOf(const Scenario& scenario, double altitud
         scenario.geofence ? scenario.area_m : std::vector<Point>(), motion, std::move(holes_m));
 }
 
+std::optional<SortieSpec> sortieOf(const Uav& uav)
+{
+    if (uav.spec.endurance_s == 0)
+        return std::nullopt;
+    return SortieSpec{.endurance_s = usableEndurance_s(uav.spec),
+                      .turnaround_s = uav.spec.landing_s + uav.turnaround_s + uav.spec.climb_s,
+                      .home_m = uav.home_m.value_or(uav.position_m)};
+}
+
 } // namespace berg

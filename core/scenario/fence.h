@@ -30,4 +30,10 @@ inline constexpr int kRingCorners = 16;
 [[nodiscard]] std::shared_ptr<const Geofence> fenceOf(const Scenario& scenario, double altitude_m,
                                                       const Motion& motion);
 
+/**
+ * What a flight of the UAV may use of its endurance, and where it ends; none: it is unlimited.
+ * Climb and landing, like the turn-around, pass on the ground: nothing is seen meanwhile.
+ */
+[[nodiscard]] std::optional<SortieSpec> sortieOf(const Uav& uav);
+
 } // namespace berg

@@ -14,7 +14,7 @@
 
 namespace berg {
 
-/** Gathers the findings of `validate`, whose checks call it field by field. */
+/** Gathers the findings of `validate` and `advice`, whose checks call it field by field. */
 class Findings
 {
 public:
@@ -43,10 +43,10 @@ public:
         if (m_kind == Kind::All)
             add(Severity::Warning, std::move(field), id, std::move(arguments));
     }
-    void hint(std::string field, IssueId id)
+    void hint(std::string field, IssueId id, Arguments arguments = {})
     {
         if (m_kind == Kind::All)
-            add(Severity::Hint, std::move(field), id, {});
+            add(Severity::Hint, std::move(field), id, std::move(arguments));
     }
 
     /**

@@ -161,7 +161,7 @@ private:
     std::size_t m_next;
 };
 
-[[noreturn]] void refuse(std::size_t placed, const FieldRequest& request)
+void refuse(std::size_t placed, const FieldRequest& request)
 {
     Findings faults(Findings::Kind::All);
     const IssueArgument found = countOf(placed);
@@ -171,7 +171,6 @@ private:
     else
         faults.error("area_m", IssueId::AreaTooThin, {found, request.icebergs});
     raise(faults);
-    throw std::logic_error("refuse: nothing to refuse");
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "core/scenario/weather.h"
 
-#include "core/scenario/checks.h"
+#include "core/scenario/findings.h"
 
 #include <cmath>
 
@@ -18,13 +18,8 @@ bool isIcing(const Weather& weather, double height_m)
     return temperature_degC < 0 && temperature_degC - dewPoint_degC <= kNearlySaturated_degC;
 }
 
-std::vector<Issue> weatherIssues(const Scenario& scenario)
+void adviseWeather(const Scenario& scenario, Findings& findings)
 {
-    std::vector<Issue> issues;
-    const auto warn = [&](std::string field, IssueId id, std::vector<IssueArgument> arguments) {
-        issues.push_back(Issue{
-            Severity::Warning, std::move(field), {.id = id, .arguments = std::move(arguments)}});
-    };
     const double wind_mps = scenario.wind_mps.norm();
     const double shownWind_mps = std::round(wind_mps * 100) / 100;
     const double gust_mps = scenario.weather.gust_mps.value_or(0);
@@ -33,13 +28,13 @@ std::vector<Issue> weatherIssues(const Scenario& scenario)
         const WeatherLimits& limits = uav.weather;
         const std::string path = entryPath("uavs", i);
         if (limits.wind_mps && wind_mps > *limits.wind_mps)
-            warn(path + ".max_wind_mps", IssueId::WindLimit, {shownWind_mps, *limits.wind_mps});
+            findings.warn(path + ".max_wind_mps", IssueId::WindLimit,
+                          {shownWind_mps, *limits.wind_mps});
         if (limits.gust_mps && gust_mps > *limits.gust_mps)
-            warn(path + ".max_gust_mps", IssueId::GustLimit, {gust_mps, *limits.gust_mps});
+            findings.warn(path + ".max_gust_mps", IssueId::GustLimit, {gust_mps, *limits.gust_mps});
         if (!limits.icing && isIcing(scenario.weather, uav.spec.altitude_m))
-            warn(path + ".icing", IssueId::Icing, {});
+            findings.warn(path + ".icing", IssueId::Icing);
     }
-    return issues;
 }
 
 } // namespace berg

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "core/base/issue.h"
 #include "core/scenario/scenario.h"
 
 namespace berg {
+
+class Findings;
 
 /**
  * Whether ice may form on what flies at that height above the sea: below 0 degC in air that is
@@ -14,6 +15,6 @@ namespace berg {
 [[nodiscard]] bool isIcing(const Weather& weather, double height_m);
 
 /** Warnings for UAVs whose limits the weather of the scenario exceeds. */
-[[nodiscard]] std::vector<Issue> weatherIssues(const Scenario& scenario);
+void adviseWeather(const Scenario& scenario, Findings& findings);
 
 } // namespace berg

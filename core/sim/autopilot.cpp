@@ -2,7 +2,6 @@
 
 #include "core/base/angles.h"
 #include "core/scenario/fence.h"
-#include "core/scenario/sortie.h"
 #include "core/sim/clusters.h"
 
 #include <algorithm>

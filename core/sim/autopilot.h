@@ -81,34 +81,26 @@ public:
     void move(int uav, const DubinsState* measured, StepReport& report);
 
 private:
-    struct Idle
+    template <FlightMode>
+    struct Alone
     {
     };
-    struct Leg
+    template <FlightMode>
+    struct Sent
     {
         Errand errand;
-    };
-    struct RunOut
-    {
-        Errand errand;
-    };
-    struct Circle
-    {
-    };
-    struct Searching
-    {
-        Errand errand;
-    };
-    struct Home
-    {
-    };
-    struct Ground
-    {
     };
     struct Hold
     {
         Point place_m;
     };
+    using Idle = Alone<FlightMode::Idle>;
+    using Leg = Sent<FlightMode::Leg>;
+    using RunOut = Sent<FlightMode::RunOut>;
+    using Circle = Alone<FlightMode::Circle>;
+    using Searching = Sent<FlightMode::Search>;
+    using Home = Alone<FlightMode::Home>;
+    using Ground = Alone<FlightMode::Ground>;
     /** In the order of `FlightMode`. */
     using Mode = std::variant<Idle, Leg, RunOut, Circle, Searching, Home, Ground, Hold>;
 

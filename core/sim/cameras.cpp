@@ -10,19 +10,8 @@ namespace {
 
 /** Icebergs farther out of reach than this are out of view in spite of all rounding. */
 constexpr double kReachMargin_m = 1;
-constexpr double kMiddleOfView = 0.5;
 
 } // namespace
-
-FieldOfView Camera::view() const
-{
-    return part(1);
-}
-
-FieldOfView Camera::middle() const
-{
-    return part(kMiddleOfView);
-}
 
 FieldOfView Camera::part(double share) const
 {

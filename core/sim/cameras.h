@@ -16,11 +16,13 @@ struct Camera
     bool maySearch = true; ///< not on the way home, nor holding
     double reach_m = FieldOfView::reach_m(sensor);
 
-    [[nodiscard]] FieldOfView view() const;
+    [[nodiscard]] FieldOfView view() const { return part(1); }
     /** An iceberg whose estimate is in this part of it should be seen. */
-    [[nodiscard]] FieldOfView middle() const;
+    [[nodiscard]] FieldOfView middle() const { return part(kMiddleOfView); }
 
 private:
+    static constexpr double kMiddleOfView = 0.5;
+
     [[nodiscard]] FieldOfView part(double share) const;
 };
 

@@ -147,11 +147,7 @@ private:
 
     [[nodiscard]] Circle circleAt(const std::vector<int>& members, double time_s) const
     {
-        std::vector<Point> places_m;
-        places_m.reserve(members.size());
-        for (const int i : members)
-            places_m.push_back(track(i).estimate_m(time_s));
-        return enclosingCircle(places_m);
+        return circleRound(members, [&](int i) { return track(i).estimate_m(time_s); });
     }
 
     [[nodiscard]] const Track& track(int i) const { return m_tracks[static_cast<std::size_t>(i)]; }
@@ -166,11 +162,6 @@ private:
 };
 
 } // namespace
-
-double surelySeen_m(const SensorSpec& sensor)
-{
-    return (sensor.shape == FovShape::Disk ? sensor.fov_m.x() : sensor.fov_m.minCoeff()) / 2;
-}
 
 double longestTurn_s(const Motion& motion)
 {

@@ -12,9 +12,6 @@ namespace berg {
 
 class Simulation;
 
-/** How far from the UAV everything is in view, whatever its heading. */
-[[nodiscard]] double surelySeen_m(const SensorSpec& sensor);
-
 /**
  * How many of the order can be visited before home must be reached, clusters as a whole; none:
  * unlimited. Takes them as visited one by one, which is a longer way than to their middle.

@@ -67,8 +67,11 @@ private:
     /** Whether there is something left to fly to; tells the autopilot what. */
     bool goOn()
     {
-        if (uav().mode == FlightMode::Ground)
-            return landed();
+        if (uav().mode == FlightMode::Ground) {
+            m_path.visits.push_back(
+                {.time_s = m_simulation.time_s(), .position_m = uav().pose.position_m});
+            return false;
+        }
         const PlanReason reason = m_simulation.planReason(0);
         const bool hasLegs = m_leg < m_paths.size();
         const bool isLegOver = hasLegs && m_simulation.time_s() >= pathEnd_s();
@@ -76,7 +79,7 @@ private:
             return true;
         if (hasLegs)
             passOverAllVisible();
-        else if (isDone(reason))
+        else if (uav().target >= 0 && reason == PlanReason::TargetReached)
             finishTarget();
         passOverVisible();
         if (isLegOver)
@@ -103,18 +106,6 @@ private:
         leg.sighting_s = pathEnd_s(); // whatever is seen before, it is flown to its end
         leg.end_s.reset();
         m_simulation.setTarget(0, m_rest.front(), leg);
-    }
-
-    bool landed()
-    {
-        m_path.visits.push_back(
-            {.time_s = m_simulation.time_s(), .position_m = uav().pose.position_m});
-        return false;
-    }
-
-    [[nodiscard]] bool isDone(PlanReason reason) const
-    {
-        return uav().target >= 0 && reason == PlanReason::TargetReached;
     }
 
     void finishTarget()
@@ -166,10 +157,8 @@ private:
 
     void visit(const std::vector<int>& icebergs)
     {
-        std::vector<Point> places_m;
-        for (const int iceberg : icebergs)
-            places_m.push_back(m_simulation.observer().estimate_m(iceberg));
-        const Circle circle = enclosingCircle(places_m);
+        const Circle circle =
+            circleRound(icebergs, [this](int i) { return m_simulation.observer().estimate_m(i); });
         m_path.visits.push_back({.iceberg = icebergs.front(),
                                  .time_s = m_simulation.time_s(),
                                  .position_m = circle.centre_m,

@@ -20,21 +20,9 @@ std::vector<IcebergSample> icebergsOf(const Simulation& now)
 /** Step by step, as the simulation does, so that the last bit is the same. */
 void IcebergRows::Courses::advanceTo(std::int64_t until, double dt_s)
 {
-    for (Course& course : icebergs) {
-        if (!course.grows)
-            continue;
-        Track track{.sigma_m2 = course.sigma_m2,
-                    .q_m2ps = course.q_m2ps,
-                    .mixed_m2ps = course.mixed_m2ps,
-                    .velocity_m2ps2 = course.velocity_m2ps2,
-                    .velocitySpread_mps = course.velocitySpread_mps,
-                    .velocityTime_s = course.velocityTime_s};
-        for (std::int64_t at = step; at < until; ++at)
-            track.grow(dt_s);
-        course.sigma_m2 = track.sigma_m2;
-        course.mixed_m2ps = track.mixed_m2ps;
-        course.velocity_m2ps2 = track.velocity_m2ps2;
-    }
+    for (Course& course : icebergs)
+        for (std::int64_t at = step; course.grows && at < until; ++at)
+            course.variances = grown(course.variances, course.process, dt_s);
     step = until;
 }
 
@@ -42,12 +30,8 @@ IcebergRows::Course IcebergRows::courseOf(const Simulation& now, int iceberg)
 {
     const Track& track = now.track(iceberg);
     const bool isExact = track.inView && now.world().observer().model == ObserverModel::Simple;
-    return {.sigma_m2 = track.sigma_m2,
-            .mixed_m2ps = track.mixed_m2ps,
-            .velocity_m2ps2 = track.velocity_m2ps2,
-            .velocitySpread_mps = track.velocitySpread_mps,
-            .velocityTime_s = track.velocityTime_s,
-            .q_m2ps = track.q_m2ps,
+    return {.variances = track.variances(),
+            .process = track.process(),
             .inView = track.inView,
             .active = now.active(iceberg),
             .grows = now.world().age(iceberg) >= 0 && !isExact};
@@ -72,8 +56,9 @@ void IcebergRows::add(const Simulation& now, bool whole)
     for (int i = 0; i < now.icebergCount(); ++i) {
         Course& foretold = m_last.icebergs[toIndex(i)];
         const Course is = courseOf(now, i);
-        if (!isWhole && is.sigma_m2 == foretold.sigma_m2 && is.inView == foretold.inView &&
-            is.active == foretold.active && is.q_m2ps == foretold.q_m2ps)
+        if (!isWhole && is.variances.position_m2 == foretold.variances.position_m2 &&
+            is.inView == foretold.inView && is.active == foretold.active &&
+            is.process.q_m2ps == foretold.process.q_m2ps)
             continue;
         foretold = is;
         if (!isWhole)
@@ -132,7 +117,7 @@ std::vector<IcebergSample> IcebergReader::at(std::size_t row)
     std::vector<IcebergSample> icebergs;
     icebergs.reserve(m_courses.icebergs.size());
     for (const IcebergRows::Course& course : m_courses.icebergs)
-        icebergs.push_back({.sigma_m2 = course.sigma_m2,
+        icebergs.push_back({.sigma_m2 = course.variances.position_m2,
                             .inView = course.inView,
                             .active = course.active,
                             .truth_m = m_world->truth_m(static_cast<int>(icebergs.size()))});

@@ -36,12 +36,8 @@ private:
     /** What becomes of one iceberg while nothing happens to it. */
     struct Course
     {
-        double sigma_m2 = 0;
-        double mixed_m2ps = 0;
-        double velocity_m2ps2 = 0;
-        double velocitySpread_mps = 0;
-        double velocityTime_s = 0;
-        double q_m2ps = 0;
+        DriftVariances variances;
+        DriftProcess process;
         bool inView = false;
         bool active = false;
         bool grows = false; ///< known of, and not seen exactly

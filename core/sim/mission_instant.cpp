@@ -67,9 +67,8 @@ private:
     template <class Entry>
     [[nodiscard]] std::size_t countBefore(const std::vector<Entry>& record) const
     {
-        const auto now = std::lower_bound(
-            record.begin(), record.end(), m_world.step(),
-            [this](const Entry& e, std::int64_t s) { return stepOf(e.time_s) < s; });
+        const auto now = std::ranges::lower_bound(
+            record, m_world.step(), {}, [this](const Entry& e) { return stepOf(e.time_s); });
         return static_cast<std::size_t>(now - record.begin());
     }
 
@@ -113,9 +112,7 @@ MissionInstant instantAt(const Mission& mission, double time_s)
     const std::int64_t step =
         std::clamp<std::int64_t>(std::llround(time_s / head.world().dt_s()), 0, head.step());
     const std::vector<Simulation>& keyframes = mission.recorder().keyframes();
-    const auto after =
-        std::upper_bound(keyframes.begin(), keyframes.end(), step,
-                         [](std::int64_t s, const Simulation& k) { return s < k.step(); });
+    const auto after = std::ranges::upper_bound(keyframes, step, {}, &Simulation::step);
     require(after != keyframes.begin(), "instantAt: the mission was flown without a record");
     Rewind rewind(mission, *std::prev(after));
     rewind.flyTo(step);

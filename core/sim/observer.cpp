@@ -373,11 +373,7 @@ void Observer::removeIceberg(int iceberg)
 
 Point middle_m(const Observer& observer, std::span<const int> icebergs)
 {
-    std::vector<Point> places_m;
-    places_m.reserve(icebergs.size());
-    for (const int iceberg : icebergs)
-        places_m.push_back(observer.estimate_m(iceberg));
-    return enclosingCircle(places_m).centre_m;
+    return circleRound(icebergs, [&](int i) { return observer.estimate_m(i); }).centre_m;
 }
 
 int nearest(const Observer& observer, const Point& from_m, const std::function<bool(int)>& counts)

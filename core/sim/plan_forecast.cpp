@@ -46,27 +46,22 @@ std::span<const int> seenTogether(std::span<const int> order,
     return order.first(count);
 }
 
-/** The circle round them after the start, as they drift. */
-Circle circleRound(std::span<const int> icebergs, const ForecastStart& start, double after_s)
-{
-    std::vector<Point> places_m;
-    for (const int iceberg : icebergs)
-        places_m.push_back(start.world.tracks[static_cast<std::size_t>(iceberg)].estimate_m(
-            start.time_s + after_s));
-    return enclosingCircle(places_m);
-}
-
 /** Flies on to where they are seen; returns how far the farthest of them is from there. */
 double flyTo(std::span<const int> icebergs, const ForecastStart& start, LegFlight& flight)
 {
     for (const int iceberg : icebergs)
         require(iceberg >= 0 && static_cast<std::size_t>(iceberg) < start.world.tracks.size(),
                 "order names an iceberg that is not there");
-    const Track& first = start.world.tracks[static_cast<std::size_t>(icebergs.front())];
+    const auto track = [&start](int iceberg) -> const Track& {
+        return start.world.tracks[toIndex(iceberg)];
+    };
+    const auto circleAt = [&](double after_s) {
+        return circleRound(icebergs,
+                           [&](int i) { return track(i).estimate_m(start.time_s + after_s); });
+    };
     if (icebergs.size() > 1)
-        return flight.flyTo([&](double after_s) { return circleRound(icebergs, start, after_s); })
-            .radius_m;
-    flight.flyTo(first, start.time_s);
+        return flight.flyTo(circleAt).radius_m;
+    flight.flyTo(track(icebergs.front()), start.time_s);
     return 0;
 }
 

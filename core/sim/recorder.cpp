@@ -9,6 +9,20 @@ namespace berg {
 
 namespace {
 
+/** So many tracks of a keyframe take as much of a file as one search. */
+constexpr std::size_t kSearchTracks = 70;
+
+double weightedSum_m2(const Simulation& simulation)
+{
+    if (!simulation.world().asset())
+        return simulation.observer().sigmaSum_m2();
+    double sum_m2 = 0;
+    for (int i = 0; i < simulation.icebergCount(); ++i)
+        if (simulation.active(i))
+            sum_m2 += priority(simulation.observer(), i) * simulation.track(i).sigma_m2;
+    return sum_m2;
+}
+
 std::int64_t stepsOf(double interval_s, double dt_s)
 {
     return std::max<std::int64_t>(1, std::llround(interval_s / dt_s));
@@ -47,24 +61,6 @@ std::vector<UavSample> uavSamples(const WorldState& state)
                            .onGround = uav.mode == FlightMode::Ground});
     return samples;
 }
-
-namespace {
-
-/** So many tracks of a keyframe take as much of a file as one search. */
-constexpr std::size_t kSearchTracks = 70;
-
-double weightedSum_m2(const Simulation& simulation)
-{
-    if (!simulation.world().asset())
-        return simulation.observer().sigmaSum_m2();
-    double sum_m2 = 0;
-    for (int i = 0; i < simulation.icebergCount(); ++i)
-        if (simulation.active(i))
-            sum_m2 += priority(simulation.observer(), i) * simulation.track(i).sigma_m2;
-    return sum_m2;
-}
-
-} // namespace
 
 /** The power of two that makes it few enough, so that those kept before have those kept after. */
 void Recorder::keep(const Simulation& keyframe)

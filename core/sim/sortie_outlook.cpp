@@ -2,7 +2,6 @@
 
 #include "core/base/random.h"
 #include "core/scenario/checks.h"
-#include "core/scenario/sortie.h"
 
 #include <algorithm>
 #include <cmath>

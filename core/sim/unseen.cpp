@@ -65,10 +65,7 @@ UnseenTime unseenTime(std::span<const UnseenInterval> intervals, double until_s)
         if (length_s <= 0)
             break;
         time.total_s += length_s;
-        if (length_s > time.longest_s) {
-            time.longest_s = length_s;
-            time.longestFrom_s = interval.from_s;
-        }
+        time.longest_s = std::max(time.longest_s, length_s);
     }
     return time;
 }

@@ -29,7 +29,6 @@ unseenIntervals(std::span<const Sample> samples, std::span<const std::vector<Ice
 struct UnseenTime
 {
     double longest_s = 0;
-    double longestFrom_s = 0; ///< start of the longest stretch, the first of equal ones
     double total_s = 0;
     bool operator==(const UnseenTime&) const = default;
 };

@@ -27,15 +27,6 @@ DriftModel driftOf(const Mission& mission, std::size_t iceberg)
             seed, spec.id, scenario.noise};
 }
 
-template <class PlaceOf>
-Circle circleRound(std::span<const int> members, const PlaceOf& placeOf)
-{
-    std::vector<Point> places_m;
-    for (const int member : members)
-        places_m.push_back(placeOf(member));
-    return enclosingCircle(places_m);
-}
-
 /** As it is known at the start. */
 Track trackOf(const Scenario& scenario, int iceberg)
 {

@@ -86,21 +86,16 @@ std::vector<Issue> validate(const StudySpec& spec)
 
 std::string differingMember(const StudySpec& a, const StudySpec& b)
 {
-    if (a.name != b.name)
-        return "name";
-    if (a.taus != b.taus)
-        return "taus";
-    if (a.policies != b.policies)
-        return "policies";
-    if (a.runs != b.runs)
-        return "runs";
-    if (a.random != b.random)
-        return "random";
-    if (a.firstSeed != b.firstSeed)
-        return "first_seed";
-    if (!(a.field == b.field))
-        return "field";
-    return a.scenarios == b.scenarios ? "" : "scenarios";
+    const std::pair<bool, const char*> members[]{{a.name == b.name, "name"},
+                                                 {a.taus == b.taus, "taus"},
+                                                 {a.policies == b.policies, "policies"},
+                                                 {a.runs == b.runs, "runs"},
+                                                 {a.random == b.random, "random"},
+                                                 {a.firstSeed == b.firstSeed, "first_seed"},
+                                                 {a.field == b.field, "field"},
+                                                 {a.scenarios == b.scenarios, "scenarios"}};
+    const auto differing = std::ranges::find(members, false, &std::pair<bool, const char*>::first);
+    return differing == std::end(members) ? "" : differing->second;
 }
 
 } // namespace berg

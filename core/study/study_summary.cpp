@@ -152,8 +152,7 @@ Recommendation recommendationOf(const std::vector<SettingSummary>& settings,
 std::size_t usualReference(const StudySpec& spec)
 {
     const std::vector<StudySetting> settings = settingsOf(spec);
-    const auto one = std::find_if(settings.begin(), settings.end(),
-                                  [](const StudySetting& s) { return s.tau == 1.0; });
+    const auto one = std::ranges::find(settings, std::optional(1.0), &StudySetting::tau);
     return one == settings.end() ? 0 : static_cast<std::size_t>(one - settings.begin());
 }
 

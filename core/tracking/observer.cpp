@@ -21,6 +21,11 @@ double FieldOfView::reach_m(const SensorSpec& sensor)
     return sensor.shape == FovShape::Disk ? sensor.fov_m.x() / 2 : sensor.fov_m.norm() / 2;
 }
 
+double surelySeen_m(const SensorSpec& sensor)
+{
+    return (sensor.shape == FovShape::Disk ? sensor.fov_m.x() : sensor.fov_m.minCoeff()) / 2;
+}
+
 bool FieldOfView::contains(const Point& p_m) const
 {
     const Point d_m = p_m - m_centre_m;

@@ -61,6 +61,9 @@ struct LookDraw
  */
 [[nodiscard]] LookDraw lookDraw(std::uint64_t seed, std::uint64_t stream, std::int64_t look);
 
+/** How far from the UAV everything is in view, whatever its heading. */
+[[nodiscard]] double surelySeen_m(const SensorSpec& sensor);
+
 /** Test of points against the field of view of a UAV at one instant. */
 class FieldOfView
 {

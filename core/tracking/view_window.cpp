@@ -15,16 +15,9 @@ double narrowed(double half_m, double margin_m)
  */
 Point plannedHalf_m(const SensorSpec& sensor, double margin_m)
 {
-    const Point half_m = sensor.fov_m / 2;
-    switch (sensor.shape) {
-    case FovShape::Body:
-        return {narrowed(half_m.x(), margin_m / 3), narrowed(half_m.y(), margin_m)};
-    case FovShape::North:
-        return {narrowed(half_m.x(), margin_m), narrowed(half_m.y(), margin_m)};
-    case FovShape::Disk:
-        return Point::Constant(narrowed(half_m.x(), margin_m));
-    }
-    throw std::logic_error("ViewWindow: unknown shape");
+    const double front_m = sensor.shape == FovShape::Body ? margin_m / 3 : margin_m;
+    const double x_m = narrowed(sensor.fov_m.x() / 2, front_m);
+    return {x_m, sensor.shape == FovShape::Disk ? x_m : narrowed(sensor.fov_m.y() / 2, margin_m)};
 }
 
 } // namespace

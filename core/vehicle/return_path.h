@@ -58,11 +58,6 @@ public:
      * for it. Takes milliseconds when there is none. */
     [[nodiscard]] std::optional<ReturnPath> anyPath(const DubinsState& from) const;
 
-    [[nodiscard]] double time_s(const ReturnPath& path) const
-    {
-        return static_cast<double>(path.commands()) * m_clock.command_s();
-    }
-
 private:
     struct Trial
     {

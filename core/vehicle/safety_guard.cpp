@@ -258,16 +258,6 @@ double SafetyGuard::homeRate_radps(const DubinsState& pose) const
     return path ? turnRateOf(*path, m_uav.motion, m_uav.clock.command_s()) : 0;
 }
 
-ReturnSearch SafetyGuard::search() const
-{
-    return {*m_uav.fence, m_uav.clock, m_uav.sortie->home_m};
-}
-
-double SafetyGuard::time_s(const ReturnPath& path) const
-{
-    return static_cast<double>(path.commands()) * m_uav.clock.command_s();
-}
-
 SafetyGuard::Outlook SafetyGuard::outlookAfter(const DubinsState& pose, double u_radps,
                                                double left_s) const
 {
@@ -280,11 +270,6 @@ SafetyGuard::Outlook SafetyGuard::outlookAfter(const DubinsState& pose, double u
     if (m_uav.clock.command_s() + time_s(*path) + kHomeReserve_s > left_s)
         return {.back = Return::Late};
     return {.back = Return::InTime, .path = std::move(path)};
-}
-
-std::optional<ReturnPath> SafetyGuard::returnPath(const DubinsState& pose) const
-{
-    return search().anyPath(pose);
 }
 
 std::optional<double> SafetyGuard::safeHeading_rad(const DubinsState& pose, double left_s) const

@@ -105,8 +105,14 @@ public:
     [[nodiscard]] double homeRate_radps(const DubinsState& pose) const;
 
     /** A path home from there, however long; none: no one is known. */
-    [[nodiscard]] std::optional<ReturnPath> returnPath(const DubinsState& pose) const;
-    [[nodiscard]] double time_s(const ReturnPath& path) const;
+    [[nodiscard]] std::optional<ReturnPath> returnPath(const DubinsState& pose) const
+    {
+        return search().anyPath(pose);
+    }
+    [[nodiscard]] double time_s(const ReturnPath& path) const
+    {
+        return static_cast<double>(path.commands()) * m_uav.clock.command_s();
+    }
     /** The heading nearest to that of the pose with a path home within `left_s`; for take-off. */
     [[nodiscard]] std::optional<double> safeHeading_rad(const DubinsState& pose,
                                                         double left_s) const;
@@ -139,7 +145,10 @@ private:
                                                             double wished_radps);
     [[nodiscard]] double roomAfter_m(const DubinsState& pose, double u_radps) const;
     [[nodiscard]] std::int64_t stepsHeld(std::int64_t step) const;
-    [[nodiscard]] ReturnSearch search() const;
+    [[nodiscard]] ReturnSearch search() const
+    {
+        return {*m_uav.fence, m_uav.clock, m_uav.sortie->home_m};
+    }
 
     GuardedUav m_uav;
     SortieState m_sortie;

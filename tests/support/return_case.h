@@ -145,7 +145,9 @@ private:
         m_isSafe = path.has_value();
         const double slack_s = m_random.uniform(0, m_random.below(2) == 0 ? 60 : 300);
         uav.spec.reservePercent = 0;
-        uav.spec.endurance_s = (path ? search.time_s(*path) : 200) + kHomeReserve_s + slack_s + 1;
+        uav.spec.endurance_s =
+            (path ? static_cast<double>(path->commands()) * m_scenario.dt_s : 200) +
+            kHomeReserve_s + slack_s + 1;
         m_scenario.duration_s = uav.spec.endurance_s + 200;
     }
 

@@ -1,6 +1,5 @@
-#include "core/io/figure/figure_labels.h"
-
 #include "core/base/label_column.h"
+#include "core/io/figure/figure_layout.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 #include "core/io/figure/figure_layout.h"
 
 #include "core/base/nice_ticks.h"
-#include "core/io/figure/figure_labels.h"
 
 #include <algorithm>
 #include <cmath>

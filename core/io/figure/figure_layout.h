@@ -149,6 +149,10 @@ inline constexpr double kFootMark_px = 7; ///< height of a small tick at the foo
 void placeLabels(const Figure& figure, const FigureFonts& fonts, Drawing& drawing,
                  const std::vector<PixelRect>& taken = {});
 
+/** Width right of the plot that they need; 0: none. */
+[[nodiscard]] double labelMargin_px(const Figure& figure, const Pixel& size,
+                                    const FigureFonts& fonts);
+
 /** Both. */
 [[nodiscard]] Drawing layOut(const Figure& figure, const Pixel& size, const FigureFonts& fonts);
 

@@ -31,7 +31,7 @@ std::string icebergsToJson(std::span<const Iceberg> icebergs)
     JsonObject object;
     object.add("format", kFormat);
     object.add("version", 1);
-    object.addText("icebergs", jsonLines(textsOf(icebergs, icebergText), 1));
+    object.addText("icebergs", jsonLines(textsOf(icebergs, &objectText<Iceberg>), 1));
     return object.inLines(0) + '\n';
 }
 
@@ -45,15 +45,15 @@ std::vector<Iceberg> icebergsFromJson(std::string_view text, const std::string& 
     ParsedJson file = parseJson(text, budget);
     requireFormat(file, kFormat, subject);
     ObjectReader object(file.root, "", file.faults);
-    (void)object.need("icebergs");
     std::vector<Iceberg> icebergs;
-    if (const Json* list = object.array("icebergs")) {
+    if (const Json* list = object.neededArray("icebergs")) {
         if (list->size() > kMostIcebergs)
             file.faults.add("icebergs", {IssueId::IcebergCount,
                                          {countOf(kMostIcebergs), countOf(list->size())}});
         else
             for (std::size_t i = 0; i < list->size(); ++i)
-                icebergs.push_back(readIceberg((*list)[i], entryPath("icebergs", i), file.faults));
+                icebergs.push_back(
+                    readObject<Iceberg>((*list)[i], entryPath("icebergs", i), file.faults));
     }
     addFindings(icebergs, file.faults);
     file.faults.throwIfAny(subject);

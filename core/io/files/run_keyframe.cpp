@@ -30,24 +30,13 @@ constexpr std::size_t kFadingTrack = 17;
 
 std::string trackText(const Track& track)
 {
-    std::vector<double> numbers{track.anchor_m.x(),     track.anchor_m.y(),      track.anchor_s,
-                                track.velocity_mps.x(), track.velocity_mps.y(),  track.sigma_m2,
-                                track.q_m2ps,           track.inView ? 1.0 : 0.0};
-    const std::vector<double> filter{track.mixed_m2ps, track.velocity_m2ps2, track.presence,
-                                     static_cast<double>(track.status), track.left ? 1.0 : 0.0};
-    if (filter != kPlainFilter || track.velocityTime_s > 0)
-        numbers.insert(numbers.end(), filter.begin(), filter.end());
+    std::vector<double> numbers = trackNumbers(track);
     if (track.velocityTime_s > 0)
         numbers.insert(numbers.end(), {track.mean_mps.x(), track.mean_mps.y(),
                                        track.velocitySpread_mps, track.velocityTime_s});
+    else if (std::equal(kPlainFilter.begin(), kPlainFilter.end(), numbers.begin() + kPlainTrack))
+        numbers.resize(kPlainTrack);
     return jsonArrayOf(numbers);
-}
-
-std::string guidanceText(const LosGuidance& guidance)
-{
-    return jsonArrayOf(std::vector<double>{guidance.gains.lookahead_m, guidance.gains.integral_mps,
-                                           guidance.gains.turn_1ps, guidance.start_m.x(),
-                                           guidance.start_m.y(), guidance.integral_s});
 }
 
 /** An array of exactly `Count` numbers; zeros and a fault when it is anything else. */
@@ -104,9 +93,7 @@ Track readTrack(const Json& value, const std::string& path, Faults& faults)
 std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
 {
     std::vector<Track> tracks;
-    if (object.need("tracks") == nullptr)
-        return tracks;
-    const Json* list = object.array("tracks");
+    const Json* list = object.neededArray("tracks");
     if (list == nullptr)
         return tracks;
     if (list->size() < context.icebergsAtStart || list->size() > context.icebergs)
@@ -173,9 +160,7 @@ std::string searchText(const Search& search)
 std::vector<double> readList(ObjectReader& object, const char* member)
 {
     std::vector<double> numbers;
-    if (object.need(member) == nullptr)
-        return numbers;
-    const Json* list = object.array(member);
+    const Json* list = object.neededArray(member);
     makeRoom(numbers, list, object.faults());
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
         if (const auto number =
@@ -202,80 +187,6 @@ Search readSearch(const Json& value, const std::string& path, Faults& faults,
                                        spread_m, readList(object, "chances"));
     return search;
 }
-
-} // namespace
-
-int icebergOrNone(ObjectReader& object, const char* member, const RunContext& context)
-{
-    const Json* const value = object.find(member);
-    if (context.icebergs == 0 && value != nullptr && *value != -1) {
-        object.faults().add(object.path(member), {IssueId::NoIcebergInRun});
-        return -1;
-    }
-    return asInt(object.whole(member, -1, context.indices()));
-}
-
-std::string legText(const AimedLeg& leg)
-{
-    std::vector<double> numbers{static_cast<double>(leg.iceberg),
-                                leg.turn_rad,
-                                leg.from_m.x(),
-                                leg.from_m.y(),
-                                leg.abeam_m.x(),
-                                leg.abeam_m.y(),
-                                leg.sighting_s};
-    if (leg.end_s)
-        numbers.push_back(*leg.end_s);
-    return jsonArrayOf(numbers);
-}
-
-AimedLeg readLeg(const Json& value, const std::string& path, Faults& faults,
-                 const RunContext& context)
-{
-    constexpr std::size_t kOfHold = 8;
-    const bool isHold = value.is_array() && value.size() == kOfHold;
-    std::array<double, kOfHold> n{};
-    if (isHold)
-        n = readNumbers<kOfHold>(value, path, faults);
-    else
-        std::ranges::copy(readNumbers<kOfHold - 1>(value, path, faults), n.begin());
-    return {.iceberg = icebergOf(n[0], entryPath(path, 0), faults, context),
-            .turn_rad = n[1],
-            .from_m = {n[2], n[3]},
-            .abeam_m = {n[4], n[5]},
-            .sighting_s = n[6],
-            .end_s = isHold ? std::optional(n[7]) : std::nullopt};
-}
-
-std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults& faults,
-                              const RunContext& context, std::vector<bool>& seen)
-{
-    std::vector<int> icebergs;
-    if (!value.is_array()) {
-        faults.add(path, {IssueId::WrongType, {ValueKind::Array, kindOf(value)}});
-        return icebergs;
-    }
-    makeRoom(icebergs, &value, faults);
-    const WholeLimits indices{.low = 0, .high = context.indices().high};
-    if (context.icebergs == 0 && !value.empty()) {
-        faults.add(path, {IssueId::NoIcebergInRun});
-        return icebergs;
-    }
-    for (std::size_t k = 0; k < value.size(); ++k) {
-        const std::string entry = entryPath(path, k);
-        const std::optional<std::int64_t> iceberg = wholeOf(value[k], entry, faults, indices);
-        if (!iceberg)
-            continue;
-        const auto i = static_cast<std::size_t>(*iceberg);
-        if (seen[i])
-            faults.add(entry, {IssueId::IcebergTwice});
-        seen[i] = true;
-        icebergs.push_back(asInt(*iceberg));
-    }
-    return icebergs;
-}
-
-namespace {
 
 /** Turn rate and number of commands, by turns. */
 std::string returnPathText(const ReturnPath& path)
@@ -317,7 +228,7 @@ void addUav(JsonObject& object, const UavState& uav)
     object.add("target", uav.target);
     object.add("last_reached", uav.lastReached);
     object.addUnless("alone", uav.isAlone, false);
-    object.addText("guidance", guidanceText(uav.guidance));
+    object.addText("guidance", jsonArrayOf(guidanceNumbers(uav.guidance)));
     object.add("run_out_m", uav.runOut_m);
     object.add("misses", uav.misses);
     if (uav.aim)
@@ -392,6 +303,96 @@ std::vector<UavState> readOtherUavs(ObjectReader& keyframe, const RunContext& co
 }
 
 } // namespace
+
+int icebergOrNone(ObjectReader& object, const char* member, const RunContext& context)
+{
+    const Json* const value = object.find(member);
+    if (context.icebergs == 0 && value != nullptr && *value != -1) {
+        object.faults().add(object.path(member), {IssueId::NoIcebergInRun});
+        return -1;
+    }
+    return asInt(object.whole(member, -1, context.indices()));
+}
+
+std::vector<double> trackNumbers(const Track& track)
+{
+    return {track.anchor_m.x(),     track.anchor_m.y(),       track.anchor_s,
+            track.velocity_mps.x(), track.velocity_mps.y(),   track.sigma_m2,
+            track.q_m2ps,           track.inView ? 1.0 : 0.0, track.mixed_m2ps,
+            track.velocity_m2ps2,   track.presence,           static_cast<double>(track.status),
+            track.left ? 1.0 : 0.0};
+}
+
+std::vector<double> guidanceNumbers(const LosGuidance& guidance)
+{
+    return {guidance.gains.lookahead_m, guidance.gains.integral_mps, guidance.gains.turn_1ps,
+            guidance.start_m.x(),       guidance.start_m.y(),        guidance.integral_s};
+}
+
+std::vector<double> legNumbers(const AimedLeg& leg)
+{
+    return {static_cast<double>(leg.iceberg),
+            leg.turn_rad,
+            leg.from_m.x(),
+            leg.from_m.y(),
+            leg.abeam_m.x(),
+            leg.abeam_m.y(),
+            leg.sighting_s};
+}
+
+std::string legText(const AimedLeg& leg)
+{
+    std::vector<double> numbers = legNumbers(leg);
+    if (leg.end_s)
+        numbers.push_back(*leg.end_s);
+    return jsonArrayOf(numbers);
+}
+
+AimedLeg readLeg(const Json& value, const std::string& path, Faults& faults,
+                 const RunContext& context)
+{
+    constexpr std::size_t kOfHold = 8;
+    const bool isHold = value.is_array() && value.size() == kOfHold;
+    std::array<double, kOfHold> n{};
+    if (isHold)
+        n = readNumbers<kOfHold>(value, path, faults);
+    else
+        std::ranges::copy(readNumbers<kOfHold - 1>(value, path, faults), n.begin());
+    return {.iceberg = icebergOf(n[0], entryPath(path, 0), faults, context),
+            .turn_rad = n[1],
+            .from_m = {n[2], n[3]},
+            .abeam_m = {n[4], n[5]},
+            .sighting_s = n[6],
+            .end_s = isHold ? std::optional(n[7]) : std::nullopt};
+}
+
+std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults& faults,
+                              const RunContext& context, std::vector<bool>& seen)
+{
+    std::vector<int> icebergs;
+    if (!value.is_array()) {
+        faults.add(path, {IssueId::WrongType, {ValueKind::Array, kindOf(value)}});
+        return icebergs;
+    }
+    makeRoom(icebergs, &value, faults);
+    const WholeLimits indices{.low = 0, .high = context.indices().high};
+    if (context.icebergs == 0 && !value.empty()) {
+        faults.add(path, {IssueId::NoIcebergInRun});
+        return icebergs;
+    }
+    for (std::size_t k = 0; k < value.size(); ++k) {
+        const std::string entry = entryPath(path, k);
+        const std::optional<std::int64_t> iceberg = wholeOf(value[k], entry, faults, indices);
+        if (!iceberg)
+            continue;
+        const auto i = static_cast<std::size_t>(*iceberg);
+        if (seen[i])
+            faults.add(entry, {IssueId::IcebergTwice});
+        seen[i] = true;
+        icebergs.push_back(asInt(*iceberg));
+    }
+    return icebergs;
+}
 
 std::string keyframeText(const WorldState& state)
 {

@@ -39,6 +39,12 @@ struct RunContext
 [[nodiscard]] int icebergOrNone(ObjectReader& object, const char* member,
                                 const RunContext& context);
 
+/** What the arrays of a keyframe hold: see `keyframeText`; of a track in any model. */
+[[nodiscard]] std::vector<double> trackNumbers(const Track& track);
+[[nodiscard]] std::vector<double> guidanceNumbers(const LosGuidance& guidance);
+/** Without the end of a hold, which comes last. */
+[[nodiscard]] std::vector<double> legNumbers(const AimedLeg& leg);
+
 /** A leg as an array: [iceberg, turn, line start east, north, abeam east, north, sighting time]. */
 [[nodiscard]] std::string legText(const AimedLeg& leg);
 

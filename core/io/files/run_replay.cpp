@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/io/files/run_json.h"
+#include "core/io/files/run_keyframe.h"
 #include "core/scenario/checks.h"
 
 #include <algorithm>
@@ -18,48 +19,42 @@ std::string entry(const std::string& list, std::size_t i)
 /** A number of a keyframe and its name. */
 using Field = std::pair<std::string, double>;
 
+/** All of a list, by their places in it. */
+template <class Numbers>
+void addList(std::vector<Field>& fields, const std::string& name, const Numbers& numbers)
+{
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        fields.emplace_back(entry(name, i), numbers[i]);
+}
+
 /** Every number of one UAV, in the order in which differences are worth telling. */
 void addFields(std::vector<Field>& fields, const std::string& at, const UavState& uav)
 {
-    const LosGuidance& guidance = uav.guidance;
-    for (const Field& field :
-         std::vector<Field>{{"position_m[0]", uav.pose.position_m.x()},
-                            {"position_m[1]", uav.pose.position_m.y()},
-                            {"psi_rad", uav.pose.psi_rad},
-                            {"u_radps", uav.u_radps},
-                            {"cross_track_m", uav.crossTrack_m},
-                            {"mode", static_cast<double>(uav.mode)},
-                            {"target", uav.target},
-                            {"last_reached", uav.lastReached},
-                            {"flown_m", uav.flown_m},
-                            {"guidance[0]", guidance.gains.lookahead_m},
-                            {"guidance[1]", guidance.gains.integral_mps},
-                            {"guidance[2]", guidance.gains.turn_1ps},
-                            {"guidance[3]", guidance.start_m.x()},
-                            {"guidance[4]", guidance.start_m.y()},
-                            {"guidance[5]", guidance.integral_s},
-                            {"run_out_m", uav.runOut_m},
-                            {"misses", uav.misses},
-                            {"aim", uav.aim ? 1.0 : 0.0},
-                            {"search", uav.search ? 1.0 : 0.0},
-                            {"aloft_s", uav.aloft_s},
-                            {"ground_s", uav.ground_s},
-                            {"via_m", uav.via_m ? 1.0 : 0.0},
-                            {"members", static_cast<double>(uav.members.size())},
-                            {"members_by_s", uav.membersBy_s}})
-        fields.emplace_back(at + field.first, field.second);
-    if (uav.aim)
-        for (const Field& field : std::vector<Field>{{"aim[0]", uav.aim->iceberg},
-                                                     {"aim[1]", uav.aim->turn_rad},
-                                                     {"aim[2]", uav.aim->from_m.x()},
-                                                     {"aim[3]", uav.aim->from_m.y()},
-                                                     {"aim[4]", uav.aim->abeam_m.x()},
-                                                     {"aim[5]", uav.aim->abeam_m.y()},
-                                                     {"aim[6]", uav.aim->sighting_s},
-                                                     {"aim[7]", uav.aim->end_s.value_or(-1)}})
-            fields.emplace_back(at + field.first, field.second);
-    for (std::size_t i = 0; i < uav.members.size(); ++i)
-        fields.emplace_back(at + entry("members", i), uav.members[i]);
+    const auto add = [&](const char* name, double value) { fields.emplace_back(at + name, value); };
+    add("position_m[0]", uav.pose.position_m.x());
+    add("position_m[1]", uav.pose.position_m.y());
+    add("psi_rad", uav.pose.psi_rad);
+    add("u_radps", uav.u_radps);
+    add("cross_track_m", uav.crossTrack_m);
+    add("mode", static_cast<double>(uav.mode));
+    add("target", uav.target);
+    add("last_reached", uav.lastReached);
+    add("flown_m", uav.flown_m);
+    addList(fields, at + "guidance", guidanceNumbers(uav.guidance));
+    add("run_out_m", uav.runOut_m);
+    add("misses", uav.misses);
+    add("aim", uav.aim ? 1.0 : 0.0);
+    add("search", uav.search ? 1.0 : 0.0);
+    add("aloft_s", uav.aloft_s);
+    add("ground_s", uav.ground_s);
+    add("via_m", uav.via_m ? 1.0 : 0.0);
+    add("members", static_cast<double>(uav.members.size()));
+    add("members_by_s", uav.membersBy_s);
+    if (uav.aim) {
+        addList(fields, at + "aim", legNumbers(*uav.aim));
+        add("aim[7]", uav.aim->end_s.value_or(-1));
+    }
+    addList(fields, at + "members", uav.members);
 }
 
 /** Every number of a keyframe. */
@@ -73,25 +68,9 @@ std::vector<Field> fieldsOf(const WorldState& state)
                                  {"closest_m", state.closest_m.value_or(-1)},
                                  {"apart", static_cast<double>(state.unclustered.size())},
                                  {"tracks", static_cast<double>(state.tracks.size())}});
-    for (std::size_t i = 0; i < state.unclustered.size(); ++i)
-        fields.emplace_back(entry("apart", i), state.unclustered[i]);
-    for (std::size_t i = 0; i < state.tracks.size(); ++i) {
-        const Track& track = state.tracks[i];
-        const std::string name = entry("tracks", i);
-        fields.insert(fields.end(), {{name + "[0]", track.anchor_m.x()},
-                                     {name + "[1]", track.anchor_m.y()},
-                                     {name + "[2]", track.anchor_s},
-                                     {name + "[3]", track.velocity_mps.x()},
-                                     {name + "[4]", track.velocity_mps.y()},
-                                     {name + "[5]", track.sigma_m2},
-                                     {name + "[6]", track.q_m2ps},
-                                     {name + "[7]", track.inView ? 1.0 : 0.0},
-                                     {name + "[8]", track.mixed_m2ps},
-                                     {name + "[9]", track.velocity_m2ps2},
-                                     {name + "[10]", track.presence},
-                                     {name + "[11]", static_cast<double>(track.status)},
-                                     {name + "[12]", track.left ? 1.0 : 0.0}});
-    }
+    addList(fields, "apart", state.unclustered);
+    for (std::size_t i = 0; i < state.tracks.size(); ++i)
+        addList(fields, entry("tracks", i), trackNumbers(state.tracks[i]));
     return fields;
 }
 

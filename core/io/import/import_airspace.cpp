@@ -6,11 +6,11 @@
 #include "core/io/import/area_outline.h"
 #include "core/io/import/import_fields.h"
 #include "core/io/import/import_formats.h"
-#include "core/io/import/import_geojson_scene.h"
 #include "core/io/import/import_icebergs.h"
 #include "core/io/import/json_members.h"
 #include "core/io/text/byte_order_mark.h"
 #include "core/io/text/json_writer.h"
+#include "core/scenario/airspace.h"
 #include "core/scenario/operation.h"
 
 #include <algorithm>
@@ -152,25 +152,15 @@ std::optional<std::vector<Point>> outlineOf(const FileAirspace& area, const Loca
     for (Point& corner_m : corners_m)
         corner_m = toCentimetre(corner_m);
     corners_m.erase(std::unique(corners_m.begin(), corners_m.end()), corners_m.end());
-    const bool fits =
-        corners_m.size() >= 3 && corners_m.size() <= kMostAreaCorners &&
-        std::ranges::all_of(corners_m,
-                            [](const Point& corner_m) {
-                                return corner_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m;
-                            }) &&
-        isSimplePolygon(corners_m);
+    const bool fits = corners_m.size() >= 3 && corners_m.size() <= kMostAreaCorners &&
+                      std::ranges::all_of(corners_m, onPlane) && isSimplePolygon(corners_m);
     return fits ? std::optional(std::move(corners_m)) : std::nullopt;
 }
 
-bool isBeyond(const Point& corner_m)
-{
-    return corner_m.cwiseAbs().maxCoeff() > kLargestCoordinate_m;
-}
-
-/** All of its corners are, and it does not enclose the place. */
+/** All of its corners are beyond the plane, and it does not enclose the place. */
 bool isFar(const std::vector<Point>& ring_m, const Point& place_m)
 {
-    return std::ranges::all_of(ring_m, isBeyond) && !insidePolygon(ring_m, place_m);
+    return std::ranges::none_of(ring_m, onPlane) && !insidePolygon(ring_m, place_m);
 }
 
 /**
@@ -237,9 +227,9 @@ AirspaceResult importAirspace(const Scenario& base, std::string_view bytes,
         std::optional<std::vector<Point>> corners_m = outlineOf(area, frame);
         if (!corners_m || (area.ceiling_m && *area.ceiling_m <= area.floor_m)) {
             result.rejected.add({.line = area.line,
-                                 .fault = std::ranges::any_of(ring_m, isBeyond)
-                                              ? IssueId::TooFar
-                                              : IssueId::AirspaceOutline,
+                                 .fault = std::ranges::all_of(ring_m, onPlane)
+                                              ? IssueId::AirspaceOutline
+                                              : IssueId::TooFar,
                                  .detail = cleanText(area.name, 60)});
             continue;
         }
@@ -254,6 +244,8 @@ AirspaceResult importAirspace(const Scenario& base, std::string_view bytes,
                            .ceiling_m = area.ceiling_m,
                            .fromUtc = area.fromUtc,
                            .untilUtc = area.untilUtc};
+        if (endsTooEarly(added)) // neither is to be trusted: in force at all times
+            added.fromUtc = added.untilUtc = {};
         if (std::ranges::find(airspace, added) != airspace.end())
             ++result.known;
         else if (airspace.size() >= kMostAirspaceAreas)

@@ -1,7 +1,6 @@
-#include "core/io/import/import_csv.h"
-
 #include "core/base/error.h"
 #include "core/io/import/import_fields.h"
+#include "core/io/import/import_readers.h"
 #include "core/io/text/byte_order_mark.h"
 #include "core/io/text/csv_reader.h"
 #include "core/scenario/checks.h"

@@ -1,5 +1,4 @@
-#include "core/io/import/import_czml.h"
-
+#include "core/io/import/import_readers.h"
 #include "core/io/import/import_xml.h"
 #include "core/io/import/json_members.h"
 #include "core/io/text/json_writer.h"
@@ -124,13 +123,8 @@ private:
             reject(IssueId::NoPosition);
             return;
         }
-        addRow(m_table, withData(read(m_texts, false), m_data), m_source.budget);
-    }
-
-    [[nodiscard]] std::variant<Sighting, RejectedRow> read(const FieldTexts& texts, bool timeNeeded)
-    {
-        noteDate(m_table, texts, m_packet);
-        return sightingOf(texts, m_source.rules(timeNeeded), m_packet);
+        addRow(m_table, withData(sightingIn(m_table, m_source, m_texts, m_packet, false), m_data),
+               m_source.budget);
     }
 
     void addTrack(const Json& degrees, const std::optional<UtcTime>& epoch)
@@ -147,7 +141,8 @@ private:
             else if (epoch && time.is_number() && std::abs(time.get<double>()) < kLongest_s)
                 texts.set(SightingField::Time, utcText(*epoch, time.get<double>()));
             if (setPlace(texts, degrees[i + 1], degrees[i + 2]))
-                addRow(m_table, read(texts, true), m_source.budget);
+                addRow(m_table, sightingIn(m_table, m_source, texts, m_packet, true),
+                       m_source.budget);
             else
                 reject(IssueId::NoPosition);
         }

@@ -256,17 +256,6 @@ void FieldTexts::append(const PlacePart& part, std::string_view text)
         std::ranges::replace(whole, ',', '.');
 }
 
-void noteDate(SightingTable& table, const FieldTexts& texts, std::size_t line)
-{
-    const std::string time = timeText(texts, false);
-    if (!table.toldDates)
-        table.toldDates = dateOrderOf(time);
-    if (table.guessedDate.empty() && hasTwoReadings(time)) {
-        table.guessedDate = cleanText(time, 60);
-        table.guessedLine = line;
-    }
-}
-
 std::string timeText(const FieldTexts& texts, bool timeApart)
 {
     const std::string& date = texts.text(SightingField::Date);
@@ -327,6 +316,22 @@ std::variant<Sighting, RejectedRow> sightingOf(const FieldTexts& texts, const Ro
         sighting.radius_m = radiusOfClass(texts.text(SightingField::SizeClass));
     sighting.grounded = saysGrounded(texts.text(SightingField::Remarks));
     return sighting;
+}
+
+std::variant<Sighting, RejectedRow> sightingIn(SightingTable& table, const ImportText& source,
+                                               const FieldTexts& texts, std::size_t line,
+                                               bool timeNeeded)
+{
+    const std::string time = timeText(texts, false);
+    if (!table.toldDates)
+        table.toldDates = dateOrderOf(time);
+    if (table.guessedDate.empty() && hasTwoReadings(time)) {
+        table.guessedDate = cleanText(time, 60);
+        table.guessedLine = line;
+    }
+    return sightingOf(
+        texts, {.order = source.dates.value_or(DateOrder::MonthFirst), .timeNeeded = timeNeeded},
+        line);
 }
 
 std::variant<Sighting, RejectedRow> withDrift(std::variant<Sighting, RejectedRow> row,

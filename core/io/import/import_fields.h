@@ -95,6 +95,13 @@ private:
 [[nodiscard]] std::variant<Sighting, RejectedRow>
 sightingOf(const FieldTexts& texts, const RowRules& rules, std::size_t line);
 
+/** The same of a row whose date and time are not apart; notes in the table whether the date shows
+ * the order of all, or has two readings. */
+[[nodiscard]] std::variant<Sighting, RejectedRow> sightingIn(SightingTable& table,
+                                                             const ImportText& source,
+                                                             const FieldTexts& texts,
+                                                             std::size_t line, bool timeNeeded);
+
 /** Components of a drift over ground in the plane, m/s, as exports of our own write them. */
 struct DriftTexts
 {
@@ -120,9 +127,6 @@ template <class NumberOf>
     const bool isThere = change.velocitySd_mps > 0 || change.velocityTime_s > 0;
     return isThere ? std::optional(change) : std::nullopt;
 }
-
-/** Tells the table of a row's date: whether it shows the order of all, or has two readings. */
-void noteDate(SightingTable& table, const FieldTexts& texts, std::size_t line);
 
 /** Date and time of day from one text, or from two; with `timeApart` neither may be missing. */
 [[nodiscard]] std::string timeText(const FieldTexts& texts, bool timeApart);

@@ -2,12 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/base/find_by_id.h"
-#include "core/io/import/import_csv.h"
-#include "core/io/import/import_czml.h"
 #include "core/io/import/import_fields.h"
-#include "core/io/import/import_geojson.h"
-#include "core/io/import/import_mission.h"
-#include "core/io/import/import_xml.h"
+#include "core/io/import/import_readers.h"
 #include "core/io/text/json_reader.h"
 #include "core/io/text/zip_file.h"
 #include "core/scenario/checks.h"
@@ -75,16 +71,6 @@ std::string utf8FromLatin1(std::string_view bytes)
     return text;
 }
 
-} // namespace
-
-std::string textOfBytes(std::string_view bytes, const std::string& subject)
-{
-    requireText(bytes, subject);
-    return isUtf8(bytes) ? std::string() : utf8FromLatin1(bytes);
-}
-
-namespace {
-
 const ImportFormat& chosenFormat(std::string_view text, const ReadOptions& options,
                                  ReadBudget& budget)
 {
@@ -120,20 +106,6 @@ std::vector<Issue> issuesOf(const Rejections& rejected)
     }
     return issues;
 }
-
-} // namespace
-
-std::span<const ImportFormat> importFormats()
-{
-    return kFormats;
-}
-
-const ImportFormat* findImportFormat(std::string_view id)
-{
-    return findById(kFormats, id);
-}
-
-namespace {
 
 /** Where the place is that of a geometry, no property can be. */
 void requireFreePlaces(const ImportFormat& format, const ColumnMapping& mapping,
@@ -190,6 +162,22 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
 }
 
 } // namespace
+
+std::string textOfBytes(std::string_view bytes, const std::string& subject)
+{
+    requireText(bytes, subject);
+    return isUtf8(bytes) ? std::string() : utf8FromLatin1(bytes);
+}
+
+std::span<const ImportFormat> importFormats()
+{
+    return kFormats;
+}
+
+const ImportFormat* findImportFormat(std::string_view id)
+{
+    return findById(kFormats, id);
+}
 
 SightingTable readSightings(std::string_view bytes, const std::string& subject,
                             const ReadOptions& options, const std::stop_token& stop)

@@ -26,12 +26,6 @@ struct ImportText
     ReadBudget& budget;
     const ColumnMapping& mapping; ///< columns the user has named; the rest is guessed
     std::optional<DateOrder> dates = {};
-
-    /** Of a row whose date and time are not apart. */
-    [[nodiscard]] RowRules rules(bool timeNeeded) const
-    {
-        return {.order = dates.value_or(DateOrder::MonthFirst), .timeNeeded = timeNeeded};
-    }
 };
 
 /** One row of the table that the command line and the dialog share. */

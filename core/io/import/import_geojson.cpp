@@ -1,7 +1,7 @@
-#include "core/io/import/import_geojson.h"
-
+#include "core/base/find_by_id.h"
 #include "core/io/import/import_fields.h"
-#include "core/io/import/import_geojson_scene.h"
+#include "core/io/import/import_readers.h"
+#include "core/io/import/json_members.h"
 #include "core/io/text/json_writer.h"
 
 #include <algorithm>
@@ -94,6 +94,115 @@ std::span<Json> featuresOf(Json& root)
     return root.find("features")->get_ref<Json::array_t&>();
 }
 
+std::string nameAt(const Json* properties, const char* name, std::size_t most)
+{
+    return cleanText(textOf(memberOf(properties, name)), most);
+}
+
+std::optional<LatLon> pointOf(const Json& feature)
+{
+    return placeOf(memberOf(memberOf(&feature, "geometry"), "coordinates"),
+                   AxisOrder::LongitudeFirst);
+}
+
+void addUav(FileScene& scene, const Json& feature, const Json* properties)
+{
+    SceneUav* uav = scene.addUav();
+    if (uav == nullptr)
+        return;
+    uav->id = nameAt(properties, "id", kLongestId);
+    uav->name = nameAt(properties, "name", kLongestName);
+    uav->start = pointOf(feature);
+    uav->home = uav->start;
+    uav->heading_deg = numberAt(properties, "heading_deg");
+    uav->airspeed_mps = numberAt(properties, "airspeed_mps");
+    uav->altitude_m = numberAt(properties, "altitude_m");
+}
+
+void addHome(FileScene& scene, const Json& feature, const Json* properties)
+{
+    SceneUav* uav = findById(scene.uavs, nameAt(properties, "uav", kLongestId));
+    const std::optional<LatLon> home = pointOf(feature);
+    if (uav != nullptr && home)
+        uav->home = home;
+}
+
+/** Exterior ring of the rings of a polygon; false when it is none. */
+bool addPolygon(FileScene& scene, SceneArea& area, const Json& rings)
+{
+    if (!rings.is_array() || rings.empty())
+        return false;
+    std::optional<std::vector<LatLon>> exterior =
+        placesOf(&rings.front(), AxisOrder::LongitudeFirst);
+    if (!exterior)
+        return false;
+    area.rings.push_back(std::move(*exterior));
+    for (std::size_t i = 1; i < rings.size(); ++i)
+        addFinding(scene.findings, SceneNote::AreaHoles);
+    return true;
+}
+
+void addArea(FileScene& scene, const Json& feature, const Json* properties)
+{
+    const Json* geometry = memberOf(&feature, "geometry");
+    const Json* coordinates = arrayOf(geometry, "coordinates");
+    const std::string type = textOf(memberOf(geometry, "type"));
+    const Json* geofence = memberOf(properties, "geofence");
+    SceneArea area{.rings = {},
+                   .geofence = geofence != nullptr && *geofence == true,
+                   .isNoFly = kindOf(properties) == "no-fly",
+                   .name = nameAt(properties, "name", kLongestName),
+                   .floor_m = numberAt(properties, "floor_m"),
+                   .ceiling_m = numberAt(properties, "ceiling_m")};
+    bool isRead = coordinates != nullptr && !coordinates->empty();
+    if (isRead && type == "Polygon")
+        isRead = addPolygon(scene, area, *coordinates);
+    else if (isRead && type == "MultiPolygon")
+        isRead = std::all_of(coordinates->begin(), coordinates->end(),
+                             [&](const Json& rings) { return addPolygon(scene, area, rings); });
+    else
+        isRead = false;
+    if (isRead)
+        scene.addArea(std::move(area));
+    else
+        addFinding(scene.findings, SceneNote::AreaUnreadable);
+}
+
+void addAsset(FileScene& scene, const Json& feature, const Json* properties)
+{
+    const std::optional<LatLon> place = pointOf(feature);
+    if (!place) {
+        addFinding(scene.findings, SceneNote::NumberWrong, "asset");
+        return;
+    }
+    SceneAsset asset{.name = nameAt(properties, "name", kLongestName),
+                     .place = *place,
+                     .time = parseUtc(textOf(memberOf(properties, "time"))),
+                     .range_m = numberAt(properties, "range_m"),
+                     .standoff_m = numberAt(properties, "standoff_m"),
+                     .standoffCeiling_m = numberAt(properties, "standoff_ceiling_m")};
+    const Json* velocity = arrayOf(properties, "velocity_mps");
+    if (velocity != nullptr && velocity->size() == 2 && (*velocity)[0].is_number() &&
+        (*velocity)[1].is_number())
+        asset.velocity_mps = Point((*velocity)[0].get<double>(), (*velocity)[1].get<double>());
+    scene.addAsset(std::move(asset));
+}
+
+/** Adds what a feature of ours says; plans, visits and tracks are passed over. */
+void addSceneFeature(FileScene& scene, const Json& feature)
+{
+    const Json* properties = memberOf(&feature, "properties");
+    const std::string kind = kindOf(properties);
+    if (isOwnGeoJson(properties))
+        addUav(scene, feature, properties);
+    else if (kind == "home")
+        addHome(scene, feature, properties);
+    else if (kind == "area" || kind == "no-fly")
+        addArea(scene, feature, properties);
+    else if (kind == "asset")
+        addAsset(scene, feature, properties);
+}
+
 /** Gathers the sightings of one file. */
 class GeoJsonSightings
 {
@@ -169,12 +278,6 @@ private:
         }
     }
 
-    [[nodiscard]] std::variant<Sighting, RejectedRow> read(const FieldTexts& texts, bool timeNeeded)
-    {
-        noteDate(m_table, texts, m_feature);
-        return sightingOf(texts, m_source.rules(timeNeeded), m_feature);
-    }
-
     void addPoint(FieldTexts& texts, const Json& position, const Json* properties)
     {
         if (!setPlace(texts, position)) {
@@ -182,7 +285,7 @@ private:
             return;
         }
         std::variant<Sighting, RejectedRow> row =
-            withDrift(read(texts, false), driftOf(properties));
+            withDrift(sightingIn(m_table, m_source, texts, m_feature, false), driftOf(properties));
         if (auto* const sighting = std::get_if<Sighting>(&row)) {
             sighting->appearsIn_s = appearsIn_s(properties);
             sighting->change =
@@ -201,7 +304,8 @@ private:
             if (times != nullptr && i < times->size())
                 texts.set(SightingField::Time, cellText((*times)[i]));
             if (placed)
-                addRow(m_table, read(texts, times != nullptr), m_source.budget);
+                addRow(m_table, sightingIn(m_table, m_source, texts, m_feature, times != nullptr),
+                       m_source.budget);
             else
                 reject(IssueId::NoPosition);
         }

@@ -1,3 +1,4 @@
+#include "core/io/import/import_readers.h"
 #include "core/io/import/import_xml.h"
 
 namespace berg {

@@ -11,11 +11,6 @@ namespace berg {
 
 namespace {
 
-bool onPlane(const Point& position_m)
-{
-    return position_m.allFinite() && position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m;
-}
-
 // So many parts of 1 are velocities and q rounded to.
 constexpr double kEstimatedParts = 1e5;
 constexpr double kGivenParts = 1e7; ///< an export read back is the same in another plane
@@ -303,6 +298,11 @@ private:
 };
 
 } // namespace
+
+bool onPlane(const Point& position_m)
+{
+    return position_m.allFinite() && position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m;
+}
 
 Point toCentimetre(const Point& position_m)
 {

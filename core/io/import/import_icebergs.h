@@ -6,6 +6,9 @@
 
 namespace berg {
 
+/** Whether a scenario may hold it. */
+[[nodiscard]] bool onPlane(const Point& position_m);
+
 /** To a centimetre: the noise of further digits would only be hard to read. */
 [[nodiscard]] Point toCentimetre(const Point& position_m);
 

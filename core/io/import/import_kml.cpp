@@ -1,3 +1,4 @@
+#include "core/io/import/import_readers.h"
 #include "core/io/import/import_xml.h"
 #include "core/scenario/operation.h"
 
@@ -119,13 +120,6 @@ private:
             ++m_further;
     }
 
-    [[nodiscard]] std::variant<Sighting, RejectedRow> read(const FieldTexts& texts,
-                                                           std::size_t line, bool timeNeeded)
-    {
-        noteDate(m_table, texts, line);
-        return sightingOf(texts, m_source.rules(timeNeeded), line);
-    }
-
     /** A text that is kept until the end of the Placemark, in a list that grows. */
     const std::string& kept(const std::string& text)
     {
@@ -170,7 +164,8 @@ private:
                    m_source.budget);
         } else {
             setPlace(m_texts, m_point, ",");
-            addRow(m_table, withData(read(m_texts, m_line, false), m_data), m_source.budget);
+            addRow(m_table, withData(sightingIn(m_table, m_source, m_texts, m_line, false), m_data),
+                   m_source.budget);
         }
         for (; m_further > 0; --m_further)
             addRow(m_table,
@@ -231,7 +226,7 @@ private:
             if (i < m_whens.size())
                 texts.set(SightingField::Time, m_whens[i]);
             setPlace(texts, m_coordinates[i].text, " \t\n");
-            addRow(m_table, read(texts, line, true), m_source.budget);
+            addRow(m_table, sightingIn(m_table, m_source, texts, line, true), m_source.budget);
         }
         m_tracks.give(m_table, first);
     }

@@ -10,25 +10,6 @@
 
 namespace berg {
 
-/**
- * QGroundControl's JSON: every place to fly to is an iceberg. Survey patterns and other complex
- * items are rejected rows; landing patterns are passed over. `line` of a sighting is the number of
- * its item, from 1. The polygon of the geofence is the area, a single rally point the place to
- * land, the planned home where the UAV starts. Throws `Error` InvalidInput that names the field of
- * what is no such mission, UnsupportedVersion for other versions of the file.
- */
-[[nodiscard]] SightingTable readPlan(const ImportText& source);
-[[nodiscard]] bool isPlan(std::string_view text);
-
-/**
- * `QGC WPL 110` (the first row is the home) and `120` (no home): rows of twelve columns set apart
- * by tabs or blanks. The UAV starts at home. An iceberg has the name that follows a `#` behind its
- * row or fills the line above it. Throws `Error` SyntaxError with the line where a row is not of
- * that kind, also for decimal commas.
- */
-[[nodiscard]] SightingTable readWpl(const ImportText& source);
-[[nodiscard]] bool isWpl(std::string_view text);
-
 /** One item of a mission, of any file. */
 struct MissionItem
 {

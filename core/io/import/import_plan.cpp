@@ -1,6 +1,6 @@
 #include "core/base/error.h"
-#include "core/io/import/import_geojson.h"
 #include "core/io/import/import_mission.h"
+#include "core/io/import/import_readers.h"
 #include "core/io/import/json_members.h"
 #include "core/io/text/json_writer.h"
 
@@ -91,12 +91,11 @@ private:
         if (mission.find("plannedHomePosition") != nullptr)
             readHome(mission);
         readRally();
-        const Json* items = mission.need("items");
-        if (items == nullptr || (items = mission.array("items")) == nullptr)
+        const Json* items = mission.neededArray("items");
+        if (items == nullptr)
             return;
-        for (std::size_t i = 0; i < items->size(); ++i) {
+        for (std::size_t i = 0; i < items->size(); ++i)
             readItem((*items)[i], i);
-        }
         if (const Json* cruise = mission.find("cruiseSpeed"); cruise && cruise->is_number())
             m_places.setCruise(cruise->get<double>());
     }

@@ -1,5 +1,4 @@
-#include "core/io/import/import_report.h"
-
+#include "core/io/import/import_scenario.h"
 #include "core/io/text/json_writer.h"
 
 #include <algorithm>

@@ -54,7 +54,7 @@ void checkOptions(const Scenario& base, const ImportOptions& options)
 void moveBy(Point& position_m, const Point& path_m, const std::string& who)
 {
     position_m += path_m;
-    if (!position_m.allFinite() || position_m.cwiseAbs().maxCoeff() > kLargestCoordinate_m)
+    if (!onPlane(position_m))
         throw Error(ErrorCode::InvalidInput, "import",
                     {{Severity::Error, "at", {IssueId::OffPlane, {printable(who)}}}});
 }

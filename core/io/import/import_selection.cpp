@@ -32,60 +32,6 @@ std::string unnamedId(const Sighting& sighting, const SightingTable& table)
            angle(place.longitude_deg) + (place.longitude_deg < 0 ? 'W' : 'E');
 }
 
-} // namespace
-
-bool GeoBox::contains(const LatLon& place) const
-{
-    if (place.latitude_deg < south_deg || place.latitude_deg > north_deg)
-        return false;
-    if (east_deg - west_deg >= 360)
-        return true;
-    const auto eastOfWest = [&](double longitude_deg) {
-        const double turn_deg = std::fmod(longitude_deg - west_deg, 360.0);
-        return turn_deg < 0 ? turn_deg + 360 : turn_deg;
-    };
-    return eastOfWest(place.longitude_deg) <= eastOfWest(east_deg);
-}
-
-double secondsBetween(UtcTime from, UtcTime to)
-{
-    return std::chrono::duration<double>(to - from).count();
-}
-
-std::vector<const Sighting*> selected(const SightingTable& table, const ImportOptions& options,
-                                      ImportResult& result)
-{
-    std::vector<const Sighting*> kept;
-    for (const Sighting& sighting : table.sightings) {
-        const std::optional<UtcTime>& time = sighting.time;
-        const bool early = time && options.since && *time < *options.since;
-        const bool late = time && options.until && *time > *options.until;
-        if (options.area && !options.area->contains(sighting.place))
-            ++result.outsideArea;
-        else if (early || late)
-            ++result.outsideTime;
-        else
-            kept.push_back(&sighting);
-    }
-    return kept;
-}
-
-std::optional<UtcTime> startOf(const Scenario& base, const std::vector<const Sighting*>& sightings,
-                               const ImportOptions& options)
-{
-    if (options.at)
-        return options.at;
-    std::optional<UtcTime> start = parseUtc(base.startUtc);
-    if (base.icebergs.empty())
-        start.reset();
-    for (const Sighting* sighting : sightings)
-        if (sighting->time && (!start || *sighting->time > *start))
-            start = sighting->time;
-    return start ? start : parseUtc(base.startUtc);
-}
-
-namespace {
-
 constexpr std::size_t kMostGrouped = 50'000; ///< a scenario takes a fiftieth of them
 
 /** Gathers the sightings of each iceberg. */
@@ -157,6 +103,56 @@ private:
 
 } // namespace
 
+bool GeoBox::contains(const LatLon& place) const
+{
+    if (place.latitude_deg < south_deg || place.latitude_deg > north_deg)
+        return false;
+    if (east_deg - west_deg >= 360)
+        return true;
+    const auto eastOfWest = [&](double longitude_deg) {
+        const double turn_deg = std::fmod(longitude_deg - west_deg, 360.0);
+        return turn_deg < 0 ? turn_deg + 360 : turn_deg;
+    };
+    return eastOfWest(place.longitude_deg) <= eastOfWest(east_deg);
+}
+
+double secondsBetween(UtcTime from, UtcTime to)
+{
+    return std::chrono::duration<double>(to - from).count();
+}
+
+std::vector<const Sighting*> selected(const SightingTable& table, const ImportOptions& options,
+                                      ImportResult& result)
+{
+    std::vector<const Sighting*> kept;
+    for (const Sighting& sighting : table.sightings) {
+        const std::optional<UtcTime>& time = sighting.time;
+        const bool early = time && options.since && *time < *options.since;
+        const bool late = time && options.until && *time > *options.until;
+        if (options.area && !options.area->contains(sighting.place))
+            ++result.outsideArea;
+        else if (early || late)
+            ++result.outsideTime;
+        else
+            kept.push_back(&sighting);
+    }
+    return kept;
+}
+
+std::optional<UtcTime> startOf(const Scenario& base, const std::vector<const Sighting*>& sightings,
+                               const ImportOptions& options)
+{
+    if (options.at)
+        return options.at;
+    std::optional<UtcTime> start = parseUtc(base.startUtc);
+    if (base.icebergs.empty())
+        start.reset();
+    for (const Sighting* sighting : sightings)
+        if (sighting->time && (!start || *sighting->time > *start))
+            start = sighting->time;
+    return start ? start : parseUtc(base.startUtc);
+}
+
 std::vector<SightedIceberg> grouped(const std::vector<const Sighting*>& sightings,
                                     const SightingTable& table, std::optional<UtcTime> start,
                                     const std::stop_token& stop)
@@ -201,7 +197,7 @@ void place(std::vector<SightedIceberg>& icebergs, const LocalFrame& frame, Rejec
             throwIfStopped(stop);
             const Sighting& sighting = *placed.sighting;
             placed.fix.position_m = frame.toPlane(sighting.place);
-            if (placed.fix.position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m)
+            if (onPlane(placed.fix.position_m))
                 return false;
             rejected.add({.line = sighting.line,
                           .fault = IssueId::TooFar,

@@ -17,11 +17,6 @@ namespace berg {
 
 namespace {
 
-bool onPlane(const Point& position_m)
-{
-    return position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m;
-}
-
 std::size_t errorCount(const Scenario& scenario)
 {
     const std::vector<Issue> issues = validate(scenario);

@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/io/import/import_fields.h"
 #include "core/io/import/import_mission.h"
+#include "core/io/import/import_readers.h"
 #include "core/io/text/byte_order_mark.h"
 #include "core/scenario/checks.h"
 

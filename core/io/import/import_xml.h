@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core/io: sightings in XML.
+// Private to core/io: what the readers of KML and GPX share.
 
 #include "core/io/import/import_fields.h"
 #include "core/io/import/import_formats.h"
@@ -9,27 +9,6 @@
 #include <map>
 
 namespace berg {
-
-/**
- * KML: Placemarks with a Point (time from TimeStamp or TimeSpan) and gx:Tracks with one sighting
- * for each `when`. An iceberg's id is that of ExtendedData, else the Placemark's name, else its id.
- * Placemarks of any other shape are rejected rows. Of an export of our own the icebergs are taken
- * with their drift, and area, asset and UAVs as the scene; visits are
- * passed over.
- */
-[[nodiscard]] SightingTable readKml(const ImportText& source);
-[[nodiscard]] bool isKml(std::string_view text);
-
-/**
- * GPX: waypoints, points of routes (whose times say nothing of when an iceberg was seen) and points
- * of tracks with their times; the iceberg is the name of the point or the track. Of an export of
- * our own the icebergs are taken with their drift, and asset and UAVs as the scene; routes and
- * tracks are passed over.
- */
-[[nodiscard]] SightingTable readGpx(const ImportText& source);
-[[nodiscard]] bool isGpx(std::string_view text);
-
-// What both share.
 
 /** Name of the element's parent, empty for the root. */
 [[nodiscard]] std::string_view parentName(XmlPath path);

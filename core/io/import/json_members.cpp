@@ -30,6 +30,16 @@ std::optional<double> numberAt(const Json* value, const char* name)
                                                     : std::nullopt;
 }
 
+std::string kindOf(const Json* properties)
+{
+    return textOf(memberOf(properties, "kind"));
+}
+
+bool isOwnGeoJson(const Json* properties)
+{
+    return kindOf(properties) == "uav" && memberOf(properties, "airspeed_mps") != nullptr;
+}
+
 std::optional<LatLon> placeOf(const Json* position, AxisOrder order)
 {
     if (position == nullptr || !position->is_array() || position->size() < 2 ||

@@ -22,6 +22,11 @@ namespace berg {
 /** Its member that is a number. */
 [[nodiscard]] std::optional<double> numberAt(const Json* value, const char* name);
 
+/** The `kind` of a GeoJSON feature of ours by its properties (may be null); empty without. */
+[[nodiscard]] std::string kindOf(const Json* properties);
+/** Whether a feature with these properties makes a file one of our own. */
+[[nodiscard]] bool isOwnGeoJson(const Json* properties);
+
 /** Calls `use` for each entry, whose memory then is free for what was made of it. */
 template <class Use>
 void forEachReleased(std::span<Json> entries, ReadBudget& budget, Use use)

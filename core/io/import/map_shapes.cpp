@@ -1,15 +1,15 @@
 #include "core/io/import/map_shapes.h"
 
 #include "core/io/import/import_fields.h"
-#include "core/io/import/import_geojson.h"
+#include "core/io/import/import_readers.h"
 #include "core/io/import/import_xml.h"
 #include "core/io/import/json_members.h"
-#include "core/io/import/map_shapes_kml.h"
 #include "core/io/text/zip_file.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 namespace berg {
 
@@ -71,6 +71,15 @@ std::optional<std::uint32_t> iceColour(const Json* properties)
     else if (tenths <= 8)
         rgb = 0xFF7D07;
     return kIceOpacity << 24U | rgb;
+}
+
+/** The memory of a shape. */
+std::size_t memoryOf(const MapShape& shape)
+{
+    std::size_t bytes = sizeof(MapShape) + shape.name.capacity();
+    for (const std::vector<LatLon>& part : shape.parts)
+        bytes += sizeof(std::vector<LatLon>) + part.capacity() * sizeof(LatLon);
+    return bytes;
 }
 
 class GeoJsonShapes
@@ -169,10 +178,204 @@ private:
     std::vector<MapShape> m_shapes;
 };
 
+/** As KML has them: aabbggrr. */
+std::optional<std::uint32_t> colourOf(std::string_view text)
+{
+    const std::string_view digits = trimmed(text);
+    std::uint32_t abgr = 0;
+    const char* const end = digits.data() + digits.size();
+    const auto [read, fault] = std::from_chars(digits.data(), end, abgr, 16);
+    if (digits.size() != 8 || fault != std::errc() || read != end)
+        return std::nullopt;
+    return (abgr & 0xFF00FF00U) | ((abgr & 0xFFU) << 16U) | ((abgr >> 16U) & 0xFFU);
+}
+
+/** Of a style. Cut, since every shape holds one. */
+std::string styleKey(std::string_view text)
+{
+    return std::string(trimmed(text).substr(0, kLongestName));
+}
+
+struct Look
+{
+    std::optional<std::uint32_t> fill;
+    std::optional<std::uint32_t> line;
+};
+
+/** What a KML text draws, with its styles; without what is linked or an image. */
+class KmlShapes
+{
+public:
+    KmlShapes(std::string_view text, ReadBudget& budget) : m_text(text), m_budget(budget) {}
+
+    std::vector<MapShape> take()
+    {
+        const XmlEvents events{.opened = [this](XmlPath path) { opened(path.back()); },
+                               .closed = [this](XmlPath path) { closed(path); }};
+        readXml(m_text, events, m_budget);
+        for (std::size_t i = 0; i < m_shapes.size(); ++i) // styles may follow what has them
+            setLook(m_shapes[i], styleOf(m_urls[i]));
+        return std::move(m_shapes);
+    }
+
+private:
+    void opened(const XmlElement& element)
+    {
+        constexpr std::size_t kStyle = 128 + 2 * kLongestName; // of a map, with its keys
+        const std::string& name = element.name;
+        if (name == "Style" || name == "Pair")
+            m_budget.take(kStyle);
+        if (name == "Placemark") {
+            m_name.clear();
+            m_url.clear();
+            m_own = {};
+            m_first = m_shapes.size();
+        } else if (name == "Style") {
+            m_look = {};
+        } else if (name == "Polygon") {
+            m_rings.clear();
+            m_isSpoiled = false;
+        } else if (name == "Track") {
+            m_track.clear();
+            m_isSpoiled = false;
+        } else if (name == "StyleMap") {
+            m_mapKey = styleKey('#' + element.attribute("id"));
+        } else if (name == "Pair") {
+            m_pairKey.clear();
+            m_pairUrl.clear();
+        }
+    }
+
+    void closed(XmlPath path)
+    {
+        const XmlElement& element = path.back();
+        const std::string_view parent = parentName(path);
+        if (element.name == "coordinates")
+            addCoordinates(path);
+        else if (element.name == "coord" && parent == "Track")
+            addPose(element.text);
+        else if (element.name == "Polygon" && !m_isSpoiled)
+            add({.kind = MapShape::Kind::Polygon, .parts = std::move(m_rings)});
+        else if (element.name == "Track" && !m_isSpoiled)
+            add({.kind = MapShape::Kind::Line, .parts = {std::move(m_track)}});
+        else if (element.name == "Placemark")
+            finish();
+        else if (element.name == "name" && parent == "Placemark")
+            m_name = cleanText(element.text, kLongestName);
+        else
+            closedStyle(path);
+    }
+
+    void closedStyle(XmlPath path)
+    {
+        const XmlElement& element = path.back();
+        const std::string_view parent = parentName(path);
+        const bool isOff = trimmed(element.text) == "0";
+        if (element.name == "styleUrl")
+            (parent == "Pair" ? m_pairUrl : m_url) = styleKey(element.text);
+        else if (element.name == "key" && parent == "Pair")
+            m_pairKey = trimmed(element.text);
+        else if (element.name == "Pair" && m_pairKey == "normal")
+            m_aliases[m_mapKey] = m_pairUrl;
+        else if (element.name == "color" && parent == "PolyStyle")
+            m_look.fill = colourOf(element.text);
+        else if (element.name == "color" && parent == "LineStyle")
+            m_look.line = colourOf(element.text);
+        else if (element.name == "fill" && parent == "PolyStyle" && isOff)
+            m_look.fill = 0;
+        else if (element.name == "outline" && parent == "PolyStyle" && isOff)
+            m_look.line = 0;
+        else if (element.name == "Style" && parent == "Placemark")
+            m_own = m_look;
+        else if (element.name == "Style")
+            m_styles[styleKey('#' + element.attribute("id"))] = m_look;
+    }
+
+    void addCoordinates(XmlPath path)
+    {
+        std::optional<std::vector<LatLon>> places = placesOfTuples(path.back().text);
+        if (!places || places->empty()) {
+            m_isSpoiled = true;
+            return;
+        }
+        const std::string_view parent = parentName(path);
+        const std::string_view above = parentName(path.first(path.size() - 1));
+        if (above == "outerBoundaryIs" || above == "innerBoundaryIs")
+            m_rings.push_back(std::move(*places));
+        else
+            add({.kind = parent == "Point" ? MapShape::Kind::Place : MapShape::Kind::Line,
+                 .parts = {std::move(*places)}});
+    }
+
+    /** Of a gx:coord: longitude, latitude and height, set apart by blanks. */
+    void addPose(const std::string& text)
+    {
+        std::string tuple(trimmed(text));
+        for (char& c : tuple)
+            c = c == ' ' || c == '\t' ? ',' : c;
+        if (const auto places = placesOfTuples(tuple); places && places->size() == 1)
+            m_track.push_back(places->front());
+        else
+            m_isSpoiled = true;
+    }
+
+    void add(MapShape shape)
+    {
+        if (shape.parts.empty() || shape.parts.front().empty())
+            return;
+        m_budget.takeRow(memoryOf(shape) + sizeof(std::string) + kLongestName);
+        m_shapes.push_back(std::move(shape));
+        m_urls.emplace_back();
+    }
+
+    void finish()
+    {
+        for (std::size_t i = m_first; i < m_shapes.size(); ++i) {
+            setLook(m_shapes[i], m_own);
+            m_urls[i] = m_url;
+            if (m_shapes[i].kind == MapShape::Kind::Place)
+                m_shapes[i].name = m_name;
+        }
+    }
+
+    /** What it has itself comes first. */
+    static void setLook(MapShape& shape, const Look& look)
+    {
+        shape.fill = shape.fill ? shape.fill : look.fill;
+        shape.line = shape.line ? shape.line : look.line;
+    }
+
+    [[nodiscard]] Look styleOf(const std::string& url) const
+    {
+        const auto alias = m_aliases.find(url);
+        const auto found = m_styles.find(alias == m_aliases.end() ? url : alias->second);
+        return found == m_styles.end() ? Look() : found->second;
+    }
+
+    std::string_view m_text;
+    ReadBudget& m_budget;
+    std::vector<MapShape> m_shapes;
+    std::vector<std::string> m_urls; ///< of the styles of the shapes
+    std::map<std::string, Look> m_styles;
+    std::map<std::string, std::string> m_aliases; ///< style maps: their normal style
+    // Of the element that is open:
+    std::string m_name;
+    std::string m_url;
+    Look m_own;
+    std::size_t m_first = 0; ///< shape of the Placemark
+    Look m_look;
+    std::string m_mapKey;
+    std::string m_pairKey;
+    std::string m_pairUrl;
+    std::vector<std::vector<LatLon>> m_rings;
+    std::vector<LatLon> m_track;
+    bool m_isSpoiled = false; ///< a place of the polygon or track is none
+};
+
 std::vector<MapShape> shapesOf(std::string_view bytes, ReadBudget& budget)
 {
     if (isKml(bytes))
-        return readKmlShapes(bytes, budget);
+        return KmlShapes(bytes, budget).take();
     if (isUtf8(bytes) && isGeoJson(bytes))
         return GeoJsonShapes(budget).take(bytes);
     throw Error(ErrorCode::WrongFormat, budget.subject(),

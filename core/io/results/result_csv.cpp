@@ -49,6 +49,16 @@ SampleTables tablesOf(const Mission& mission)
             mission.simulation().world().asset().has_value()};
 }
 
+/** That terminals obey; line ends and tabs are quoted. */
+bool isControl(std::string_view character)
+{
+    const auto code = static_cast<unsigned char>(character.back());
+    if (character.size() == 2)
+        return character[0] == '\xC2' && code < 0xA0U;
+    return character.size() == 1 &&
+           (code == 0x7FU || (code < 0x20U && code != '\n' && code != '\r' && code != '\t'));
+}
+
 } // namespace
 
 std::string eventDetail(const MissionEvent& event, const Mission& mission)
@@ -94,20 +104,6 @@ std::string eventDetail(const MissionEvent& event, const Mission& mission)
     }
     return text;
 }
-
-namespace {
-
-/** That terminals obey; line ends and tabs are quoted. */
-bool isControl(std::string_view character)
-{
-    const auto code = static_cast<unsigned char>(character.back());
-    if (character.size() == 2)
-        return character[0] == '\xC2' && code < 0xA0U;
-    return character.size() == 1 &&
-           (code == 0x7FU || (code < 0x20U && code != '\n' && code != '\r' && code != '\t'));
-}
-
-} // namespace
 
 std::string csvField(const std::string& given)
 {

@@ -86,7 +86,7 @@ std::vector<double> readTaus(ObjectReader& study)
 std::vector<PolicyKind> readPolicies(ObjectReader& study)
 {
     std::vector<PolicyKind> policies;
-    const Json* list = study.need("policies") != nullptr ? study.array("policies") : nullptr;
+    const Json* list = study.neededArray("policies");
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
         const Json& name = (*list)[i];
         const auto policy = name.is_string()

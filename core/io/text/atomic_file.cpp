@@ -137,6 +137,33 @@ void flushFolder(const std::filesystem::path& target)
         ::fsync(fd.get());
 }
 
+/** What a path to be written to leads to; throws when nothing can be written there. */
+struct Destination
+{
+    explicit Destination(const std::string& path)
+    {
+        inPlace = openDescriptor(path).has_value();
+        if (inPlace)
+            return;
+        exists = ::stat(path.c_str(), &old) == 0;
+        if (!exists && errno != ENOENT)
+            failWrite(path, reason(errno));
+        inPlace = exists && (S_ISCHR(old.st_mode) || S_ISFIFO(old.st_mode));
+        if (exists && !inPlace && !S_ISREG(old.st_mode))
+            failWrite(path, S_ISDIR(old.st_mode) ? reason(EISDIR) : "not a regular file");
+        // Renaming would replace a write-protected file; whoever protected it meant it.
+        if (exists && ::access(path.c_str(), W_OK) != 0)
+            failWrite(path, reason(errno));
+        if (!inPlace)
+            target = withoutLinks(path);
+    }
+
+    bool inPlace = false; ///< a device, a pipe, an open descriptor
+    bool exists = false;
+    struct stat old = {};
+    std::filesystem::path target; ///< at the end of all links
+};
+
 } // namespace
 
 std::string readFile(const std::string& path, const std::stop_token& stop)
@@ -178,37 +205,6 @@ std::string readFile(const std::string& path, const std::stop_token& stop)
     }
     failTooLarge(path, IssueId::FileTooLarge, most >> 20U);
 }
-
-namespace {
-
-/** What a path to be written to leads to; throws when nothing can be written there. */
-struct Destination
-{
-    explicit Destination(const std::string& path)
-    {
-        inPlace = openDescriptor(path).has_value();
-        if (inPlace)
-            return;
-        exists = ::stat(path.c_str(), &old) == 0;
-        if (!exists && errno != ENOENT)
-            failWrite(path, reason(errno));
-        inPlace = exists && (S_ISCHR(old.st_mode) || S_ISFIFO(old.st_mode));
-        if (exists && !inPlace && !S_ISREG(old.st_mode))
-            failWrite(path, S_ISDIR(old.st_mode) ? reason(EISDIR) : "not a regular file");
-        // Renaming would replace a write-protected file; whoever protected it meant it.
-        if (exists && ::access(path.c_str(), W_OK) != 0)
-            failWrite(path, reason(errno));
-        if (!inPlace)
-            target = withoutLinks(path);
-    }
-
-    bool inPlace = false; ///< a device, a pipe, an open descriptor
-    bool exists = false;
-    struct stat old = {};
-    std::filesystem::path target; ///< at the end of all links
-};
-
-} // namespace
 
 struct StagedFile::State
 {

@@ -2,7 +2,6 @@
 
 #include "core/base/error.h"
 #include "core/io/file_descriptor.h"
-#include "core/io/text/atomic_file.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 #include <filesystem>
 #include <sys/stat.h>
 #include <system_error>
+#include <vector>
 
 namespace berg {
 
@@ -99,39 +99,31 @@ bool canBePutBack(const std::string& path)
 
 } // namespace
 
-struct FileSet::Entry
-{
-    Entry(const std::string& file, StagedFile&& content) : path(file), staged(std::move(content)) {}
-
-    std::string path;
-    StagedFile staged;
-};
-
-FileSet::FileSet() = default;
-FileSet::~FileSet() = default;
-
 void FileSet::add(const std::string& path, std::string_view content)
 {
-    m_entries.push_back(std::make_unique<Entry>(path, StagedFile(path, content)));
+    m_entries.push_back({path, StagedFile(path, content)});
 }
 
 StagedFile& FileSet::add(const std::string& path)
 {
-    m_entries.push_back(std::make_unique<Entry>(path, StagedFile(path)));
-    return m_entries.back()->staged;
+    m_entries.push_back({path, StagedFile(path)});
+    return m_entries.back().staged;
 }
 
 void FileSet::write()
 {
-    std::stable_partition(m_entries.begin(), m_entries.end(),
-                          [](const auto& entry) { return canBePutBack(entry->path); });
+    std::vector<Entry*> entries;
+    for (Entry& entry : m_entries)
+        entries.push_back(&entry);
+    std::stable_partition(entries.begin(), entries.end(),
+                          [](const Entry* entry) { return canBePutBack(entry->path); });
     std::vector<StagedFile> staged;
-    std::vector<std::unique_ptr<Before>> before;
-    for (const std::unique_ptr<Entry>& entry : m_entries) {
+    std::deque<Before> before;
+    for (Entry* entry : entries) {
         entry->staged.complete();
         staged.push_back(std::move(entry->staged));
-        if (m_entries.size() > 1)
-            before.push_back(std::make_unique<Before>(entry->path));
+        if (entries.size() > 1)
+            before.emplace_back(entry->path);
     }
     std::size_t placed = 0;
     try {
@@ -139,12 +131,12 @@ void FileSet::write()
             placed = StagedFile::placeTogether(staged);
         for (; placed < staged.size(); ++placed) {
             if (!before.empty())
-                before[placed]->copy();
+                before[placed].copy();
             staged[placed].place();
         }
     } catch (...) {
         for (std::size_t i = 0; i < placed; ++i)
-            before[i]->putBack();
+            before[i].putBack();
         throw;
     }
     for (const StagedFile& file : staged)

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <memory>
+#include "core/io/text/atomic_file.h"
+
+#include <deque>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace berg {
-
-class StagedFile;
 
 /** A file as it is to become. */
 struct NewFile
@@ -24,11 +23,6 @@ struct NewFile
 class FileSet
 {
 public:
-    FileSet();
-    FileSet(const FileSet&) = delete;
-    FileSet& operator=(const FileSet&) = delete;
-    ~FileSet();
-
     /** A file of this content, which must live until `write`. */
     void add(const std::string& path, std::string_view content);
     /** One whose content is yet to come, by `StagedFile::append`. */
@@ -45,8 +39,12 @@ public:
     void write();
 
 private:
-    struct Entry;
-    std::vector<std::unique_ptr<Entry>> m_entries;
+    struct Entry
+    {
+        std::string path;
+        StagedFile staged;
+    };
+    std::deque<Entry> m_entries; ///< which stay where they are: `add` tells
 };
 
 /** The set of these files, written. */

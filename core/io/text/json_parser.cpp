@@ -188,6 +188,14 @@ private:
     Faults m_faults;
 };
 
+/** JSON of our own is UTF-8; what editors of some systems write tells itself by its first bytes. */
+std::string_view withoutMark(std::string_view text, const ReadBudget& budget)
+{
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        throw Error(ErrorCode::WrongFormat, budget.subject(), {IssueId::Utf16});
+    return withoutByteOrderMark(text);
+}
+
 } // namespace
 
 /** Lists go one after another: the library would first gather all of their entries in one. */
@@ -208,18 +216,6 @@ ParsedJson::~ParsedJson()
 {
     release(root);
 }
-
-namespace {
-
-/** JSON of our own is UTF-8; what editors of some systems write tells itself by its first bytes. */
-std::string_view withoutMark(std::string_view text, const ReadBudget& budget)
-{
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        throw Error(ErrorCode::WrongFormat, budget.subject(), {IssueId::Utf16});
-    return withoutByteOrderMark(text);
-}
-
-} // namespace
 
 ParsedJson parseJson(std::string_view text, ReadBudget& budget)
 {

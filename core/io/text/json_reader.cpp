@@ -192,6 +192,11 @@ const Json* ObjectReader::array(const char* member)
     return nullptr;
 }
 
+const Json* ObjectReader::neededArray(const char* member)
+{
+    return need(member) == nullptr ? nullptr : array(member);
+}
+
 double ObjectReader::number(const char* member, double fallback,
                             const std::optional<Limits>& limits)
 {

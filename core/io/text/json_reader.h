@@ -148,6 +148,8 @@ public:
     [[nodiscard]] const Json* need(const char* member);
     /** The member when it is an array; another type is a fault. */
     [[nodiscard]] const Json* array(const char* member);
+    /** The same, and a missing one is a fault. */
+    [[nodiscard]] const Json* neededArray(const char* member);
 
     [[nodiscard]] double number(const char* member, double fallback,
                                 const std::optional<Limits>& limits = {});

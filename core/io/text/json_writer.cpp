@@ -62,73 +62,6 @@ std::string lines(const std::vector<std::string>& parts, int indent, char open, 
     return open + outer + ' ' + joined(parts, ',' + outer + ' ') + outer + close;
 }
 
-} // namespace
-
-std::string jsonText(double value)
-{
-    if (!std::isfinite(value))
-        return "null";
-    if (value == 0 && std::signbit(value))
-        return "-0.0"; // "-0" would be read as a whole number
-    return numberText(value);
-}
-
-std::string jsonText(std::int64_t value)
-{
-    return std::to_string(value);
-}
-
-std::string jsonText(std::size_t value)
-{
-    return std::to_string(value);
-}
-
-std::string jsonText(int value)
-{
-    return std::to_string(value);
-}
-
-std::string jsonText(bool value)
-{
-    return value ? "true" : "false";
-}
-
-std::string jsonText(std::string_view value)
-{
-    std::string json = "\"";
-    while (!value.empty()) {
-        const std::size_t size = characterSize(value);
-        if (size == 0)
-            json += "\xEF\xBF\xBD"; // U+FFFD, the replacement character
-        else if (size == 1)
-            appendEscaped(json, value.front());
-        else if (value.front() == '\xC2' && static_cast<unsigned char>(value[1]) < 0xA0U)
-            appendCode(json, static_cast<unsigned char>(value[1])); // terminals obey it
-        else
-            json += value.substr(0, size);
-        value.remove_prefix(std::max<std::size_t>(size, 1));
-    }
-    json += '"';
-    return json;
-}
-
-std::string jsonText(const std::string& value)
-{
-    return jsonText(std::string_view(value));
-}
-
-std::string jsonText(const char* value)
-{
-    return jsonText(std::string_view(value));
-}
-
-std::string jsonText(const Point& value)
-{
-    return jsonArray({jsonText(value.x()), jsonText(value.y())});
-}
-
-namespace {
-
 class TreeText
 {
 public:
@@ -145,7 +78,7 @@ public:
         else if (value.is_number_float())
             addDouble(value.get<double>());
         else if (value.is_number_unsigned())
-            m_text += std::to_string(value.get<std::uint64_t>());
+            m_text += jsonText(value.get<std::uint64_t>());
         else if (value.is_number())
             m_text += jsonText(value.get<std::int64_t>());
         else
@@ -196,6 +129,54 @@ private:
 };
 
 } // namespace
+
+std::string jsonText(double value)
+{
+    if (!std::isfinite(value))
+        return "null";
+    if (value == 0 && std::signbit(value))
+        return "-0.0"; // "-0" would be read as a whole number
+    return numberText(value);
+}
+
+std::string jsonText(bool value)
+{
+    return value ? "true" : "false";
+}
+
+std::string jsonText(std::string_view value)
+{
+    std::string json = "\"";
+    while (!value.empty()) {
+        const std::size_t size = characterSize(value);
+        if (size == 0)
+            json += "\xEF\xBF\xBD"; // U+FFFD, the replacement character
+        else if (size == 1)
+            appendEscaped(json, value.front());
+        else if (value.front() == '\xC2' && static_cast<unsigned char>(value[1]) < 0xA0U)
+            appendCode(json, static_cast<unsigned char>(value[1])); // terminals obey it
+        else
+            json += value.substr(0, size);
+        value.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    json += '"';
+    return json;
+}
+
+std::string jsonText(const std::string& value)
+{
+    return jsonText(std::string_view(value));
+}
+
+std::string jsonText(const char* value)
+{
+    return jsonText(std::string_view(value));
+}
+
+std::string jsonText(const Point& value)
+{
+    return jsonArray({jsonText(value.x()), jsonText(value.y())});
+}
 
 std::string jsonText(const Tree& tree, int indent)
 {

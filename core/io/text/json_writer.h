@@ -8,6 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,9 +19,11 @@ namespace berg {
 
 /** `numberText`; `null` when not finite. */
 [[nodiscard]] std::string jsonText(double value);
-[[nodiscard]] std::string jsonText(std::int64_t value);
-[[nodiscard]] std::string jsonText(std::size_t value);
-[[nodiscard]] std::string jsonText(int value);
+template <std::integral Whole>
+[[nodiscard]] std::string jsonText(Whole value)
+{
+    return std::to_string(value);
+}
 [[nodiscard]] std::string jsonText(bool value);
 /** Quoted and escaped, also what terminals obey; bytes that are no UTF-8 become U+FFFD. */
 [[nodiscard]] std::string jsonText(std::string_view value);

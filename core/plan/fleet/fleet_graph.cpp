@@ -14,10 +14,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /** Nodes between two looks at the clock. */
 constexpr int kNodesPerCheck = 4096;
 
-} // namespace
-
-namespace {
-
 std::vector<int> allowedOf(const FleetCosts& costs, int uav)
 {
     std::vector<int> allowed;

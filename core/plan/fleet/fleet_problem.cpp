@@ -69,14 +69,8 @@ double fleetObjective(const FleetProblem& problem, const FleetPlan& plan)
     require(isFleetPlan(problem, plan), "fleetObjective: not a plan of this problem");
     if (problem.criterion == Criterion::Latency) {
         double latency = 0;
-        for (std::size_t uav = 0; uav < plan.size(); ++uav) {
-            double ofUav = 0;
-            follow(problem.distance_m[uav], problem.route, plan[uav],
-                   [&](int node, double distance_m) {
-                       ofUav += problem.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
-                   });
-            latency += ofUav;
-        }
+        for (std::size_t uav = 0; uav < plan.size(); ++uav)
+            latency += weightedLatency(problem.distance_m[uav], problem.sigma_m2, plan[uav]);
         return problem.mu * latency;
     }
     return problem.mu * fleetDistance(problem, plan) - fleetReward(problem, plan);

@@ -120,7 +120,9 @@ void FleetSearch::disturb(std::int64_t times)
     for (std::int64_t k = 0; k < times && !m_effort.spent(); ++k) {
         FleetPlan next = plan;
         std::vector<int> out = takeOut(next);
-        putBack(next, out);
+        sortForPuttingBack(out);
+        for (const int iceberg : out)
+            put(next, iceberg, true);
         const double nextCost = m_costs.total(next);
         m_effort.work += std::int64_t{4} * m_costs.icebergs();
         const double heat = first * std::exp(cooling * static_cast<double>(k));
@@ -177,13 +179,6 @@ void FleetSearch::sortForPuttingBack(std::vector<int>& icebergs)
         std::stable_sort(icebergs.begin(), icebergs.end(), [&](int a, int b) {
             return m_costs.of(0).sigmaOf(a) > m_costs.of(0).sigmaOf(b);
         });
-}
-
-void FleetSearch::putBack(FleetPlan& plan, std::vector<int>& icebergs)
-{
-    sortForPuttingBack(icebergs);
-    for (const int iceberg : icebergs)
-        put(plan, iceberg, true);
 }
 
 void FleetSearch::put(FleetPlan& plan, int iceberg, bool blink)

@@ -53,7 +53,6 @@ private:
     /** Takes strings out of the plan, near a random iceberg. */
     [[nodiscard]] std::vector<int> takeOut(FleetPlan& plan);
     void takeString(VisitOrder& order, int iceberg, std::vector<int>& out);
-    void putBack(FleetPlan& plan, std::vector<int>& icebergs);
     void sortForPuttingBack(std::vector<int>& icebergs);
     void put(FleetPlan& plan, int iceberg, bool blink);
     template <bool kWeighted>

@@ -47,18 +47,16 @@ public:
                 std::optional<std::int64_t> effort)
         : m_problem(problem)
         , m_options(options)
-        , m_watch(options)
+        , m_account(options, objectiveShift(problem), problem.icebergCount())
         , m_costs(problem)
-        , m_shift(objectiveShift(problem))
         , m_own(effort.value_or(kNoLimit))
         , m_limit(std::min(m_own, options.workLimit.value_or(kNoLimit)))
         , m_search(m_costs, m_effort)
     {
-        m_effort.cut = [this] { return cut(); };
+        m_effort.cut = [this] { return m_account.cut(); };
         m_effort.limit = m_limit;
         m_search.onImproved = [this](const FleetPlan& plan) {
-            m_objective = fleetObjective(m_problem, plan);
-            report();
+            m_account.acceptPlan(plan, fleetObjective(m_problem, plan));
         };
     }
 
@@ -76,7 +74,7 @@ public:
     {
         const std::optional<FleetPlan> plan = bestFleetPlan(m_costs, m_effort.cut);
         if (!plan)
-            return {.reason = *m_cut, .plan = {}};
+            return {.reason = *m_account.reason(), .plan = {}};
         m_search.take(*plan);
         return {.status = SolveStatus::Optimal,
                 .plan = *plan,
@@ -97,7 +95,7 @@ public:
         try {
             result = bound(cover, before);
             m_search.take(result.plan);
-            acceptBound(result.bound);
+            m_account.acceptBound(result.bound);
         } catch (const Error& error) { // of a cover by another program: plan and bound stay
             if (error.code() != ErrorCode::SolverFailed)
                 throw;
@@ -119,18 +117,10 @@ private:
              .onImproved =
                  [this](const FleetPlan& plan, double bound) {
                      m_search.take(plan);
-                     acceptBound(bound);
+                     m_account.acceptBound(bound);
                  },
              .suggest = [this](std::int64_t work,
                                std::int64_t most) { return suggest(work, most); }});
-    }
-
-    /** Remembers the reason. */
-    bool cut()
-    {
-        if (!m_cut)
-            m_cut = m_watch.cut();
-        return m_cut.has_value();
     }
 
     FleetSuggestion suggest(std::int64_t work, std::int64_t most)
@@ -154,42 +144,21 @@ private:
         return {.plan = m_search.best(), .work = m_effort.work - before};
     }
 
-    /** Rounded down: the shift may be far larger than the objective. */
-    [[nodiscard]] double boundOnObjective() const
-    {
-        return m_bound - m_shift - roundingMargin(m_costs.icebergs(), m_shift);
-    }
-    /** 0 says nothing: that every cost is positive goes without saying. */
-    void acceptBound(double bound)
-    {
-        if (bound <= 0 || bound <= m_bound)
-            return;
-        m_bound = bound;
-        report();
-    }
-    void report() const
-    {
-        const double bound = std::min(boundOnObjective(), m_objective);
-        m_watch.report(m_search.best(), m_objective,
-                       m_bound > 0 ? std::optional(bound) : std::nullopt);
-    }
-
     SolveOutcome outcome(const FleetBoundResult& result, std::int64_t work)
     {
         SolveOutcome outcome{.status = SolveStatus::Feasible,
                              .plan = m_search.best(),
+                             .bound = m_account.bound(),
                              .work = work,
                              .hintUsed = !m_options.hint.empty(),
                              .detail = m_failure};
-        if (m_bound > 0)
-            outcome.bound = boundOnObjective();
         const double cost = m_costs.total(outcome.plan);
         if (result.reached && isProven(cost, result.bound))
             outcome.status = SolveStatus::Optimal;
         else if (result.reached)
             outcome.reason = StopReason::GapReached;
-        else if (m_cut)
-            outcome.reason = *m_cut;
+        else if (m_account.reason())
+            outcome.reason = *m_account.reason();
         else if (!m_failure.empty())
             outcome.reason = StopReason::Unable;
         else if (result.memoryOut)
@@ -201,18 +170,14 @@ private:
 
     const FleetProblem& m_problem;
     const SolveOptions& m_options;
-    SolveWatch m_watch;
+    SolveAccount m_account;
     FleetCosts m_costs;
-    double m_shift;       ///< cost = objective + shift
     std::int64_t m_own;   ///< the back end's own limit of work
     std::int64_t m_limit; ///< that and the caller's
     SearchEffort m_effort;
     FleetSearch m_search;
     std::optional<std::int64_t> m_searched; ///< work of the first annealing, once it is done
-    std::optional<StopReason> m_cut;
-    std::string m_failure;  ///< of the cover
-    double m_objective = 0; ///< of the best plan
-    double m_bound = 0;     ///< on the cost, not on the objective
+    std::string m_failure;                  ///< of the cover
 };
 
 /** Of the back ends that must answer while someone waits. Without a proof to come, that of a few

@@ -10,13 +10,6 @@ namespace berg {
 
 namespace {
 
-/** 80 MB and about ten seconds for the first relaxation; far beyond what the search can prove. */
-constexpr int kLargestPosition = 40;
-/** The printed model is small (n^2 columns), but beyond 8 icebergs its search takes for ever. */
-constexpr int kLargestPrinted = 60;
-/** As far as our bound leaves few columns. */
-constexpr int kLargestReduced = 60;
-
 /** What is known of a solve by the helper, until it has answered. */
 class CbcSolve
 {
@@ -105,15 +98,15 @@ private:
     SolveOutcome m_known;
 };
 
+/** Icebergs that it is offered for. */
 int largestOf(Formulation formulation)
 {
     switch (formulation) {
-    case Formulation::Position:
-        return kLargestPosition;
-    case Formulation::Printed:
-        return kLargestPrinted;
-    case Formulation::Reduced:
-        return kLargestReduced;
+    case Formulation::Position: // 80 MB and about ten seconds for the first relaxation
+        return 40;
+    case Formulation::Printed: // small (n^2 columns), but beyond 8 its search takes for ever
+    case Formulation::Reduced: // as far as our bound leaves few columns
+        return 60;
     }
     throw std::logic_error("CbcSolver: no such formulation");
 }

@@ -47,15 +47,16 @@ public:
            std::optional<std::int64_t> effort)
         : m_problem(problem)
         , m_options(options)
-        , m_watch(options)
+        , m_account(options, objectiveShift(problem), problem.icebergCount())
         , m_costs(problem)
-        , m_shift(objectiveShift(problem))
         , m_own(effort.value_or(std::numeric_limits<std::int64_t>::max()))
         , m_search(m_costs, m_effort)
     {
-        m_effort.cut = [this] { return cut(); };
+        m_effort.cut = [this] { return m_account.cut(); };
         m_effort.limit = mostWork();
-        m_search.onImproved = [this](const VisitOrder& order) { acceptOrder(order); };
+        m_search.onImproved = [this](const VisitOrder& order) {
+            m_account.acceptPlan({order}, objective(m_problem, order));
+        };
     }
 
     SolveOutcome run()
@@ -84,7 +85,7 @@ public:
         options.cut = m_effort.cut;
         options.onImproved = [this](const VisitOrder& order, double bound) {
             m_search.take(order);
-            acceptBound(bound);
+            m_account.acceptBound(bound);
         };
         options.suggest = [this](std::int64_t work, std::int64_t most) {
             return suggest(work, most);
@@ -92,7 +93,7 @@ public:
         const std::int64_t before = m_effort.work;
         const BoundResult result = improveBound(m_costs, m_search.best(), options);
         m_search.take(result.order);
-        acceptBound(result.bound);
+        m_account.acceptBound(result.bound);
         return outcome(result, before + result.work);
     }
 
@@ -100,14 +101,6 @@ private:
     [[nodiscard]] std::int64_t mostWork() const
     {
         return std::min(m_own, m_options.workLimit.value_or(m_own));
-    }
-
-    /** Remembers the reason. */
-    bool cut()
-    {
-        if (!m_cut)
-            m_cut = m_watch.cut();
-        return m_cut.has_value();
     }
 
     /** In place of the first search of `suggest`. */
@@ -137,50 +130,22 @@ private:
         return {.order = m_search.best(), .work = m_effort.work - before};
     }
 
-    void acceptOrder(const VisitOrder& order)
-    {
-        m_objective = objective(m_problem, order);
-        report();
-    }
-    /** Rounded down: the shift may be far larger than the objective. */
-    [[nodiscard]] double boundOnObjective() const
-    {
-        return m_bound - m_shift - roundingMargin(m_costs.icebergs, m_shift);
-    }
-    /** 0 says nothing: that every cost is positive goes without saying. */
-    void acceptBound(double bound)
-    {
-        if (bound <= 0 || bound <= m_bound)
-            return;
-        m_bound = bound;
-        report();
-    }
-    void report() const
-    {
-        const double bound = std::min(boundOnObjective(), m_objective);
-        m_watch.report({m_search.best()}, m_objective,
-                       m_bound > 0 ? std::optional(bound) : std::nullopt);
-    }
-
     SolveOutcome outcome(const BoundResult& result, std::int64_t work)
     {
-        SolveOutcome outcome;
-        outcome.status = SolveStatus::Feasible;
-        outcome.plan = {m_search.best()};
-        outcome.work = work;
-        outcome.hintUsed = !m_options.hint.empty();
+        SolveOutcome outcome{.status = SolveStatus::Feasible,
+                             .plan = {m_search.best()},
+                             .bound = m_account.bound(),
+                             .work = work,
+                             .hintUsed = !m_options.hint.empty()};
         const Eigen::VectorXd learnt = result.lambda - firstMultipliers(m_costs, outcome.order());
         outcome.multipliers.assign(learnt.begin(), learnt.end());
-        if (m_bound > 0)
-            outcome.bound = boundOnObjective();
-
         const double cost = m_costs.total(outcome.order());
         if (result.reached && isProven(cost, result.bound))
             outcome.status = SolveStatus::Optimal;
         else if (result.reached)
             outcome.reason = StopReason::GapReached;
-        else if (m_cut)
-            outcome.reason = *m_cut;
+        else if (m_account.reason())
+            outcome.reason = *m_account.reason();
         else if (result.memoryOut)
             outcome.reason = StopReason::MemoryLimit;
         else if (m_options.workLimit && *m_options.workLimit <= m_own &&
@@ -191,16 +156,12 @@ private:
 
     const TvpProblem& m_problem;
     const SolveOptions& m_options;
-    SolveWatch m_watch;
+    SolveAccount m_account;
     Costs m_costs;
-    double m_shift;     ///< cost = objective + shift
     std::int64_t m_own; ///< the back end's own limit of work
     SearchEffort m_effort;
     OrderSearch<Costs> m_search;
     std::optional<std::int64_t> m_searched; ///< work of the first local search, once it is done
-    std::optional<StopReason> m_cut;
-    double m_objective = 0; ///< of the best order
-    double m_bound = 0;     ///< on the cost, not on the objective
 };
 
 } // namespace
@@ -213,9 +174,7 @@ SolveOutcome solveByEngine(const TvpProblem& problem, const SolveOptions& option
                    ? Engine<LatencyCosts>(problem, options, effort).run()
                    : Engine<VisitCosts>(problem, options, effort).run();
 
-    SolveOutcome outcome;
-    outcome.status = SolveStatus::Optimal;
-    outcome.plan = {sigmaOrder(problem)};
+    SolveOutcome outcome{.status = SolveStatus::Optimal, .plan = {sigmaOrder(problem)}};
     const double value = objective(problem, outcome.order());
     SolveWatch(options).report(outcome.plan, value, value);
     return outcome;

@@ -70,18 +70,14 @@ void addPrintedDegrees(MilpModel& model)
 {
     const int nodes = model.nodeCount;
     const double lower = model.route == Route::Closed ? 1.0 : -kMilpInfinity;
-    for (int j = 0; j < nodes; ++j) { // Eq. (3)
-        MilpRow row{.name = label("into", {j}), .lower = lower, .upper = 1, .terms = {}};
-        for (int i = 0; i < nodes; ++i)
-            row.terms.push_back({printedArc(nodes, i, j), 1});
-        model.rows.push_back(std::move(row));
-    }
-    for (int i = 0; i < nodes; ++i) { // Eq. (4)
-        MilpRow row{.name = label("out", {i}), .lower = lower, .upper = 1, .terms = {}};
-        for (int j = 0; j < nodes; ++j)
-            row.terms.push_back({printedArc(nodes, i, j), 1});
-        model.rows.push_back(std::move(row));
-    }
+    for (const bool into : {true, false}) // Eq. (3), then Eq. (4)
+        for (int i = 0; i < nodes; ++i) {
+            MilpRow row{
+                .name = label(into ? "into" : "out", {i}), .lower = lower, .upper = 1, .terms = {}};
+            for (int j = 0; j < nodes; ++j)
+                row.terms.push_back({into ? printedArc(nodes, j, i) : printedArc(nodes, i, j), 1});
+            model.rows.push_back(std::move(row));
+        }
     if (model.route == Route::Closed)
         return;
     MilpRow row{.name = "arcs", .lower = nodes - 1.0, .upper = nodes - 1.0, .terms = {}}; // Eq. (5)
@@ -106,20 +102,6 @@ void addPrintedSequence(MilpModel& model)
 }
 
 // ---- position-indexed ------------------------------------------------------------------------
-
-/** All arcs: the n of the UAV, then the layers k = 2..n. */
-std::vector<MilpArc> allPositionArcs(int icebergs)
-{
-    std::vector<MilpArc> arcs;
-    for (int j = 1; j <= icebergs; ++j)
-        arcs.push_back({.from = 0, .to = j, .position = 1});
-    for (int k = 2; k <= icebergs; ++k)
-        for (int i = 1; i <= icebergs; ++i)
-            for (int j = 1; j <= icebergs; ++j)
-                if (i != j)
-                    arcs.push_back({.from = i, .to = j, .position = k});
-    return arcs;
-}
 
 void addPositionColumns(const TvpProblem& problem, MilpModel& model)
 {
@@ -176,6 +158,19 @@ MilpModel printedModel(const TvpProblem& problem)
     addPrintedDegrees(model);
     addPrintedSequence(model);
     return model;
+}
+
+std::vector<MilpArc> allPositionArcs(int icebergs)
+{
+    std::vector<MilpArc> arcs;
+    for (int j = 1; j <= icebergs; ++j)
+        arcs.push_back({.from = 0, .to = j, .position = 1});
+    for (int k = 2; k <= icebergs; ++k)
+        for (int i = 1; i <= icebergs; ++i)
+            for (int j = 1; j <= icebergs; ++j)
+                if (i != j)
+                    arcs.push_back({.from = i, .to = j, .position = k});
+    return arcs;
 }
 
 MilpModel positionModel(const TvpProblem& problem)

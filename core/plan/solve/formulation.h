@@ -84,6 +84,9 @@ struct MilpModel
  */
 [[nodiscard]] MilpModel positionModel(const TvpProblem& problem);
 
+/** The arcs of that model: by position, from, to. */
+[[nodiscard]] std::vector<MilpArc> allPositionArcs(int icebergs);
+
 /** The same with the columns of these arcs only, which must hold at least one order. */
 [[nodiscard]] MilpModel positionModel(const TvpProblem& problem, std::vector<MilpArc> arcs);
 

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "core/plan/solve/layered_graph.h"
+#include "core/plan/solve/number_table.h"
 
 #include <algorithm>
 #include <vector>
 
 namespace berg {
 
-/** The (old node, memory) pairs of one level while a graph is refined: open addressing, grown by
- * doubling. */
+/** The (old node, memory) pairs of one level while a graph is refined. */
 class LabelTable
 {
 public:
@@ -20,51 +20,33 @@ public:
         int number = 0; ///< of all labels
     };
 
-    LabelTable() : m_slots(256, -1) {}
     [[nodiscard]] const std::vector<Label>& labels() const { return m_labels; }
     /** Number of the label, which becomes as long as `length` at most. */
     int offer(const Label& label)
     {
-        if (4 * m_labels.size() >= m_slots.size())
-            resize(2 * m_slots.size());
-        std::size_t slot = slotOf(label);
-        for (; m_slots[slot] >= 0; slot = (slot + 1) & (m_slots.size() - 1)) {
-            Label& other = m_labels[static_cast<std::size_t>(m_slots[slot])];
-            if (other.node == label.node && other.memory == label.memory) {
-                other.length = std::min(other.length, label.length);
-                return other.number;
-            }
+        const auto node = static_cast<std::size_t>(label.node);
+        int& place = m_places.entry(label.memory.hash() + node * 0x9e3779b97f4a7c15U, [&](int k) {
+            const Label& other = m_labels[static_cast<std::size_t>(k)];
+            return other.node == label.node && other.memory == label.memory;
+        });
+        if (place < 0) {
+            place = static_cast<int>(m_labels.size());
+            m_labels.push_back(label);
+            return label.number;
         }
-        m_slots[slot] = static_cast<int>(m_labels.size());
-        m_labels.push_back(label);
-        return label.number;
+        Label& known = m_labels[static_cast<std::size_t>(place)];
+        known.length = std::min(known.length, label.length);
+        return known.number;
     }
     void clear()
     {
         m_labels.clear();
-        resize(m_slots.size());
+        m_places.clear();
     }
 
 private:
-    [[nodiscard]] std::size_t slotOf(const Label& label) const
-    {
-        const auto node = static_cast<std::size_t>(label.node);
-        const std::size_t mixed = label.memory.hash() + node * 0x9e3779b97f4a7c15U;
-        return (mixed ^ (mixed >> 32)) & (m_slots.size() - 1);
-    }
-    void resize(std::size_t slots)
-    {
-        m_slots.assign(slots, -1);
-        for (std::size_t k = 0; k < m_labels.size(); ++k) {
-            std::size_t slot = slotOf(m_labels[k]);
-            while (m_slots[slot] >= 0)
-                slot = (slot + 1) & (slots - 1);
-            m_slots[slot] = static_cast<int>(k);
-        }
-    }
-
     std::vector<Label> m_labels;
-    std::vector<int> m_slots; ///< a power of two
+    NumberTable m_places; ///< in `m_labels`
 };
 
 /** The labels of the level being treated and of those that a step may lead to. */

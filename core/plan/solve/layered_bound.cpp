@@ -39,10 +39,10 @@ constexpr int kWidest = 1024;
 constexpr std::array kStages{0.005, 0.002};
 
 /** The arcs of a graph without their memories, sorted. */
-std::vector<PositionArc> arcsOf(const LayeredGraph<VisitCosts>& graph)
+std::vector<MilpArc> arcsOf(const LayeredGraph<VisitCosts>& graph)
 {
-    std::vector<PositionArc> arcs;
-    const auto less = [](const PositionArc& a, const PositionArc& b) {
+    std::vector<MilpArc> arcs;
+    const auto less = [](const MilpArc& a, const MilpArc& b) {
         return std::tie(a.position, a.from, a.to) < std::tie(b.position, b.from, b.to);
     };
     int node = 0;
@@ -55,18 +55,6 @@ std::vector<PositionArc> arcsOf(const LayeredGraph<VisitCosts>& graph)
         std::sort(first, arcs.end(), less);
         arcs.erase(std::unique(first, arcs.end()), arcs.end());
     }
-    return arcs;
-}
-
-/** All arcs there are, sorted. */
-std::vector<PositionArc> completeArcs(int icebergs)
-{
-    std::vector<PositionArc> arcs;
-    for (int p = 1; p <= icebergs; ++p)
-        for (int from = p == 1 ? 0 : 1; from <= (p == 1 ? 0 : icebergs); ++from)
-            for (int to = 1; to <= icebergs; ++to)
-                if (to != from)
-                    arcs.push_back({from, to, p});
     return arcs;
 }
 
@@ -113,15 +101,15 @@ public:
         return std::move(m_result);
     }
 
-    std::vector<PositionArc> arcs()
+    std::vector<MilpArc> arcs()
     {
         m_keepEqual = true;
         LayeredPaths<Costs> paths(m_costs);
         relax(paths, plainSteps());
         Stage<Costs> stage = firstStage(paths);
         if (cut())
-            return completeArcs(m_costs.icebergs);
-        std::vector<PositionArc> arcs = arcsOf(*stage.graph);
+            return allPositionArcs(m_costs.icebergs);
+        std::vector<MilpArc> arcs = arcsOf(*stage.graph);
         if (m_costs.icebergs >= NodeSet::kCapacity)
             return arcs;
         constexpr double kPays = 0.98;
@@ -129,7 +117,7 @@ public:
             ascend(*stage.graph);
             if (m_cut)
                 break;
-            std::vector<PositionArc> fewer = arcsOf(*stage.graph);
+            std::vector<MilpArc> fewer = arcsOf(*stage.graph);
             pays = m_graphs == 1 ||
                    static_cast<double>(fewer.size()) < kPays * static_cast<double>(arcs.size());
             arcs = std::move(fewer);
@@ -459,8 +447,8 @@ template BoundResult improveBound(const VisitCosts&, const VisitOrder&, const La
 template BoundResult improveBound(const LatencyCosts&, const VisitOrder&,
                                   const LayeredBoundOptions&);
 
-std::vector<PositionArc> survivingArcs(const VisitCosts& costs, const VisitOrder& order,
-                                       const LayeredBoundOptions& options)
+std::vector<MilpArc> survivingArcs(const VisitCosts& costs, const VisitOrder& order,
+                                   const LayeredBoundOptions& options)
 {
     return LayeredBoundSearch(costs, order, options).arcs();
 }

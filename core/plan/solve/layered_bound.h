@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/plan/solve/formulation.h"
 #include "core/plan/solve/order_costs.h"
 #include "core/plan/solve/proof_step.h"
 
@@ -57,15 +58,6 @@ struct BoundResult
     Eigen::VectorXd lambda; ///< the best multipliers, one per node, [0] is 0
 };
 
-/** Leg from node `from` to iceberg `to`, flown away from `position` (1 = UAV, as `MilpArc`). */
-struct PositionArc
-{
-    int from = 0;
-    int to = 0;
-    int position = 0;
-    bool operator==(const PositionArc&) const = default;
-};
-
 /**
  * Lower bound on the cost of all orders: Lagrangian relaxation of "each iceberg once" on the
  * layered graph, strengthened by ng-paths whose memory grows where the relaxed paths
@@ -88,7 +80,7 @@ template <class Costs>
  * reached; a cut leaves more arcs, all n (n - 1)^2 + n of them when it comes at once. `gap` and
  * `onImproved` are not used. With the optimum as `order` about 2 n arcs are left at 20 icebergs.
  */
-[[nodiscard]] std::vector<PositionArc>
-survivingArcs(const VisitCosts& costs, const VisitOrder& order, const LayeredBoundOptions& options);
+[[nodiscard]] std::vector<MilpArc> survivingArcs(const VisitCosts& costs, const VisitOrder& order,
+                                                 const LayeredBoundOptions& options);
 
 } // namespace berg

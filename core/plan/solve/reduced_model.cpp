@@ -31,14 +31,6 @@ VisitOrder cheapestNeighbour(const VisitCosts& costs, const VisitOrder& order)
     return moves.order();
 }
 
-std::vector<MilpArc> milpArcs(const std::vector<PositionArc>& arcs)
-{
-    std::vector<MilpArc> result;
-    for (const PositionArc& arc : arcs)
-        result.push_back({.from = arc.from, .to = arc.to, .position = arc.position});
-    return result;
-}
-
 } // namespace
 
 ReducedModel reducedModel(const TvpProblem& problem, const SolveOptions& options)
@@ -58,10 +50,10 @@ ReducedModel reducedModel(const TvpProblem& problem, const SolveOptions& options
     const VisitCosts costs(problem);
     const LayeredBoundOptions bound{.workLimit = kMostWork,
                                     .cut = [&watch] { return watch.cut().has_value(); }};
-    const std::vector<PositionArc> arcs =
+    std::vector<MilpArc> arcs =
         survivingArcs(costs, cheapestNeighbour(costs, reduced.incumbent), bound);
     if (!watch.cut())
-        reduced.milp = positionModel(problem, milpArcs(arcs));
+        reduced.milp = positionModel(problem, std::move(arcs));
     return reduced;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "core/plan/solve/certified.h"
 #include "core/plan/solve/solver.h"
+
+#include <utility>
 
 namespace berg {
 
@@ -36,6 +39,63 @@ public:
 private:
     const SolveOptions& m_options;
     Stopwatch m_watch;
+};
+
+/** What an engine that proves its plans knows and tells while it works. Borrows the options. */
+class SolveAccount
+{
+public:
+    /** Cost = objective + `shift`. */
+    SolveAccount(const SolveOptions& options, double shift, int icebergs)
+        : m_watch(options), m_shift(shift), m_icebergs(icebergs)
+    {
+    }
+
+    /** Asks the watch, and remembers the reason. */
+    bool cut()
+    {
+        if (!m_cut)
+            m_cut = m_watch.cut();
+        return m_cut.has_value();
+    }
+    [[nodiscard]] const std::optional<StopReason>& reason() const { return m_cut; }
+
+    void acceptPlan(FleetPlan plan, double objective)
+    {
+        m_plan = std::move(plan);
+        m_objective = objective;
+        report();
+    }
+    /** On the cost. 0 says nothing: that every cost is positive goes without saying. */
+    void acceptBound(double bound)
+    {
+        if (bound <= 0 || bound <= m_bound)
+            return;
+        m_bound = bound;
+        report();
+    }
+    /** On the objective, if there is any. Rounded down: the shift may be far larger than it. */
+    [[nodiscard]] std::optional<double> bound() const
+    {
+        return m_bound > 0 ? std::optional(m_bound - m_shift - roundingMargin(m_icebergs, m_shift))
+                           : std::nullopt;
+    }
+
+private:
+    void report() const
+    {
+        const std::optional<double> known = bound();
+        m_watch.report(m_plan, m_objective,
+                       known ? std::optional(std::min(*known, m_objective)) : std::nullopt);
+    }
+
+    SolveWatch m_watch;
+    double m_shift;
+    int m_icebergs;
+    std::optional<StopReason> m_cut;
+    FleetPlan m_plan; ///< the best one
+    double m_objective = 0;
+    double m_bound = 0;
 };
 
 } // namespace berg

@@ -274,22 +274,17 @@ private:
 /** An answer without proof: the hint, or nothing. */
 SolveOutcome cutShort(StopReason reason, const FleetPlan& hint, std::int64_t work)
 {
-    SolveOutcome outcome;
-    outcome.status = hint.empty() ? SolveStatus::None : SolveStatus::Feasible;
-    outcome.reason = reason;
-    outcome.plan = hint;
-    outcome.work = work;
-    outcome.hintUsed = !hint.empty();
-    return outcome;
+    return {.status = hint.empty() ? SolveStatus::None : SolveStatus::Feasible,
+            .reason = reason,
+            .plan = hint,
+            .work = work,
+            .hintUsed = !hint.empty()};
 }
 
 SolveOutcome proven(VisitOrder order, std::int64_t work, const TvpProblem& problem,
                     const SolveOptions& options, const SolveWatch& watch)
 {
-    SolveOutcome outcome;
-    outcome.status = SolveStatus::Optimal;
-    outcome.plan = {std::move(order)};
-    outcome.work = work;
+    SolveOutcome outcome{.status = SolveStatus::Optimal, .plan = {std::move(order)}, .work = work};
     if (options.onProgress) {
         const double value = objective(problem, outcome.order());
         watch.report(outcome.plan, value, value);

@@ -6,21 +6,6 @@
 
 namespace berg {
 
-namespace {
-
-/** sum of sigma_i times the distance flown until iceberg i, m^3: a leg costs its length times the
- * sigma still unvisited. */
-double weightedLatency(const TvpProblem& problem, std::span<const int> order)
-{
-    double sum = 0;
-    follow(problem.distance_m, problem.route, order, [&](int node, double distance_m) {
-        sum += problem.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
-    });
-    return sum;
-}
-
-} // namespace
-
 bool isVisitOrder(const TvpProblem& problem, std::span<const int> order)
 {
     if (static_cast<int>(order.size()) != problem.icebergCount())
@@ -32,6 +17,16 @@ bool isVisitOrder(const TvpProblem& problem, std::span<const int> order)
         seen[static_cast<std::size_t>(node)] = true;
     }
     return true;
+}
+
+double weightedLatency(const Eigen::MatrixXd& distance_m, std::span<const double> sigma_m2,
+                       std::span<const int> order)
+{
+    double sum = 0;
+    follow(distance_m, Route::Open, order, [&](int node, double flown_m) {
+        sum += sigma_m2[static_cast<std::size_t>(node)] * flown_m;
+    });
+    return sum;
 }
 
 double flownDistance(const TvpProblem& problem, std::span<const int> order)
@@ -54,7 +49,7 @@ double objective(const TvpProblem& problem, std::span<const int> order)
 {
     require(isVisitOrder(problem, order), "objective: not a visiting order of this problem");
     if (problem.criterion == Criterion::Latency)
-        return problem.mu * weightedLatency(problem, order);
+        return problem.mu * weightedLatency(problem.distance_m, problem.sigma_m2, order);
     return problem.mu * flownDistance(problem, order) - uncertaintyReward(problem, order);
 }
 

@@ -67,6 +67,11 @@ double follow(const Eigen::MatrixXd& distance_m, Route route, std::span<const in
     return flown_m;
 }
 
+/** sum of sigma_i times the distance flown until iceberg i, m^3: a leg costs its length times the
+ * sigma still unvisited. */
+[[nodiscard]] double weightedLatency(const Eigen::MatrixXd& distance_m,
+                                     std::span<const double> sigma_m2, std::span<const int> order);
+
 /** D of Eq. (2) in metres, the way back included on a closed route. */
 [[nodiscard]] double flownDistance(const TvpProblem& problem, std::span<const int> order);
 

@@ -57,7 +57,7 @@ void TestTrueMotion::holdsWhatIsFlown()
                 break;
             const double since_s = mission.simulation().time_s() - motion.edge_s(edge);
             for (int i = 0; i < 3; ++i) {
-                const Enclosure e = motion.enclosure(i, edge, edge + 100, velocity_mps);
+                const Circle e = motion.enclosure(i, edge, edge + 100, velocity_mps);
                 const Point inFrame_m = mission.simulation().truth_m(i) - velocity_mps * since_s;
                 QVERIFY((inFrame_m - e.centre_m).norm() <= e.radius_m + 1e-6);
             }
@@ -69,7 +69,7 @@ void TestTrueMotion::standingIsAPoint()
     Scenario s = test::emptySea();
     test::addIceberg(s, 100, 200);
     s.current_mps = {1, 2};
-    const Enclosure e = TrueMotion(s, {}).enclosure(0, 0, 2000, s.current_mps);
+    const Circle e = TrueMotion(s, {}).enclosure(0, 0, 2000, s.current_mps);
     QVERIFY(e.radius_m < 1e-9);
     QVERIFY((e.centre_m - Point(100, 200)).norm() < 1e-9);
 }

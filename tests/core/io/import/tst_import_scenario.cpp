@@ -1,4 +1,4 @@
-#include "core/io/import/import_report.h"
+#include "core/io/import/import_scenario.h"
 #include "core/io/import/import_scenario.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission.h"

@@ -118,9 +118,9 @@ QString faultOfBound(const TvpProblem& problem, const VisitOrder& start, test::N
 QString faultOfArcs(const TvpProblem& problem, const VisitOrder& best, const VisitOrder& given,
                     std::int64_t workLimit)
 {
-    const std::vector<PositionArc> arcs =
+    const std::vector<MilpArc> arcs =
         survivingArcs(VisitCosts(problem), given, {.workLimit = workLimit});
-    PositionArc arc;
+    MilpArc arc;
     for (const int to : best) {
         arc = {.from = arc.to, .to = to, .position = arc.position + 1};
         if (std::find(arcs.begin(), arcs.end(), arc) == arcs.end())

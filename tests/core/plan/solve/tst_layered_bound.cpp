@@ -56,15 +56,15 @@ QString faultOfProof(const TvpProblem& problem, double optimum, int number)
 }
 
 /** All arcs that the order runs on. */
-bool runsOn(const std::vector<PositionArc>& arcs, const VisitOrder& order)
+bool runsOn(const std::vector<MilpArc>& arcs, const VisitOrder& order)
 {
-    const auto less = [](const PositionArc& a, const PositionArc& b) {
+    const auto less = [](const MilpArc& a, const MilpArc& b) {
         return std::tie(a.position, a.from, a.to) < std::tie(b.position, b.from, b.to);
     };
     int from = 0;
     int position = 0;
     for (const int to : order) {
-        if (!std::binary_search(arcs.begin(), arcs.end(), PositionArc{from, to, ++position}, less))
+        if (!std::binary_search(arcs.begin(), arcs.end(), MilpArc{from, to, ++position}, less))
             return false;
         from = to;
     }
@@ -179,8 +179,7 @@ private slots:
         const VisitOrder optimal = test::bruteForce(problem).order;
         for (const VisitOrder& given : {optimal, shuffled(6, 1), ascending(6)})
             for (const std::int64_t limit : {std::int64_t{0}, std::int64_t{20'000}, kPlenty}) {
-                const std::vector<PositionArc> arcs =
-                    survivingArcs(costs, given, {.workLimit = limit});
+                const std::vector<MilpArc> arcs = survivingArcs(costs, given, {.workLimit = limit});
                 VisitOrder order = ascending(6);
                 do
                     QVERIFY(costs.total(order) > costs.total(given) || runsOn(arcs, order));
@@ -194,10 +193,10 @@ private slots:
         const TvpProblem problem = test::randomProblem(8, 15, 1, Route::Open);
         const VisitCosts costs(problem);
         const VisitOrder best = SubsetSolver().solve(problem, {}).order();
-        const std::vector<PositionArc> arcs = survivingArcs(costs, best, {.workLimit = kPlenty});
+        const std::vector<MilpArc> arcs = survivingArcs(costs, best, {.workLimit = kPlenty});
         QVERIFY(runsOn(arcs, best));
         QVERIFY(arcs.size() <= 100); // of 2955
-        const std::vector<PositionArc> cut =
+        const std::vector<MilpArc> cut =
             survivingArcs(costs, best, {.workLimit = kPlenty, .cut = [] { return true; }});
         QVERIFY(runsOn(cut, best));
     }
