@@ -534,6 +534,10 @@
         <source>--first-seed is for --random N; scenarios hold their own seeds</source>
         <translation>--first-seed gælder --random N; scenarier har egne frø</translation>
     </message>
+    <message>
+        <source>--%1 is not used: nothing in the file depends on it</source>
+        <translation>--%1 bruges ikke: intet i filen afhænger af det</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -1323,6 +1327,14 @@
     <message>
         <source>To print and take along: map, order with coordinates, legs and times, wind, warnings; with an operation volume, a second page about it.</source>
         <translation>Til at udskrive og tage med: kort, rækkefølge med koordinater, etaper og tider, vind, advarsler; med et operationsvolumen en side mere om det.</translation>
+    </message>
+    <message>
+        <source>Nothing in the file depends on: %1.</source>
+        <translation>Intet i filen afhænger af: %1.</translation>
+    </message>
+    <message>
+        <source>Return home</source>
+        <translation>Flyv hjem</translation>
     </message>
 </context>
 <context>
@@ -5168,6 +5180,14 @@ Tilstødende område %4</translation>
     <message>
         <source>members that this version does not know are kept, but not used: &quot;%1&quot;</source>
         <translation>felter, som denne version ikke kender, bevares, men bruges ikke: »%1«</translation>
+    </message>
+    <message>
+        <source>The airspace &quot;%3&quot; ends before it begins.</source>
+        <translation>Luftrummet »%3« slutter, før det begynder.</translation>
+    </message>
+    <message>
+        <source>must not be earlier than %1</source>
+        <translation>må ikke være tidligere end %1</translation>
     </message>
 </context>
 <context>

@@ -534,6 +534,10 @@
         <source>--first-seed is for --random N; scenarios hold their own seeds</source>
         <translation>--first-seed va avec --random N ; les scénarios ont leurs propres graines</translation>
     </message>
+    <message>
+        <source>--%1 is not used: nothing in the file depends on it</source>
+        <translation>--%1 ne sert pas : rien dans le fichier n&apos;en dépend</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -1323,6 +1327,14 @@
     <message>
         <source>To print and take along: map, order with coordinates, legs and times, wind, warnings; with an operation volume, a second page about it.</source>
         <translation>À imprimer et à emporter : carte, ordre avec coordonnées, segments et heures, vent, avertissements ; avec un volume d&apos;exploitation, une seconde page à son sujet.</translation>
+    </message>
+    <message>
+        <source>Nothing in the file depends on: %1.</source>
+        <translation>Rien dans le fichier ne dépend de : %1.</translation>
+    </message>
+    <message>
+        <source>Return home</source>
+        <translation>Retour à la base</translation>
     </message>
 </context>
 <context>
@@ -5168,6 +5180,14 @@ Zone adjacente %4</translation>
     <message>
         <source>members that this version does not know are kept, but not used: &quot;%1&quot;</source>
         <translation>les membres que cette version ne connaît pas sont conservés, mais pas utilisés : « %1 »</translation>
+    </message>
+    <message>
+        <source>The airspace &quot;%3&quot; ends before it begins.</source>
+        <translation>L&apos;espace aérien « %3 » finit avant de commencer.</translation>
+    </message>
+    <message>
+        <source>must not be earlier than %1</source>
+        <translation>ne doit pas être antérieur à %1</translation>
     </message>
 </context>
 <context>

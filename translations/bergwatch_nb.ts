@@ -534,6 +534,10 @@
         <source>--first-seed is for --random N; scenarios hold their own seeds</source>
         <translation>--first-seed gjelder --random N; scenarioer har egne frø</translation>
     </message>
+    <message>
+        <source>--%1 is not used: nothing in the file depends on it</source>
+        <translation>--%1 brukes ikke: ingenting i filen avhenger av det</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -1323,6 +1327,14 @@
     <message>
         <source>To print and take along: map, order with coordinates, legs and times, wind, warnings; with an operation volume, a second page about it.</source>
         <translation>Til å skrive ut og ta med: kart, rekkefølge med koordinater, etapper og tider, vind, advarsler; med et operasjonsvolum en side til om det.</translation>
+    </message>
+    <message>
+        <source>Nothing in the file depends on: %1.</source>
+        <translation>Ingenting i filen avhenger av: %1.</translation>
+    </message>
+    <message>
+        <source>Return home</source>
+        <translation>Fly hjem</translation>
     </message>
 </context>
 <context>
@@ -5168,6 +5180,14 @@ Tilstøtende område %4</translation>
     <message>
         <source>members that this version does not know are kept, but not used: &quot;%1&quot;</source>
         <translation>felt som denne versjonen ikke kjenner, beholdes, men brukes ikke: «%1»</translation>
+    </message>
+    <message>
+        <source>The airspace &quot;%3&quot; ends before it begins.</source>
+        <translation>Luftrommet «%3» slutter før det begynner.</translation>
+    </message>
+    <message>
+        <source>must not be earlier than %1</source>
+        <translation>må ikke være tidligere enn %1</translation>
     </message>
 </context>
 <context>

@@ -45,7 +45,8 @@ void printNotes(const ExportFormat& format, const ExportContent& content)
 void addExported(FileSet& set, const ExportSource& source, const ExportArguments& arguments,
                  const ExportFormat& format)
 try {
-    const ExportContent content = reading([&] { return exportContent(source, arguments.options); });
+    const ExportContent content =
+        reading([&] { return format.content(source, arguments.options); });
     const bool isAdded = format.table != nullptr && source.mission != nullptr; // `rowsInto`
     if (format.holds.fleet && !format.holds.painted && !isAdded) { // as long as it may be
         StagedFile& file = set.add(arguments.outputFile);
@@ -112,8 +113,9 @@ void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat
               const std::stop_token& stop)
 {
     const std::string text = reading([&] { return readFile(arguments.file); });
-    const auto planned = [&stop](const Scenario& scenario) {
-        PlanAnswer plan = planFromStart(scenario, {.stop = stop});
+    const auto planned = [&](const Scenario& scenario) {
+        PlanAnswer plan =
+            naming(arguments.file, [&] { return planFromStart(scenario, {.stop = stop}); });
         if (stop.stop_requested())
             throw Interrupted{};
         return plan;

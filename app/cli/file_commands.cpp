@@ -20,16 +20,14 @@ std::vector<Issue> findings(const std::string& file)
     try {
         const std::string text = readFile(file);
         const std::string format = formatOf(text, file);
-        if (format == "bergwatch-problem") {
-            const ProblemFile problem = problemFromJson(text, file);
-            return {};
-        }
+        if (format == "bergwatch-problem")
+            return problemFromJson(text, file).hints;
         if (format == "bergwatch-study") {
             const Study study = studyFromJson(text, file);
             return {};
         }
         if (format == "bergwatch-run")
-            return validate(runFromJson(text, file).scenario);
+            return validate(runFromJson(text, file));
         return validate(scenarioFromJson(text, file));
     } catch (const Error& error) {
         return error.issues();

@@ -5,7 +5,7 @@
 #include "core/io/files/scenario_json.h"
 #include "core/io/import/import_airspace.h"
 #include "core/io/import/import_formats.h"
-#include "core/io/import/import_report.h"
+#include "core/io/import/import_scenario.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/json_writer.h"
 #include "core/scenario/validate.h"

@@ -279,7 +279,9 @@ int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
     if (arguments.tau && arguments.mu)
         throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 excludes %2"), {"--tau", "--mu"});
     checkSolveFiles(arguments);
-    TvpProblem problem = reading([&] { return loadProblem(arguments.file).problem; });
+    const ProblemFile file = reading([&] { return loadProblem(arguments.file); });
+    printWarnings(arguments.file, file.hints);
+    TvpProblem problem = file.problem;
     problem.route = arguments.route.value_or(problem.route);
     if (arguments.tau)
         problem.mu = tuningWeight(problem, *arguments.tau).mu;
@@ -295,6 +297,17 @@ int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
     return conclude(report, arguments, options);
 }
 
+/** What is wrong by the file alone is a fault of the file. */
+void checkChoices(const SolveArguments& arguments, const PlannerSettings& planner)
+{
+    const IssueReason reason{IssueId::CbcLatency};
+    const std::string options = "--policy, --backend: ";
+    if ((arguments.policy || arguments.backend) && planner.policy == PolicyKind::Latency &&
+        planner.backend == Backend::Cbc)
+        throw UsageError(
+            Sentence{.english = options + englishText(reason), .said = options + said(reason)});
+}
+
 int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
 {
     checkSolveFiles(arguments);
@@ -305,10 +318,12 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
     planner.policy = arguments.policy.value_or(planner.policy);
     planner.backend = arguments.backend.value_or(planner.backend);
     planner.formulation = arguments.formulation.value_or(planner.formulation);
+    checkChoices(arguments, planner);
     printWarnings(arguments.file, validate(scenario));
 
     const SolveOptions options = optionsOf(arguments, stop);
-    const PlanAnswer answer = planFromStart(scenario, options);
+    const PlanAnswer answer =
+        naming(arguments.file, [&] { return planFromStart(scenario, options); });
     checkOutcome(answer.outcome, arguments.file);
     PlanReport report = planReport(scenario, answer);
     return conclude(report, arguments, options);

@@ -176,7 +176,8 @@ void readDashFromStandardInput(CLI::App& app)
 {
     for (CLI::App* command : app.get_subcommands({}))
         for (CLI::Option* option : command->get_options())
-            if (option->get_positional())
+            if ((option->get_positional() && option->get_name() != "SHELL") ||
+                option->check_lname("into"))
                 option->transform(CLI::Validator(
                     [](std::string& file) {
                         if (file == "-")
@@ -277,8 +278,10 @@ void addExamples(CLI::App& app)
         {"import", "import sightings.csv --output field.berg --map id=name"},
         {"completion", "completion bash > bergwatch-cli.bash"}};
     app.footer(
-        "Environment:\n  " + std::string(kReadLimitsVariable) + "=N" +
-        std::string(kHelpColumn - 25, ' ') +
+        "Files:\n  -" + std::string(kHelpColumn - 3, ' ') +
+        "In place of a file: standard input or output. Not of --study, nor of a folder\n\n"
+        "Environment:\n  " +
+        std::string(kReadLimitsVariable) + "=N" + std::string(kHelpColumn - 25, ' ') +
         "Every limit of reading (64 MiB, ten times a file and 50 MB of memory, ten million "
         "values, a million rows) times N, from 1 to 1000. Fixed are what a scenario or problem "
         "may hold, and the million missions of a study");

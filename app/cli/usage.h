@@ -27,7 +27,7 @@ namespace berg::cli {
 [[nodiscard]] std::optional<Sentence> unknownCommand(const CLI::App& app,
                                                      const std::vector<std::string>& words);
 
-/** A file to read that is `-` becomes /dev/stdin. */
+/** A file to read, an argument or that of --into, that is `-` becomes /dev/stdin. */
 void readDashFromStandardInput(CLI::App& app);
 
 /** The first option or argument of the command that was given as an empty text; none: "". */

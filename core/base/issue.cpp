@@ -91,6 +91,7 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
      QT_TRANSLATE_NOOP("IssueText", "must not be shorter than the time step dt_s")},
     {IssueId::CeilingTooLow,
      QT_TRANSLATE_NOOP("IssueText", "must be above the floor of %1 m, not %2 m")},
+    {IssueId::AirspaceTimes, QT_TRANSLATE_NOOP("IssueText", "must not be earlier than %1")},
     {IssueId::NothingToFly,
      QT_TRANSLATE_NOOP("IssueText",
                        "must be longer than reserve, climb and landing: %1 s, not above %2 s")},

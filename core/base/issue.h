@@ -54,6 +54,7 @@ enum class IssueId
     DriftTooFast,
     SensorIntervalTooShort,
     CeilingTooLow, ///< floor, ceiling
+    AirspaceTimes, ///< the field that it is before, kind and name of the airspace
     NothingToFly,  ///< endurance, what of it is not for flying at altitude
 
     // Advice.

@@ -1,6 +1,11 @@
 #pragma once
 
+#include "core/base/issue.h"
 #include "core/scenario/scenario.h"
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace berg {
 
@@ -13,6 +18,11 @@ namespace berg {
  * used. Called by `validate`.
  */
 [[nodiscard]] std::vector<Issue> advice(const Scenario& scenario);
+
+/** A hint about the members that are not known of an object of a file, by the name of the first;
+ * none when all are. */
+[[nodiscard]] std::optional<Issue> unknownMembers(const std::string& field,
+                                                  const std::string& extraJson);
 
 /** UAVs whose altitudes differ by less are in one layer, where they have to be kept apart. */
 inline constexpr double kLayerHeight_m = 30;

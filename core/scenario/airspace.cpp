@@ -45,6 +45,12 @@ bool isActive(const AirspaceArea& area, const Scenario& scenario)
            (!isUtcTime(area.untilUtc) || seconds(area.untilUtc) >= start_s);
 }
 
+bool endsTooEarly(const AirspaceArea& area)
+{
+    return isUtcTime(area.fromUtc) && isUtcTime(area.untilUtc) &&
+           seconds(area.untilUtc) < seconds(area.fromUtc);
+}
+
 std::vector<Issue> airspaceIssues(const Scenario& scenario)
 {
     std::vector<Issue> issues;

@@ -11,6 +11,9 @@ namespace berg {
 /** Whether the area has its rule within the run; true where either of the times is not known. */
 [[nodiscard]] bool isActive(const AirspaceArea& area, const Scenario& scenario);
 
+/** Whether both times are known, and it ends before it begins. */
+[[nodiscard]] bool endsTooEarly(const AirspaceArea& area);
+
 /** Warnings for airspace that the operation enters (`operationVolume`: contingency volume, from the
  * sea to its height), of a scenario that has no errors. */
 [[nodiscard]] std::vector<Issue> airspaceIssues(const Scenario& scenario);

@@ -2,6 +2,7 @@
 
 #include "core/plan/solve/names.h"
 #include "core/scenario/advice.h"
+#include "core/scenario/airspace.h"
 #include "core/scenario/checks.h"
 #include "core/scenario/fence.h"
 #include "core/scenario/findings.h"
@@ -106,6 +107,10 @@ void checkAirspace(const std::vector<AirspaceArea>& airspace, Findings& findings
             findings.error(path + ".from_utc", IssueId::NotUtcTime);
         if (!area.untilUtc.empty() && !isUtcTime(area.untilUtc))
             findings.error(path + ".until_utc", IssueId::NotUtcTime);
+        if (endsTooEarly(area))
+            findings.conflict(
+                path + ".until_utc", IssueId::AirspaceTimes,
+                {path + ".from_utc", titleOf(area).empty() ? path : printable(titleOf(area))});
     }
 }
 

@@ -35,6 +35,7 @@ struct Intervention
     std::optional<std::string> removed; ///< id of one that is none, or is not to be watched
     std::optional<Assignment> assigned;
     std::optional<UavCommand> commanded;
+    std::string extraJson = {}; ///< members of its object in the file that are not known
     bool operator==(const Intervention&) const = default;
 };
 

@@ -222,7 +222,7 @@ check "no noise" exits 0 "$cli" simulate "$default" --no-noise --dt 0.05 --durat
 check "latency flies" exits 0 "$cli" simulate "$default" --policy latency --json
 check "latency is planned" exits 0 "$cli" plan "$default" --policy latency
 check "latency is planned: proven" grep -q "proven optimal" stdout.txt
-check "latency with a back end that cannot" exits 3 "$cli" plan "$default" --policy latency --backend cbc
+check "latency with a back end that cannot" exits 2 "$cli" plan "$default" --policy latency --backend cbc
 check "latency is swept" exits 0 "$cli" sweep "$default" --tau 1 --policies visitation,latency
 check "coverage" exits 0 "$cli" simulate "$default" --policy coverage --duration 300 --output aimed
 check "coverage: replay" exits 0 "$cli" simulate aimed/run.bergrun

@@ -10,6 +10,7 @@ check "-q: nothing on stderr" test ! -s stderr.txt
 echo '{"format": "bergwatch-scenario", "version": 1,' >broken.berg
 printf 'id,latitude,longitude\na,-62.4S,54W\nb,91,54W\n' >sightings.csv
 printf 'id,y,x\na,62.4S,54W\n' >columns.csv
+echo '{"format": "bergwatch-problem", "version": 1, "sigma": [0, 1], "position_m": [[0, 0], [1, 0]], "toa": 2}' >unknown.json
 printf 'id,latitude,longitude,length\na,62S,54W,"1,200"\n' >lengths.csv
 sed 's/"sigma0_m2": [0-9.]*/"sigma0_m2": -1/' four.berg >negative.berg
 
@@ -24,6 +25,26 @@ grep '^\$ ' "$golden" | while IFS= read -r line; do
 done >mistakes.txt
 check "mistakes: what is said" diff "$golden" mistakes.txt
 check "mistakes: twenty at least" test "$(grep -c '^\[[1-9]' mistakes.txt)" -ge 20
+
+# --- interventions of a run ------------------------------------------------------------------
+python3 - <<'PY'
+import json
+run = json.load(open("run/run.bergrun"))
+for name, later in (("gone", {"seen": "berg-1"}), ("assigned", {"assigned": {"iceberg": "berg-1", "uav": "uav-1"}}), ("hint", {"taux": 2})):
+    run["interventions"] = [{"time_s": 10, "removed": "berg-1"}, {"time_s": 20, **later}]
+    json.dump(run, open(name + ".bergrun", "w"))
+PY
+check "validate: seen after it was removed" exits 3 "$cli" validate gone.bergrun
+check "validate: names run and intervention" grep -q '^gone.bergrun: interventions\[1\].seen: no iceberg "berg-1"' stderr.txt
+check "validate: assigned after it was removed" exits 3 "$cli" validate assigned.bergrun
+check "validate: unknown member of an intervention" exits 0 "$cli" validate hint.bergrun
+check "validate: hint names it" grep -q 'hint: interventions\[1\]: .*"taux"' stderr.txt
+
+# --- standard input --------------------------------------------------------------------------
+printf 'id,latitude,longitude\na,69.1N,52W\n' >one.csv
+check "import: --into - is standard input" exits 0 "$cli" import one.csv --into - --output into.berg <four.berg
+check "import: added to it" grep -q '"berg-1"' into.berg
+check "help: tells of -" grep -q 'standard input or output' <("$cli" --help)
 
 # --- numbers ---------------------------------------------------------------------------------
 # Every option that takes one, in every command, refuses what is none.

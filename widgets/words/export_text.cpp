@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/error_text.h"
+#include "widgets/words/field_names.h"
 #include "widgets/words/issue_text.h"
 
 #include <QCoreApplication>
@@ -188,6 +189,7 @@ ExportEffect effectOf(ExportNoteKind kind)
     case ExportNoteKind::ChoiceNotUsed:
     case ExportNoteKind::NothingToFly:
     case ExportNoteKind::LegsCross:
+    case ExportNoteKind::OptionNotUsed:
         return ExportEffect::Told;
     case ExportNoteKind::FenceAcross180:
     case ExportNoteKind::NoHeights:
@@ -259,6 +261,9 @@ QString exportNoteText(const ExportNote& note, const QLocale& locale)
         return ExportText::tr("This sortie alone is written. Icebergs of the order left for later "
                               "ones: %1.")
             .arg(count);
+    case ExportNoteKind::OptionNotUsed:
+        return ExportText::tr("Nothing in the file depends on: %1.")
+            .arg(fieldName("export." + std::string(note.tool)));
     }
     throw std::logic_error("exportNoteText: unknown kind");
 }

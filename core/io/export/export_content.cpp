@@ -32,24 +32,6 @@ void checkRange(const std::string& option, const std::optional<double>& value, c
             refuse(option, *fault);
 }
 
-void checkOptions(const ExportSource& source, const ExportOptions& options)
-{
-    checkRange("altitude", options.altitude_m, limits::kExtent_m);
-    checkRange("speed", options.airspeed_mps, limits::kAirspeed_mps);
-    checkRange("acceptance", options.acceptance_m, limits::kExtent_m);
-    if (options.loiterTurns < 0 || options.loiterTurns > kMostLoiterTurns)
-        refuse("loiter", {IssueId::OutOfRange, {0, kMostLoiterTurns, options.loiterTurns}});
-    if (options.what == ExportWhat::Track && source.mission == nullptr)
-        refuse("what", {IssueId::NothingFlown});
-    const Point wind_mps =
-        source.mission ? source.mission->simulation().motion(0).wind_mps : source.scenario.wind_mps;
-    if (options.airspeed_mps && *options.airspeed_mps <= wind_mps.norm())
-        refuse("speed", {IssueId::SlowerThanWind});
-    const auto& uavs = source.scenario.uavs;
-    if (!options.uav.empty() && std::ranges::find(uavs, options.uav, &Uav::id) == uavs.end())
-        refuse("uav", {IssueId::NoSuchUav, {options.uav}});
-}
-
 IcebergState stateOf(const Simulation& simulation, int index)
 {
     const Track& track = simulation.track(index);
@@ -284,9 +266,27 @@ std::optional<double> chanceToFind(const std::vector<PlannedSearch>& searches, i
 
 } // namespace
 
+void checkExportOptions(const ExportSource& source, const ExportOptions& options)
+{
+    checkRange("altitude", options.altitude_m, limits::kExtent_m);
+    checkRange("speed", options.airspeed_mps, limits::kAirspeed_mps);
+    checkRange("acceptance", options.acceptance_m, limits::kExtent_m);
+    if (options.loiterTurns < 0 || options.loiterTurns > kMostLoiterTurns)
+        refuse("loiter", {IssueId::OutOfRange, {0, kMostLoiterTurns, options.loiterTurns}});
+    if (options.what == ExportWhat::Track && source.mission == nullptr)
+        refuse("what", {IssueId::NothingFlown});
+    const Point wind_mps =
+        source.mission ? source.mission->simulation().motion(0).wind_mps : source.scenario.wind_mps;
+    if (options.airspeed_mps && *options.airspeed_mps <= wind_mps.norm())
+        refuse("speed", {IssueId::SlowerThanWind});
+    const auto& uavs = source.scenario.uavs;
+    if (!options.uav.empty() && std::ranges::find(uavs, options.uav, &Uav::id) == uavs.end())
+        refuse("uav", {IssueId::NoSuchUav, {options.uav}});
+}
+
 ExportContent exportContent(const ExportSource& source, const ExportOptions& options)
 {
-    checkOptions(source, options);
+    checkExportOptions(source, options);
     const Scenario& scenario = source.scenario;
     ExportContent content{
         .what = options.what.value_or(source.mission ? ExportWhat::Track : ExportWhat::Order),
@@ -334,6 +334,11 @@ std::vector<NoFlyArea> closedAreas(const ExportContent& content)
     if (content.standoff)
         areas.push_back(*content.standoff);
     return areas;
+}
+
+bool hasHeights(const NoFlyArea& area)
+{
+    return area.floor_m > 0 || area.ceiling_m;
 }
 
 std::optional<double> chanceInView(const ExportContent& content, const ExportUav& uav,

@@ -164,8 +164,14 @@ struct ExportContent
 inline constexpr const char* kVolumeTitle =
     "Operation volume: proposal, to be checked with your authority";
 
+/** Refuses options that cannot be met, as `exportContent` does. */
+void checkExportOptions(const ExportSource& source, const ExportOptions& options);
+
 /** No-fly areas and the stand-off ring, `closedAreas` of the content. */
 [[nodiscard]] std::vector<NoFlyArea> closedAreas(const ExportContent& content);
+
+/** Whether it is open below or above some altitude. */
+[[nodiscard]] bool hasHeights(const NoFlyArea& area);
 
 /**
  * Chance that an iceberg of a planned visit is in view when the UAV is over its estimate

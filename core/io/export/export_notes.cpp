@@ -19,7 +19,7 @@ constexpr std::string_view kArduPlane = "ArduPlane";
 constexpr std::string_view kMissionPlanner = "Mission Planner";
 constexpr std::string_view kGroundStations = "QGroundControl, Mission Planner";
 
-constexpr std::array<Named<ExportNoteKind>, 15> kNoteIds{{
+constexpr std::array<Named<ExportNoteKind>, 16> kNoteIds{{
     {ExportNoteKind::OneFileEach, "one-file-each"},
     {ExportNoteKind::NoTimes, "no-times"},
     {ExportNoteKind::NoFence, "no-fence"},
@@ -35,6 +35,7 @@ constexpr std::array<Named<ExportNoteKind>, 15> kNoteIds{{
     {ExportNoteKind::NothingToFly, "nothing-to-fly"},
     {ExportNoteKind::LegsCross, "legs-cross"},
     {ExportNoteKind::LaterSorties, "later-sorties"},
+    {ExportNoteKind::OptionNotUsed, "option-not-used"},
 }};
 
 std::string_view idOf(ExportNoteKind kind)
@@ -106,6 +107,29 @@ void addMissionNotes(NoteList& notes, const ExportContent& content)
     addAutopilotNotes(notes, content);
 }
 
+void addOptionNotes(NoteList& notes, const ExportHolds& holds, const ExportContent& content)
+{
+    struct Option
+    {
+        ExportOption option;
+        std::string_view name; ///< on the command line
+        bool isGiven;
+    };
+    const ExportOptions& options = content.options;
+    const Option all[] = {
+        {ExportOption::Uav, "uav", !options.uav.empty()},
+        {ExportOption::Altitude, "altitude", options.altitude_m.has_value()},
+        {ExportOption::Airspeed, "speed", options.airspeed_mps.has_value()},
+        {ExportOption::Acceptance, "acceptance", options.acceptance_m.has_value()},
+        {ExportOption::Loiter, "loiter", options.loiterTurns > 0},
+        {ExportOption::ReturnHome,
+         options.returnHome.value_or(true) ? "return-home" : "no-return-home",
+         options.returnHome.has_value()}};
+    for (const Option& one : all)
+        if (one.isGiven && !holds.dependsOn(one.option, content))
+            notes.add(ExportNoteKind::OptionNotUsed, one.name);
+}
+
 } // namespace
 
 std::size_t legsThatCross(const ExportContent& content)
@@ -134,6 +158,7 @@ std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportCont
     const ExportHolds& holds = format.holds;
     if (const std::size_t files = fileCount(format, content); files > 1)
         notes.add(ExportNoteKind::OneFileEach, {}, static_cast<double>(files));
+    addOptionNotes(notes, holds, content);
     if (holds.flownOnly) {
         if (content.options.what)
             notes.add(ExportNoteKind::ChoiceNotUsed);
@@ -157,9 +182,7 @@ std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportCont
     const std::vector<NoFlyArea> closed = closedAreas(content);
     if (!closed.empty() && !holds.fence)
         notes.add(ExportNoteKind::NoNoFly);
-    else if (holds.mission && std::ranges::any_of(closed, [](const NoFlyArea& area) {
-                 return area.floor_m > 0 || area.ceiling_m;
-             }))
+    else if (holds.mission && std::ranges::any_of(closed, hasHeights))
         notes.add(ExportNoteKind::NoHeights);
     if (holds.mission && holds.fence && fenceCrosses180(content))
         notes.add(ExportNoteKind::FenceAcross180, kGroundStations);
@@ -219,6 +242,9 @@ std::string_view notePattern(ExportNoteKind kind)
         return QT_TRANSLATE_NOOP(
             "CommandLine",
             "this sortie alone is written: icebergs of the order left for later ones: %1");
+    case ExportNoteKind::OptionNotUsed:
+        return QT_TRANSLATE_NOOP("CommandLine",
+                                 "--%1 is not used: nothing in the file depends on it");
     }
     throw std::logic_error("notePattern: unknown kind");
 }
@@ -235,6 +261,7 @@ std::vector<IssueArgument> noteArguments(const ExportNote& note)
     case ExportNoteKind::LaterSorties:
         return {value};
     case ExportNoteKind::FenceAcross180:
+    case ExportNoteKind::OptionNotUsed:
         return {tool};
     case ExportNoteKind::PathAsWaypoints:
         return {value, fixedText(kPathTolerance_m, 0)};

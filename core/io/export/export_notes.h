@@ -26,7 +26,8 @@ enum class ExportNoteKind
     ChoiceNotUsed,   ///< what is to be exported does not matter: it is the whole flight
     NothingToFly,    ///< value: UAVs without anything to visit
     LegsCross,       ///< value: straight legs that the fence or a no-fly area is in the way of
-    LaterSorties     ///< value: icebergs of the orders that the endurance leaves for them
+    LaterSorties,    ///< value: icebergs of the orders that the endurance leaves for them
+    OptionNotUsed    ///< tool: the option that was given, on which nothing in the file depends
 };
 
 struct ExportNote
@@ -39,8 +40,8 @@ struct ExportNote
     bool operator==(const ExportNote&) const = default;
 };
 
-/** What the user should know before writing this; each kind at most once, the worst case of the
- * UAVs. */
+/** What the user should know before writing this; each kind at most once (but one for each
+ * option), the worst case of the UAVs. */
 [[nodiscard]] std::vector<ExportNote> exportNotes(const ExportFormat& format,
                                                   const ExportContent& content);
 

@@ -12,7 +12,9 @@
 #include "core/io/export/plan_wpl.h"
 #include "core/io/results/result_csv.h"
 
+#include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace berg {
 
@@ -51,12 +53,26 @@ constexpr SampleTable kZetaTable{
     [](const SampleTables& tables, std::string& text, const Sample& sample,
        std::span<const IcebergSample> /*icebergs*/) { tables.addZeta(text, sample); }};
 
-constexpr ExportHolds kMissionHolds{.order = true, .mission = true, .radii = true};
-constexpr ExportHolds kMapHolds{
-    .order = true, .path = true, .fleet = true, .times = true, .icebergs = true, .fence = true};
+constexpr ExportHolds kMissionHolds{
+    .order = true, .mission = true, .radii = true, .altitude = true, .airspeed = true};
+constexpr ExportHolds kMapHolds{.order = true,
+                                .path = true,
+                                .fleet = true,
+                                .times = true,
+                                .icebergs = true,
+                                .fence = true,
+                                .altitude = true,
+                                .airspeed = true,
+                                .wayHome = true};
 constexpr ExportHolds kFlightTableHolds{.fleet = true, .flownOnly = true};
-constexpr ExportHolds kPictureHolds{
-    .order = true, .path = true, .fleet = true, .icebergs = true, .fence = true, .painted = true};
+constexpr ExportHolds kPictureHolds{.order = true,
+                                    .path = true,
+                                    .fleet = true,
+                                    .icebergs = true,
+                                    .fence = true,
+                                    .airspeed = true, // the dial of the wind ends there
+                                    .wayHome = true,
+                                    .painted = true};
 constexpr ExportHolds kBriefHolds{.order = true,
                                   .path = true,
                                   .fleet = true,
@@ -64,6 +80,9 @@ constexpr ExportHolds kBriefHolds{.order = true,
                                   .icebergs = true,
                                   .fence = true,
                                   .radii = true,
+                                  .altitude = true,
+                                  .airspeed = true,
+                                  .wayHome = true,
                                   .painted = true};
 constexpr ExportHolds kChartsHold{.fleet = true, .flownOnly = true, .painted = true};
 
@@ -71,7 +90,12 @@ constexpr std::array kFormats{
     ExportFormat{"plan",
                  "plan",
                  "QGroundControl, Mission Planner, MAVSDK",
-                 {.order = true, .fence = true, .mission = true, .radii = true},
+                 {.order = true,
+                  .fence = true,
+                  .mission = true,
+                  .radii = true,
+                  .altitude = true,
+                  .airspeed = true},
                  putText<qgcPlan>},
     ExportFormat{"wpl", "waypoints", "ArduPilot: Mission Planner, MAVProxy (home row)",
                  kMissionHolds, putText<wplText>},
@@ -90,7 +114,14 @@ constexpr std::array kFormats{
     ExportFormat{"gpx",
                  "gpx",
                  "chart plotters, Garmin devices, GPSBabel",
-                 {.order = true, .path = true, .fleet = true, .times = true, .icebergs = true},
+                 {.order = true,
+                  .path = true,
+                  .fleet = true,
+                  .times = true,
+                  .icebergs = true,
+                  .altitude = true,
+                  .airspeed = true,
+                  .wayHome = true},
                  writeGpx},
     ExportFormat{"kml", "kml", "Google Earth and other globes", kMapHolds, writeKml},
     ExportFormat{"kmz", "kmz", "Google Earth, packed", kMapHolds, writeKmz},
@@ -109,6 +140,31 @@ constexpr std::array kFormats{
 
 } // namespace
 
+bool ExportHolds::dependsOn(ExportOption option, const ExportContent& content) const
+{
+    const bool isPath = content.what == ExportWhat::Path;
+    const bool isTrack = content.what == ExportWhat::Track;
+    const bool drawsVolume = content.operation && fence && !mission;
+    if (flownOnly)
+        return false;
+    switch (option) {
+    case ExportOption::Uav:
+        return true;
+    case ExportOption::Altitude: // a path leads round what is closed there
+        return altitude || drawsVolume ||
+               (isPath && std::ranges::any_of(closedAreas(content), hasHeights));
+    case ExportOption::Airspeed:
+        return airspeed || drawsVolume || !isTrack;
+    case ExportOption::Acceptance:
+        return radii && (!mission || isPath || content.options.loiterTurns == 0);
+    case ExportOption::Loiter:
+        return radii && (!mission || !isPath);
+    case ExportOption::ReturnHome:
+        return mission || (!isTrack && (isPath || wayHome));
+    }
+    throw std::logic_error("dependsOn: unknown option");
+}
+
 std::string ExportFormat::text(const ExportContent& content) const
 {
     std::string text;
@@ -116,12 +172,22 @@ std::string ExportFormat::text(const ExportContent& content) const
     return text;
 }
 
+ExportContent ExportFormat::content(const ExportSource& source, const ExportOptions& options) const
+{
+    if (!holds.flownOnly)
+        return exportContent(source, options);
+    checkExportOptions(source, options);
+    ExportContent whole = exportContent(source);
+    whole.options = options; // what is told of them
+    return whole;
+}
+
 std::string ExportFormat::write(const ExportSource& source, const ExportOptions& options) const
 {
-    const ExportContent content = exportContent(source, options);
-    if (fileCount(*this, content) > 1)
+    const ExportContent written = content(source, options);
+    if (fileCount(*this, written) > 1)
         throw Error(ErrorCode::InvalidInput, "uav", {IssueId::OneUavOnly, {std::string(id)}});
-    return exportFiles(*this, content, "").front().content;
+    return exportFiles(*this, written, "").front().content;
 }
 
 std::span<const ExportFormat> exportFormats()

@@ -9,6 +9,17 @@
 
 namespace berg {
 
+/** What a user may choose about an export, besides its `ExportWhat`. */
+enum class ExportOption
+{
+    Uav,
+    Altitude,
+    Airspeed,
+    Acceptance,
+    Loiter,
+    ReturnHome
+};
+
 /** What a file of a format can hold. */
 struct ExportHolds
 {
@@ -21,7 +32,13 @@ struct ExportHolds
     bool flownOnly = false; ///< it is about a flight, whatever `ExportOptions::what` says
     bool mission = false;   ///< items for an autopilot
     bool radii = false;     ///< acceptance radius and turns over each iceberg
+    bool altitude = false;  ///< of the UAVs
+    bool airspeed = false;  ///< of the UAVs, besides the times it leads to
+    bool wayHome = false;   ///< at the end of an order; of a path it is part of the line
     bool painted = false;   ///< a picture or a page: an `ExportPainter` makes it
+
+    /** Whether a file of this content depends on the option. */
+    [[nodiscard]] bool dependsOn(ExportOption option, const ExportContent& content) const;
 };
 
 /** One row of the table that the command line, the file dialog and the tests share. */
@@ -38,6 +55,10 @@ struct ExportFormat
 
     /** All that is put. */
     [[nodiscard]] std::string text(const ExportContent& content) const;
+
+    /** `exportContent` of what a file of it is about: a whole flight is as the scenario says. */
+    [[nodiscard]] ExportContent content(const ExportSource& source,
+                                        const ExportOptions& options = {}) const;
 
     /**
      * One file of it. Throws as `exportContent`, and `Error{InvalidInput}` when there are more UAVs

@@ -3,6 +3,7 @@
 #include "core/io/files/scenario_parts.h"
 #include "core/io/text/atomic_file.h"
 #include "core/plan/solve/tuning.h"
+#include "core/scenario/advice.h"
 
 namespace berg {
 
@@ -17,9 +18,7 @@ constexpr Limits kProblemNumber{.low = 0, .high = kLargestProblemNumber};
 std::vector<double> readSigmas(ObjectReader& object)
 {
     std::vector<double> sigma_m2;
-    if (object.need("sigma") == nullptr)
-        return sigma_m2;
-    const Json* list = object.array("sigma");
+    const Json* list = object.neededArray("sigma");
     if (list == nullptr)
         return sigma_m2;
     const std::string path = object.path("sigma");
@@ -111,6 +110,8 @@ ProblemFile problemFromJson(std::string_view text, const std::string& subject,
     ParsedJson parsed = parseJson(text, budget);
     requireFormat(parsed, kFormat, subject);
     ObjectReader object(parsed.root, "", parsed.faults);
+    for (const char* checked : {"format", "version"})
+        (void)object.find(checked);
 
     ProblemFile file;
     file.problem.sigma_m2 = readSigmas(object);
@@ -121,6 +122,8 @@ ProblemFile problemFromJson(std::string_view text, const std::string& subject,
     if (tau && mu)
         parsed.faults.add("tau", {IssueId::NotBeside, {"mu"}});
     parsed.faults.throwIfAny(subject);
+    if (std::optional<Issue> hint = unknownMembers({}, object.unknown()))
+        file.hints.push_back(std::move(*hint));
 
     if (mu) {
         file.problem.mu = *mu;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "core/base/issue.h"
 #include "core/plan/solve/tvp.h"
 
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace berg {
 
@@ -17,6 +19,7 @@ struct ProblemFile
 {
     TvpProblem problem;        ///< `mu` is set: from the file, or from `tau` by the tuning rule
     std::optional<double> tau; ///< as in the file; none when it gives `mu`
+    std::vector<Issue> hints;  ///< about members that are not known
 };
 
 /** Errors as for `scenarioFromJson`. Without `tau` and `mu`, tau is 1. */

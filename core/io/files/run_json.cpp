@@ -4,11 +4,13 @@
 #include "core/io/files/scenario_parts.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/file_set.h"
+#include "core/scenario/advice.h"
 #include "core/scenario/checks.h"
 #include "core/scenario/validate.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace berg {
 
@@ -43,9 +45,9 @@ std::string interventionText(const Intervention& intervention)
     if (intervention.wind_mps)
         object.add("wind_mps", *intervention.wind_mps);
     if (intervention.asset)
-        object.addText("asset", assetText(*intervention.asset));
+        object.addText("asset", objectText(*intervention.asset));
     if (intervention.appears)
-        object.addText("appears", icebergText(*intervention.appears));
+        object.addText("appears", objectText(*intervention.appears));
     if (intervention.seen)
         object.add("seen", *intervention.seen);
     if (intervention.removed)
@@ -62,6 +64,7 @@ std::string interventionText(const Intervention& intervention)
         commanded.add("order", nameOf(kFlightOrderNames, intervention.commanded->order));
         object.addText("commanded", commanded.inLine());
     }
+    object.addExtra(intervention.extraJson);
     return object.inLine();
 }
 
@@ -150,9 +153,10 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
         if (object.find("wind_mps") != nullptr)
             intervention.wind_mps = object.point("wind_mps", Point::Zero());
         if (const Json* asset = object.find("asset"))
-            intervention.asset = readAsset(*asset, object.path("asset"), run.faults());
+            intervention.asset = readObject<Asset>(*asset, object.path("asset"), run.faults());
         if (const Json* appears = object.find("appears"))
-            intervention.appears = readIceberg(*appears, object.path("appears"), run.faults());
+            intervention.appears =
+                readObject<Iceberg>(*appears, object.path("appears"), run.faults());
         if (object.find("seen") != nullptr)
             intervention.seen = object.text("seen");
         if (object.find("removed") != nullptr)
@@ -163,6 +167,7 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
         if (const Json* commanded = object.find("commanded"))
             intervention.commanded =
                 readCommand(*commanded, object.path("commanded"), run.faults());
+        intervention.extraJson = object.unknown();
         return intervention;
     });
 }
@@ -182,8 +187,11 @@ void checkNamed(const RunFile& file, Faults& faults)
     if (icebergCount(file) > kMostIcebergs)
         return; // `checkAppearing` says so
     std::vector<Iceberg> there = file.scenario.icebergs;
+    std::set<std::string> removed;
     for (std::size_t i = 0; i < file.interventions.size(); ++i) {
         const Intervention& change = file.interventions[i];
+        if (i > 0 && file.interventions[i - 1].removed)
+            removed.insert(*file.interventions[i - 1].removed);
         if (change.appears)
             there.push_back(*change.appears);
         const auto isThere = [&](const std::string& id) {
@@ -192,7 +200,7 @@ void checkNamed(const RunFile& file, Faults& faults)
             });
         };
         const std::string path = entryPath("interventions", i);
-        if (change.seen && !isThere(*change.seen))
+        if (change.seen && (!isThere(*change.seen) || removed.contains(*change.seen)))
             faults.add(path + ".seen", {IssueId::NoSuchIceberg, {printable(*change.seen)}});
         if (change.removed && !isThere(*change.removed))
             faults.add(path + ".removed", {IssueId::NoSuchIceberg, {printable(*change.removed)}});
@@ -204,7 +212,7 @@ void checkNamed(const RunFile& file, Faults& faults)
                        {IssueId::UnknownUav, {printable(change.commanded->uav)}});
         if (!change.assigned)
             continue;
-        if (!isThere(change.assigned->iceberg))
+        if (!isThere(change.assigned->iceberg) || removed.contains(change.assigned->iceberg))
             faults.add(path + ".assigned.iceberg",
                        {IssueId::NoSuchIceberg, {printable(change.assigned->iceberg)}});
         const std::string& uav = change.assigned->uav;
@@ -416,6 +424,16 @@ RunFile runFromJson(std::string_view text, const std::string& subject, const std
     RunFile file = readRun(object);
     parsed.faults.throwIfAny(subject);
     return file;
+}
+
+std::vector<Issue> validate(const RunFile& run)
+{
+    std::vector<Issue> issues = validate(run.scenario);
+    for (std::size_t i = 0; i < run.interventions.size(); ++i)
+        if (std::optional<Issue> hint =
+                unknownMembers(entryPath("interventions", i), run.interventions[i].extraJson))
+            issues.push_back(std::move(*hint));
+    return issues;
 }
 
 RunFile loadRun(const std::string& path, const std::stop_token& stop)

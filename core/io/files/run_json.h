@@ -46,6 +46,8 @@ void writeRun(const RunFile& run, const TextSink& put);
 /** Errors as for `scenarioFromJson`. */
 [[nodiscard]] RunFile runFromJson(std::string_view text, const std::string& subject,
                                   const std::stop_token& stop = {});
+/** Findings about its scenario, and hints about members of interventions that are not known. */
+[[nodiscard]] std::vector<Issue> validate(const RunFile& run);
 [[nodiscard]] RunFile loadRun(const std::string& path, const std::stop_token& stop = {});
 void saveRun(const RunFile& run, const std::string& path);
 

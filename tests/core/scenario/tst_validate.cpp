@@ -397,6 +397,27 @@ private slots:
         QCOMPARE(unreadable(scenario).size(), 1U);
     }
 
+    void airspaceEndsAfterItBegins()
+    {
+        Scenario scenario = defaultScenario();
+        scenario.airspace = {{.name = "West",
+                              .kind = "TRA",
+                              .corners_m = {{0, 0}, {500, 0}, {500, 500}},
+                              .floor_m = 9000,
+                              .fromUtc = "2026-05-01T06:00:30Z",
+                              .untilUtc = "2026-05-01T06:00Z"}};
+        const std::vector<Issue> issues = validate(scenario);
+        QCOMPARE(issues.size(), std::size_t{1});
+        QCOMPARE(issues[0].field, std::string("airspace[0].until_utc"));
+        QCOMPARE(issues[0].message(), std::string("must not be earlier than airspace[0].from_utc"));
+        QVERIFY(issues[0].severity == Severity::Error);
+        QVERIFY(unreadable(scenario).empty());
+        for (const char* until : {"2026-05-01T06:00:30Z", ""}) {
+            scenario.airspace[0].untilUtc = until;
+            QVERIFY(validate(scenario).empty());
+        }
+    }
+
     void hugeListsAreCountedNotChecked()
     {
         Scenario s = defaultScenario();

@@ -214,6 +214,18 @@ private slots:
         QVERIFY(std::abs(limited.ceiling_m.value_or(0) - 1981.2) < 1e-9);
     }
 
+    /** A scenario refuses them, and which of the two is wrong nobody knows. */
+    void timesTheWrongWayRoundAreLeftOut()
+    {
+        const AirspaceResult result = read(R"({"type": "Feature", "properties": {"name": "Late",
+            "from_utc": "2026-05-02T00:00Z", "until_utc": "2026-05-01T00:00Z"},
+            "geometry": {"type": "Polygon",
+            "coordinates": [[[-48, 47], [-47.9, 47], [-47.9, 47.1], [-48, 47.1], [-48, 47]]]}})");
+        QCOMPARE(result.added, std::size_t{1});
+        const AirspaceArea& late = named(result.scenario, "Late");
+        QVERIFY(late.fromUtc.empty() && late.untilUtc.empty());
+    }
+
     /** 500 may be feet or metres. */
     void heightsWithoutUnitAreRejected()
     {

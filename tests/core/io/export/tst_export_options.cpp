@@ -1,0 +1,134 @@
+// Options that a user gives: what does not change a file is told, and nothing else.
+
+#include "core/io/export/export_notes.h"
+#include "tests/support/export_fixtures.h"
+
+#include <QTest>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+QStringList notUsed(const ExportFormat& row, const ExportContent& content)
+{
+    QStringList options;
+    for (const ExportNote& note : exportNotes(row, content))
+        if (note.kind == ExportNoteKind::OptionNotUsed)
+            options << QString::fromLatin1(note.tool.data(), qsizetype(note.tool.size()));
+    return options;
+}
+
+/** Each alone, and all of them other than what `fourIcebergs` has. */
+std::vector<ExportOptions> eachOption()
+{
+    return {{.altitude_m = 333},
+            {.airspeed_mps = 31},
+            {.acceptance_m = 77},
+            {.loiterTurns = 3},
+            {.returnHome = true}};
+}
+
+} // namespace
+
+class TestExportOptions : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** The note comes if and only if the file is the same without the option. */
+    void notesAreTrue_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<int>("what");
+        for (const ExportFormat& row : exportFormats())
+            for (const auto& [what, name] : kExportWhatNames)
+                if (!row.holds.painted)
+                    QTest::addRow("%s, %s", row.id.data(), name.data())
+                        << QString::fromLatin1(row.id.data(), qsizetype(row.id.size()))
+                        << static_cast<int>(what);
+    }
+
+    void notesAreTrue()
+    {
+        QFETCH(QString, id);
+        QFETCH(int, what);
+        const ExportFormat& row = *findExportFormat(id.toStdString());
+        const Mission mission = flown(fourIcebergs(), 1500);
+        QVERIFY(mission.visits(0) > 0); // else there is nothing to circle over
+        const PlanAnswer plan;
+        const auto contentOf = [&](ExportOptions options) {
+            options.what = static_cast<ExportWhat>(what);
+            return row.content({.scenario = mission.scenario(), .plan = plan, .mission = &mission},
+                               options);
+        };
+        const std::string plain = row.text(contentOf({}));
+        QVERIFY(notUsed(row, contentOf({})).isEmpty());
+        for (const ExportOptions& options : eachOption()) {
+            const ExportContent content = contentOf(options);
+            const QStringList told = notUsed(row, content);
+            QCOMPARE(told.size(), row.text(content) == plain ? 1 : 0);
+        }
+    }
+
+    /** A path leads round what is closed at its altitude, and volumes have heights. */
+    void altitudeMatters()
+    {
+        const ExportOptions options{.what = ExportWhat::Path, .altitude_m = 333};
+        const ExportFormat& csv = *findExportFormat("csv");
+        const ExportFormat& map = *findExportFormat("map-svg");
+        const auto told = [&](const ExportFormat& row, const Scenario& scenario) {
+            return notUsed(row, planContent(scenario, fourIcebergPlan(), options)).join(u' ');
+        };
+        const QString altitude = QStringLiteral("altitude");
+        QCOMPARE(told(csv, fourIcebergs()), altitude);
+        QCOMPARE(told(map, fourIcebergs()), altitude);
+        const Scenario low = changed([](Scenario& s) {
+            s.noFly = {{.corners_m = {{9000, 0}, {9500, 0}, {9500, 500}}, .ceiling_m = 200}};
+        });
+        QCOMPARE(told(csv, low), QString());
+        QCOMPARE(told(map, low), QString());
+        const Scenario volume = changed([](Scenario& s) { s.operation = Operation{}; });
+        QCOMPARE(told(csv, volume), altitude);
+        QCOMPARE(told(map, volume), QString());
+    }
+
+    /** Turns over icebergs have no acceptance radius; a file about the flight holds none of it. */
+    void severalAreTold()
+    {
+        const ExportOptions options{
+            .altitude_m = 333, .acceptance_m = 77, .loiterTurns = 3, .returnHome = false};
+        const ExportContent content = planContent(fourIcebergs(), fourIcebergPlan(), options);
+        const auto told = [&](const char* id) {
+            return notUsed(*findExportFormat(id), content).join(u' ');
+        };
+        QCOMPARE(told("plan"), QStringLiteral("acceptance"));
+        QCOMPARE(told("brief"), QString());
+        QCOMPARE(told("gpx"), QStringLiteral("acceptance loiter"));
+        QCOMPARE(told("csv"), QStringLiteral("altitude acceptance loiter no-return-home"));
+        QCOMPARE(told("log"), QStringLiteral("altitude acceptance loiter no-return-home"));
+        const ExportContent one =
+            planContent(fourIcebergs(), fourIcebergPlan(), {.uav = fourIcebergs().uavs[0].id});
+        QCOMPARE(notUsed(*findExportFormat("zeta-csv"), one).join(u' '), QStringLiteral("uav"));
+        QVERIFY(notUsed(*findExportFormat("csv"), one).isEmpty());
+    }
+
+    /** The log of a flight is about the flight: its map has what was flown in any case. */
+    void aWholeFlightIsAsTheScenarioSays()
+    {
+        const Mission mission = flown(fourIcebergs(), 60);
+        const PlanAnswer plan;
+        const ExportSource source{
+            .scenario = mission.scenario(), .plan = plan, .mission = &mission};
+        const ExportContent content =
+            findExportFormat("log")->content(source, {.what = ExportWhat::Path, .altitude_m = 333});
+        QVERIFY(content.what == ExportWhat::Track);
+        QVERIFY(content.uavs[0].uav.spec.altitude_m != 333);
+        QVERIFY_EXCEPTION_THROWN((void)findExportFormat("log")->content(source, {.uav = "nobody"}),
+                                 Error);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestExportOptions)
+
+#include "tst_export_options.moc"
