@@ -8,6 +8,7 @@
 #include "widgets/charts/mission_charts.h"
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/map/picture/mission_picture.h"
+#include "widgets/model/run_list.h"
 
 #include <QBuffer>
 #include <QDir>
@@ -66,29 +67,13 @@ QString pictureName(const QString& what, const QString& ending)
     return what + ending + u".png"_s;
 }
 
-/** Flies the run again with a record to draw from, and checks that it comes out as it did. */
-Mission replayedRun(const RunFile& run, const std::string& path)
-{
-    RunFile recorded = run;
-    recorded.options.record = true;
-    Mission mission = replay(recorded, {}, {});
-    RunFile flown = runOf(mission);
-    if (!run.options.record) {
-        flown.options.record = false;
-        flown.keyframes.clear();
-    }
-    if (const std::vector<Issue> differences = compareRun(run, flown); !differences.empty())
-        throw Error(ErrorCode::ReplayMismatch, path, differences);
-    return mission;
-}
-
 } // namespace
 
 Mission flownMission(const std::string& path)
 {
     const std::string text = readFile(path);
     if (formatOf(text, path) == "bergwatch-run")
-        return replayedRun(runFromJson(text, path), path);
+        return flownAgain(runFromJson(text, path), path);
     const Scenario scenario = scenarioFromJson(text, path);
     Mission mission(scenario);
     mission.advance(scenario.duration_s);

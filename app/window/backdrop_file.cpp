@@ -22,7 +22,7 @@ constexpr const char* kFileKey = "view/backdrop";
 void readBackdrop(const QString& path, const std::stop_token& stop, const auto& tell)
 {
     const std::string name = QFile::encodeName(path).toStdString();
-    tell(std::make_shared<const Backdrop>(readMapShapes(readFile(name, stop), name, stop)));
+    tell(std::make_shared<const BackdropShapes>(readMapShapes(readFile(name, stop), name, stop)));
 }
 
 } // namespace

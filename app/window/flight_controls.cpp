@@ -51,25 +51,15 @@ void FlightControls::togglePlay()
         workspace().pause();
         return;
     }
-    if (workspace().lookedAt_s()) {
-        workspace().fly(panels().playback->rate());
-        return;
-    }
-    switch (workspace().record().now.phase) {
-    case RunPhase::Planning:
+    const RunPhase phase = workspace().record().now.phase;
+    const bool looksBack = workspace().lookedAt_s().has_value();
+    if (!looksBack && phase == RunPhase::Planning) {
         showMessage(tr("The plan is still being made."), kMessage_ms);
         return;
-    case RunPhase::Finished:
-        workspace().reset();
-        workspace().fly(panels().playback->rate());
-        return;
-    case RunPhase::Ready:
-    case RunPhase::Flying:
-    case RunPhase::Paused:
-    case RunPhase::Failed:
-        workspace().fly(panels().playback->rate());
-        return;
     }
+    if (!looksBack && phase == RunPhase::Finished)
+        workspace().reset();
+    workspace().fly(panels().playback->rate());
 }
 
 /** A flight that was given up can be had again; the strip says so for a while. */

@@ -2,17 +2,19 @@
 
 #include "app/window/docks.h"
 #include "app/window/panels.h"
-#include "app/window/plan_fault.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/event_panel.h"
 #include "widgets/panels/flight/playback_bar.h"
+#include "widgets/panels/flight/run_time_line.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/inspector/check_panel.h"
 #include "widgets/panels/plan/plan_panel.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
 #include "widgets/theme/announcer.h"
+#include "widgets/words/error_text.h"
 #include "widgets/words/event_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <algorithm>
 
@@ -26,6 +28,18 @@ constexpr int kChartInterval_ms = 40;
 constexpr int kTableInterval_ms = 100;
 
 } // namespace
+
+QString planFault(Workspace& workspace)
+{
+    const MissionSnapshot& now = workspace.record().now;
+    if (now.phase != RunPhase::Failed)
+        return {};
+    const ScenarioDocument& document = workspace.document();
+    for (const Issue& issue : document.issues())
+        if (issue.severity == Severity::Error)
+            return issueLine(issue, document.scenario());
+    return now.error ? errorReport(*now.error).section(u'\n', 0, 0) : QString();
+}
 
 FlightPanels::FlightPanels(WindowContext& context, const Docks& docks) : WindowPart(context)
 {
@@ -91,7 +105,7 @@ void FlightPanels::showSorties(std::vector<std::optional<PlannedSortie>> sorties
     }
     if (noReturn_s)
         *noReturn_s += workspace().record().shown().time_s;
-    panels().playback->setNoReturn(noReturn_s);
+    panels().playback->timeLine().setNoReturn(noReturn_s);
     if (workspace().record().shown().time_s == 0) // in flight they would change all the time
         panels().checks->setPlanIssues(std::move(issues));
     panels().plan->showSorties(std::move(sorties));
@@ -150,7 +164,7 @@ void FlightPanels::showEvents()
         m_markRewrites = record.history.rewrites;
         m_markedEvents = 0;
         m_marks.clear();
-        panels().playback->setMarks({});
+        panels().playback->timeLine().setMarks({});
     }
     if (events.size() > m_markedEvents) {
         const bool isNews = workspace().inFlight() && !workspace().lookedAt_s() && !isNew;
@@ -163,7 +177,7 @@ void FlightPanels::showEvents()
             if (isNews)
                 panels().announcer->say(m_marks.back().text);
         }
-        panels().playback->setMarks(m_marks);
+        panels().playback->timeLine().setMarks(m_marks);
     }
     panels().events->showRecord(record);
 }

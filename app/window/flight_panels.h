@@ -13,6 +13,9 @@ namespace berg {
 class ChartPanel;
 class Docks;
 
+/** Why nothing can be planned, in one sentence; empty: nothing stands in the way. */
+[[nodiscard]] QString planFault(Workspace& workspace);
+
 /** Charts, events and tables of the flight, none more often than the eye can follow. */
 class FlightPanels : public WindowPart
 {

@@ -2,9 +2,7 @@
 
 #include "app/window/flight_panels.h"
 #include "app/window/panels.h"
-#include "app/window/plan_fault.h"
 #include "app/window/status_line.h"
-#include "widgets/map/picture/comparison_track.h"
 #include "widgets/map/picture/mission_picture.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"

@@ -1,31 +1,7 @@
 #include "app/window/main_window.h"
 
-#include "app/window/appearance_choice.h"
-#include "app/window/backdrop_file.h"
-#include "app/window/checks_view.h"
-#include "app/window/comparison_view.h"
-#include "app/window/context_menus.h"
-#include "app/window/docks.h"
-#include "app/window/flight_controls.h"
-#include "app/window/flight_panels.h"
-#include "app/window/flight_view.h"
-#include "app/window/manual_help.h"
-#include "app/window/map_links.h"
-#include "app/window/menus.h"
-#include "app/window/planner_view.h"
-#include "app/window/preference_menus.h"
-#include "app/window/result_files.h"
-#include "app/window/run_end.h"
-#include "app/window/scenario_dialogs.h"
-#include "app/window/scenario_files.h"
-#include "app/window/sightings_import.h"
-#include "app/window/solve_time_desk.h"
-#include "app/window/start_guide.h"
-#include "app/window/status_line.h"
-#include "app/window/study_desk.h"
-#include "app/window/study_flights.h"
 #include "app/window/tab_order.h"
-#include "app/window/work_safety.h"
+#include "app/window/window_parts.h"
 #include "widgets/map/paint/overview_inset.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
@@ -83,39 +59,7 @@ bool goesToWindow(const QKeyEvent& key, QObject& watched)
 
 } // namespace
 
-/** In the order of what they use. */
-struct MainWindow::Parts
-{
-    explicit Parts(WindowContext& context);
-
-    StatusLine status;
-    Docks docks;
-    ScenarioFiles files;
-    ResultFiles results;
-    StartGuide start;
-    SightingsImport sightings;
-    ScenarioDialogs dialogs;
-    StudyDesk study;
-    SolveTimeDesk solveTimes;
-    StudyFlights studyFlights;
-    WorkSafety safety;
-    ChecksView checks;
-    ComparisonView comparison;
-    PlannerView planner;
-    FlightPanels flightPanels;
-    FlightView flightView;
-    FlightControls flight;
-    RunEnd runEnd;
-    MapLinks mapLinks;
-    BackdropFile backdrop;
-    AppearanceChoice appearance;
-    PreferenceMenus preferences;
-    ManualHelp manual;
-    Menus menus;
-    ContextMenus contextMenus;
-};
-
-MainWindow::Parts::Parts(WindowContext& context)
+WindowParts::WindowParts(WindowContext& context)
     : status(context)
     , docks(context)
     , files(context)
@@ -140,22 +84,7 @@ MainWindow::Parts::Parts(WindowContext& context)
     , appearance(context)
     , preferences(context, appearance)
     , manual(context)
-    , menus(context, {.files = files,
-                      .results = results,
-                      .sightings = sightings,
-                      .safety = safety,
-                      .start = start,
-                      .dialogs = dialogs,
-                      .docks = docks,
-                      .mapLinks = mapLinks,
-                      .backdrop = backdrop,
-                      .checks = checks,
-                      .study = study,
-                      .solveTimes = solveTimes,
-                      .flightView = flightView,
-                      .flight = flight,
-                      .preferences = preferences,
-                      .manual = manual})
+    , menus(context, *this)
     , contextMenus(context, docks, menus.shared())
 {
 }
@@ -173,7 +102,7 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     setAttribute(Qt::WA_DeleteOnClose, false);
     setCentralWidget(m_panels.makeCentre());
     m_panels.map->setFocus(); // else the window gives it to an alarm, which takes the space key
-    m_parts = std::make_unique<Parts>(m_context);
+    m_parts = std::make_unique<WindowParts>(m_context);
     connect(&m_parts->appearance, &AppearanceChoice::themeChanged, this, &MainWindow::showTheme);
     connect(&m_parts->preferences, &PreferenceMenus::languageChosen, this,
             &MainWindow::languageChosen);

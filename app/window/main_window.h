@@ -9,6 +9,8 @@
 
 namespace berg {
 
+struct WindowParts;
+
 /**
  * The window: menus, tool bar, map in the middle, panels round it. Composition only: each part owns
  * its state; what is shown is in the workspace, which outlives the window.
@@ -56,14 +58,12 @@ protected:
     bool focusNextPrevChild(bool next) override;
 
 private:
-    struct Parts;
-
     void showTheme(const Theme& theme);
     void showTitle();
 
     Panels m_panels;
     WindowContext m_context;
-    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<WindowParts> m_parts;
 };
 
 } // namespace berg

@@ -1,23 +1,8 @@
 #include "app/window/menus.h"
 
 #include "app/dialogs/interaction.h"
-#include "app/window/backdrop_file.h"
-#include "app/window/checks_view.h"
-#include "app/window/docks.h"
-#include "app/window/flight_controls.h"
-#include "app/window/flight_view.h"
-#include "app/window/manual_help.h"
-#include "app/window/map_links.h"
 #include "app/window/panels.h"
-#include "app/window/preference_menus.h"
-#include "app/window/result_files.h"
-#include "app/window/scenario_dialogs.h"
-#include "app/window/scenario_files.h"
-#include "app/window/sightings_import.h"
-#include "app/window/solve_time_desk.h"
-#include "app/window/start_guide.h"
-#include "app/window/study_desk.h"
-#include "app/window/work_safety.h"
+#include "app/window/window_parts.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/model/workspace.h"
@@ -53,8 +38,7 @@ QAction* Menus::addSwitch(QMenu& menu, const ActionSpec& spec, bool isOn, const 
     return action;
 }
 
-Menus::Menus(WindowContext& context, const MenuTargets& targets)
-    : WindowPart(context), m_targets(targets)
+Menus::Menus(WindowContext& context, WindowParts& parts) : WindowPart(context), m_parts(parts)
 {
     buildFileMenu();
     buildEditMenu();
@@ -78,39 +62,39 @@ void Menus::buildFileMenu()
 {
     QMenu& menu = addMenu(tr("&File"));
     add(menu, {"newAction", tr("&New scenario"), QKeySequence::New, IconName::NewFile},
-        [this] { m_targets.dialogs.newScenario(); });
+        [this] { m_parts.dialogs.newScenario(); });
     add(menu, {"openAction", tr("&Open..."), QKeySequence::Open, IconName::Open},
-        [this] { m_targets.files.openScenario(); });
-    add(menu, {"startPageAction", tr("S&tart page")}, [this] { m_targets.start.showPage(); });
+        [this] { m_parts.files.openScenario(); });
+    add(menu, {"startPageAction", tr("S&tart page")}, [this] { m_parts.start.showPage(); });
     QMenu& recent = *menu.addMenu(tr("Open &recent"));
     connect(&recent, &QMenu::aboutToShow, this,
-            [this, &recent] { m_targets.files.fillRecentMenu(recent); });
+            [this, &recent] { m_parts.files.fillRecentMenu(recent); });
     add(menu, {"importAction", tr("&Import sightings..."), QKeySequence(Qt::CTRL | Qt::Key_I)},
-        [this] { m_targets.sightings.chooseSightings(); });
+        [this] { m_parts.sightings.chooseSightings(); });
     add(menu, {"airspaceAction", tr("Import airspa&ce...")},
-        [this] { m_targets.sightings.chooseAirspace(); });
+        [this] { m_parts.sightings.chooseAirspace(); });
     menu.addSeparator();
     add(menu, {"saveAction", tr("&Save"), QKeySequence::Save, IconName::Save},
-        [this] { m_targets.files.saveScenario(); });
+        [this] { m_parts.files.saveScenario(); });
     add(menu, {"saveAsAction", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
-        [this] { m_targets.files.saveScenarioAs(); });
-    addSwitch(menu, {"keepOldAction", tr("Keep a &backup copy")}, m_targets.files.keepsOld(),
-              [this](bool on) { m_targets.files.setKeepsOld(on); })
+        [this] { m_parts.files.saveScenarioAs(); });
+    addSwitch(menu, {"keepOldAction", tr("Keep a &backup copy")}, m_parts.files.keepsOld(),
+              [this](bool on) { m_parts.files.setKeepsOld(on); })
         ->setStatusTip(tr("Before a file is first overwritten, a copy is kept as NAME.berg~"));
     add(menu, {"recoverAction", tr("Reco&ver unsaved work...")}, [this] {
-        if (!m_targets.safety.offerRecoveries())
+        if (!m_parts.safety.offerRecoveries())
             showMessage(tr("No unsaved work is left to recover"), kMessage_ms);
     });
     add(menu, {"saveRunAction", tr("Save r&un..."), QKeySequence(Qt::CTRL | Qt::Key_R)},
-        [this] { m_targets.results.saveRun(); });
+        [this] { m_parts.results.saveRun(); });
     m_shared.exportPlan = add(menu,
                               {"exportAction", tr("&Export plan..."),
                                QKeySequence(Qt::CTRL | Qt::Key_E), IconName::ExportPlan},
-                              [this] { m_targets.results.exportPlan(); });
+                              [this] { m_parts.results.exportPlan(); });
     add(menu, {"briefAction", tr("Flight brie&f..."), QKeySequence::Print},
-        [this] { m_targets.results.chooseExport("brief"); });
+        [this] { m_parts.results.chooseExport("brief"); });
     m_shared.log = add(menu, {"logAction", tr("Flight &log...")},
-                       [this] { m_targets.results.chooseExport("log"); });
+                       [this] { m_parts.results.chooseExport("log"); });
     menu.addSeparator();
     add(menu, {"quitAction", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q)},
         [this] { window().close(); });
@@ -131,7 +115,7 @@ void Menus::buildEditMenu()
     add(menu,
         {"copyPictureAction", tr("Copy p&icture of the map"),
          QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)},
-        [this] { m_targets.results.copyPicture(); });
+        [this] { m_parts.results.copyPicture(); });
     m_shared.duplicate =
         add(menu, {"duplicateAction", tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D)},
             [map] { map->edits().duplicateSelected(); });
@@ -141,13 +125,13 @@ void Menus::buildEditMenu()
         add(menu, {"addUavAction", tr("Add UA&V"), QKeySequence(Qt::CTRL | Qt::Key_U)},
             [map] { map->edits().addUav(); });
     m_shared.generate = add(menu, {"generateAction", tr("&Generate icebergs...")},
-                            [this] { m_targets.dialogs.generateIcebergs(); });
+                            [this] { m_parts.dialogs.generateIcebergs(); });
     m_shared.selectAll =
         add(menu, {"selectAllAction", tr("Select &all icebergs"), QKeySequence::SelectAll},
             [map] { map->edits().selectAll(); });
     menu.addSeparator();
     QAction* move = add(menu, {"moveScenarioAction", tr("&Move the scenario…")}, [this] {
-        m_targets.dialogs.moveScenario(workspace().document().scenario().origin);
+        m_parts.dialogs.moveScenario(workspace().document().scenario().origin);
     });
     m_editActions = {m_shared.undo,   m_shared.redo, m_shared.cut,      paste, m_shared.duplicate,
                      m_shared.remove, addUav,        m_shared.generate, move};
@@ -189,24 +173,22 @@ void Menus::buildViewMenu()
 {
     QMenu& menu = addMenu(tr("&View"));
     buildMapActions(menu);
-    add(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7},
-        [this] { m_targets.checks.openChecks(); });
+    add(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7}, [this] { m_parts.checks.openChecks(); });
     add(menu, {"studyAction", tr("S&tudy of τ and policies")},
-        [this] { m_targets.study.showStudy(); });
-    add(menu, {"solveTimeAction", tr("&Solve time study")},
-        [this] { m_targets.solveTimes.show(); });
+        [this] { m_parts.study.showStudy(); });
+    add(menu, {"solveTimeAction", tr("&Solve time study")}, [this] { m_parts.solveTimes.show(); });
     menu.addSeparator();
     addLayouts(*menu.addMenu(tr("La&youts")));
     QMenu& docks = *menu.addMenu(tr("&Panels"));
-    for (const QDockWidget* dock : m_targets.docks.all())
+    for (const QDockWidget* dock : m_parts.docks.all())
         docks.addAction(dock->toggleViewAction());
-    add(menu, {"resetLayoutAction", tr("&Reset layout")}, [this] { m_targets.docks.reset(); });
+    add(menu, {"resetLayoutAction", tr("&Reset layout")}, [this] { m_parts.docks.reset(); });
     m_shared.fullScreen =
         addSwitch(menu, {"fullScreenAction", tr("F&ull screen"), Qt::Key_F11}, false, [this] {
             window().setWindowState(window().windowState() ^ Qt::WindowFullScreen);
         });
     menu.addSeparator();
-    m_targets.preferences.build(menu);
+    m_parts.preferences.build(menu);
 }
 
 void Menus::buildMapActions(QMenu& menu)
@@ -223,15 +205,15 @@ void Menus::buildMapActions(QMenu& menu)
     add(menu, {"zoomOutAction", tr("Zoom &out"), QKeySequence::ZoomOut},
         [map] { map->zoomBy(0.8, QRectF(map->rect()).center()); });
     add(menu, {"findAction", tr("Find or &go to…"), QKeySequence::Find}, [this] {
-        m_targets.dialogs.openFind();
+        m_parts.dialogs.openFind();
     })->setShortcuts({QKeySequence::Find, QKeySequence(Qt::CTRL | Qt::Key_G)});
     addSwitch(menu, {"overviewAction", tr("O&verview"), Qt::Key_O},
-              m_targets.mapLinks.overviewIsShown(),
-              [this](bool on) { m_targets.mapLinks.setOverviewShown(on); });
+              m_parts.mapLinks.overviewIsShown(),
+              [this](bool on) { m_parts.mapLinks.setOverviewShown(on); });
     addPanelMenu(*menu.addMenu(tr("Panels on the map")));
-    add(menu, {"backdropAction", tr("&Background map…")}, [this] { m_targets.backdrop.choose(); });
-    FlightView& flight = m_targets.flightView;
-    MapLinks& links = m_targets.mapLinks;
+    add(menu, {"backdropAction", tr("&Background map…")}, [this] { m_parts.backdrop.choose(); });
+    FlightView& flight = m_parts.flightView;
+    MapLinks& links = m_parts.mapLinks;
     const QAction* swept = addSwitch(menu, {"sweptAction", tr("Swept ar&ea")}, links.sweptIsShown(),
                                      [&links](bool on) { links.setSweptShown(on); });
     connect(&links, &MapLinks::sweptShown, swept, &QAction::setChecked);
@@ -246,10 +228,10 @@ void Menus::addLayouts(QMenu& menu)
     auto* layouts = new QActionGroup(&menu);
     const auto addLayout = [&](const char* name, const QString& text, Qt::Key key, Layout layout) {
         QAction* action = addSwitch(menu, {name, text, QKeySequence(Qt::CTRL | key)},
-                                    m_targets.docks.layout() == layout,
-                                    [this, layout] { m_targets.docks.showLayout(layout); });
+                                    m_parts.docks.layout() == layout,
+                                    [this, layout] { m_parts.docks.showLayout(layout); });
         layouts->addAction(action);
-        connect(&m_targets.docks, &Docks::layoutChanged, action,
+        connect(&m_parts.docks, &Docks::layoutChanged, action,
                 [action, layout](Layout shown) { action->setChecked(shown == layout); });
     };
     addLayout("planLayoutAction", tr("&Plan"), Qt::Key_1, Layout::Plan);
@@ -261,8 +243,8 @@ void Menus::addPanelMenu(QMenu& menu)
 {
     const auto add = [&](const char* name, const QString& text, MapPanel panel) {
         m_shared.panels[static_cast<std::size_t>(panel)] =
-            addSwitch(menu, {name, text}, m_targets.mapLinks.panelIsShown(panel),
-                      [this, panel](bool on) { m_targets.mapLinks.setPanelShown(panel, on); });
+            addSwitch(menu, {name, text}, m_parts.mapLinks.panelIsShown(panel),
+                      [this, panel](bool on) { m_parts.mapLinks.setPanelShown(panel, on); });
     };
     add("titlePanelAction", tr("&Title and figures"), MapPanel::Title);
     add("legendPanelAction", tr("&Legend"), MapPanel::Legend);
@@ -275,7 +257,7 @@ void Menus::buildFlightMenu()
 {
     QMenu& menu = addMenu(tr("F&light"));
     QAction* play = add(menu, {"playAction", tr("Fly"), Qt::Key_Space},
-                        [this] { m_targets.flight.togglePlay(); });
+                        [this] { m_parts.flight.togglePlay(); });
     add(menu, {"stepAction", tr("&Step one second"), Qt::Key_Period},
         [this] { workspace().step(); });
     add(menu, {"resetAction", tr("Stop and &edit"), QKeySequence(Qt::CTRL | Qt::Key_Home)},
@@ -302,8 +284,8 @@ void Menus::buildFlightMenu()
     addOrder("returnAction", tr("&Return home now"), FlightOrder::ReturnNow);
     addOrder("holdAction", tr("Hold here"), FlightOrder::HoldHere);
     addOrder("resumeAction", tr("Res&ume"), FlightOrder::None);
-    m_shared.wind = add(menu, {"windAction", tr("Win&d..."), Qt::Key_W},
-                        [this] { m_targets.dialogs.askWind(); });
+    m_shared.wind =
+        add(menu, {"windAction", tr("Win&d..."), Qt::Key_W}, [this] { m_parts.dialogs.askWind(); });
     menu.addSeparator();
     buildLookBackActions(menu);
     menu.addSeparator();
@@ -346,10 +328,10 @@ void Menus::buildHelpMenu()
 {
     QMenu& menu = addMenu(tr("&Help"));
     add(menu, {"manualAction", tr("&Manual"), QKeySequence::HelpContents},
-        [this] { m_targets.manual.open(); });
+        [this] { m_parts.manual.open(); });
     add(menu, {"shortcutsAction", tr("Keyboard &shortcuts"), Qt::Key_Question},
         [this] { showShortcuts(); });
-    add(menu, {"tourAction", tr("&Tour")}, [this] { m_targets.start.startTour(); });
+    add(menu, {"tourAction", tr("&Tour")}, [this] { m_parts.start.startTour(); });
     add(menu, {"aboutAction", tr("&About Bergwatch")}, [this] { showAbout(); });
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/window/action_maker.h"
 #include "app/window/window_part.h"
+#include "core/sim/world_state.h"
 #include "widgets/map/paint/map_overlays.h"
 #include "widgets/map/view/map_tools.h"
 
@@ -13,43 +14,7 @@ class QActionGroup;
 
 namespace berg {
 
-class BackdropFile;
-class ChecksView;
-class Docks;
-class FlightControls;
-class FlightView;
-class ManualHelp;
-class MapLinks;
-class PreferenceMenus;
-class ResultFiles;
-class ScenarioDialogs;
-class ScenarioFiles;
-class WorkSafety;
-class SightingsImport;
-class SolveTimeDesk;
-class StartGuide;
-class StudyDesk;
-
-/** Parts of the window that menus act on. */
-struct MenuTargets
-{
-    ScenarioFiles& files;
-    ResultFiles& results;
-    SightingsImport& sightings;
-    WorkSafety& safety;
-    StartGuide& start;
-    ScenarioDialogs& dialogs;
-    Docks& docks;
-    MapLinks& mapLinks;
-    BackdropFile& backdrop;
-    ChecksView& checks;
-    StudyDesk& study;
-    SolveTimeDesk& solveTimes;
-    FlightView& flightView;
-    FlightControls& flight;
-    PreferenceMenus& preferences;
-    ManualHelp& manual;
-};
+struct WindowParts;
 
 /** Actions that are in a context menu or the tool bar as well. */
 struct SharedActions
@@ -79,7 +44,8 @@ class Menus : public WindowPart
     Q_OBJECT
 
 public:
-    Menus(WindowContext& context, const MenuTargets& targets);
+    /** Acts on the parts that are made before it. */
+    Menus(WindowContext& context, WindowParts& parts);
 
     [[nodiscard]] const SharedActions& shared() const { return m_shared; }
     void refreshIcons() const;
@@ -107,7 +73,7 @@ private:
     void showShortcuts();
     void showAbout();
 
-    MenuTargets m_targets;
+    WindowParts& m_parts;
     ActionMaker m_maker;
     SharedActions m_shared;
     std::vector<QAction*> m_editActions; ///< locked in flight

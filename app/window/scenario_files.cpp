@@ -73,16 +73,10 @@ bool ScenarioFiles::maySettleChanges(bool endsFlight)
     if (document.isClean())
         return true;
     const QString name = QString::fromStdString(document.scenario().name);
-    switch (interaction().askUnsaved(
-        &window(), {.name = name.isEmpty() ? tr("Untitled") : name, .endsFlight = endsFlight})) {
-    case Interaction::Unsaved::Save:
-        return saveScenario();
-    case Interaction::Unsaved::Discard:
-        return true;
-    case Interaction::Unsaved::Cancel:
-        return false;
-    }
-    return false;
+    const auto answer = interaction().askUnsaved(
+        &window(), {.name = name.isEmpty() ? tr("Untitled") : name, .endsFlight = endsFlight});
+    return answer == Interaction::Unsaved::Discard ||
+           (answer == Interaction::Unsaved::Save && saveScenario());
 }
 
 bool ScenarioFiles::mayEndFlight()

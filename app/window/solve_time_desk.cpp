@@ -43,15 +43,10 @@ bool SolveTimeDesk::maySettle()
 {
     if (!isWorthSaving(settings(), workspace().benchmark().unsaved_s()))
         return true;
-    switch (interaction().askUnsaved(windowOf(*panels().solveTime), {.name = tr("Solve time")})) {
-    case Interaction::Unsaved::Save:
-        return save();
-    case Interaction::Unsaved::Discard:
-        return true;
-    case Interaction::Unsaved::Cancel:
-        return false;
-    }
-    return false;
+    const auto answer =
+        interaction().askUnsaved(windowOf(*panels().solveTime), {.name = tr("Solve time")});
+    return answer == Interaction::Unsaved::Discard ||
+           (answer == Interaction::Unsaved::Save && save());
 }
 
 bool SolveTimeDesk::save()

@@ -153,17 +153,10 @@ Interaction::Unsaved StudyDesk::askAboutStudy()
 
 bool StudyDesk::maySettleStudy(AfterStudy then)
 {
-    switch (askAboutStudy()) {
-    case Interaction::Unsaved::Save:
-        if (saveStudy())
-            m_afterSaved = std::move(then);
-        return false;
-    case Interaction::Unsaved::Discard:
-        return true;
-    case Interaction::Unsaved::Cancel:
-        return false;
-    }
-    return false;
+    const Interaction::Unsaved answer = askAboutStudy();
+    if (answer == Interaction::Unsaved::Save && saveStudy())
+        m_afterSaved = std::move(then);
+    return answer == Interaction::Unsaved::Discard;
 }
 
 void StudyDesk::replaceStudy(const AfterStudy& replace)

@@ -1,5 +1,6 @@
 #include "app/window/window_holder.h"
 
+#include "app/dialogs/interaction.h"
 #include "widgets/theme/language.h"
 #include "widgets/theme/unit_settings.h"
 

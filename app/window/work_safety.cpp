@@ -105,15 +105,9 @@ bool WorkSafety::mayLeaveScene()
         return false;
     if (!workspace().hasUnsavedRun())
         return true;
-    switch (interaction().askUnsavedRun(&window(), workspace().isMidFlight())) {
-    case Interaction::Unsaved::Save:
-        return m_gates.results.saveRunNow();
-    case Interaction::Unsaved::Discard:
-        return true;
-    case Interaction::Unsaved::Cancel:
-        return false;
-    }
-    return false;
+    const auto answer = interaction().askUnsavedRun(&window(), workspace().isMidFlight());
+    return answer == Interaction::Unsaved::Discard ||
+           (answer == Interaction::Unsaved::Save && m_gates.results.saveRunNow());
 }
 
 bool WorkSafety::mayEndSession(bool mayAsk)

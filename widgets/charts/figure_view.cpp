@@ -22,6 +22,14 @@ constexpr double kBoxGap_px = 14; ///< between a point and its read-out
 constexpr double kBoxMargin_px = 7;
 constexpr double kLine_px = 16;
 
+QStringList linesOf(const DrawnItem& item)
+{
+    QStringList lines;
+    for (const std::string& line : item.of.readout)
+        lines << QString::fromStdString(line);
+    return lines;
+}
+
 } // namespace
 
 FigureView::FigureView(const Theme& theme, QWidget* parent)
@@ -63,10 +71,7 @@ void FigureView::refresh()
                        figureFonts(m_theme));
     m_values->setEnabled(!m_drawing.items.empty());
     const DrawnItem* read = itemOf(m_hovered ? m_hovered : m_chosen);
-    QStringList lines;
-    if (read != nullptr)
-        for (const std::string& line : read->of.readout)
-            lines << QString::fromStdString(line);
+    const QStringList lines = read != nullptr ? linesOf(*read) : QStringList();
     setAccessibleName(QString::fromStdString(shown.name));
     setAccessibleDescription(!shown.emptyText.empty() ? QString::fromStdString(shown.emptyText)
                              : lines.isEmpty()        ? QString::fromStdString(shown.description)
@@ -185,9 +190,7 @@ void FigureView::showValues()
 {
     std::vector<std::pair<QString, QString>> rows;
     for (const DrawnItem& item : m_drawing.items) {
-        QStringList lines;
-        for (const std::string& line : item.of.readout)
-            lines << QString::fromStdString(line);
+        QStringList lines = linesOf(item);
         const QString first = lines.isEmpty() ? QString() : lines.takeFirst();
         rows.emplace_back(first, lines.join(QStringLiteral(", ")));
     }

@@ -19,6 +19,22 @@ struct MissionCharts
     Q_DECLARE_TR_FUNCTIONS(MissionCharts)
 };
 
+struct ChartKindNames
+{
+    const char* inLists; ///< English
+    const char* inFiles;
+};
+
+constexpr std::array<ChartKindNames, kChartKinds.size()> kKindNames{{
+    // as `ChartKind`
+    {QT_TRANSLATE_NOOP("MissionCharts", "Zeta and sum of σ"), "zeta"},
+    {QT_TRANSLATE_NOOP("MissionCharts", "Rate of zeta"), "zeta-rate"},
+    {QT_TRANSLATE_NOOP("MissionCharts", "σ of each iceberg"), "sigma"},
+    {QT_TRANSLATE_NOOP("MissionCharts", "Distance flown"), "distance"},
+    {QT_TRANSLATE_NOOP("MissionCharts", "Turn rate"), "turn-rate"},
+    {QT_TRANSLATE_NOOP("MissionCharts", "Cross-track error"), "cross-track"},
+}};
+
 std::vector<double> visitTimes_s(const FlightRecord& record)
 {
     std::vector<double> times_s;
@@ -179,40 +195,12 @@ bool hasFlown(const FlightRecord& record)
 
 QString chartKindName(ChartKind kind)
 {
-    switch (kind) {
-    case ChartKind::Zeta:
-        return MissionCharts::tr("Zeta and sum of σ");
-    case ChartKind::MeanSigma:
-        return MissionCharts::tr("Rate of zeta");
-    case ChartKind::Sigma:
-        return MissionCharts::tr("σ of each iceberg");
-    case ChartKind::Distance:
-        return MissionCharts::tr("Distance flown");
-    case ChartKind::TurnRate:
-        return MissionCharts::tr("Turn rate");
-    case ChartKind::CrossTrack:
-        return MissionCharts::tr("Cross-track error");
-    }
-    return {};
+    return MissionCharts::tr(kKindNames[static_cast<std::size_t>(kind)].inLists);
 }
 
 QString chartFileStem(ChartKind kind)
 {
-    switch (kind) {
-    case ChartKind::Zeta:
-        return u"zeta"_s;
-    case ChartKind::MeanSigma:
-        return u"zeta-rate"_s;
-    case ChartKind::Sigma:
-        return u"sigma"_s;
-    case ChartKind::Distance:
-        return u"distance"_s;
-    case ChartKind::TurnRate:
-        return u"turn-rate"_s;
-    case ChartKind::CrossTrack:
-        return u"cross-track"_s;
-    }
-    return {};
+    return QString::fromLatin1(kKindNames[static_cast<std::size_t>(kind)].inFiles);
 }
 
 TimeChartContent emptyChart(ChartKind kind, const FlightRecord& record, const QLocale& locale)

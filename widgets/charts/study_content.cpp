@@ -63,9 +63,8 @@ QPixmap policyMark(PolicyKind policy, const Theme& theme, int size_px)
 
 ZetaContent zetaContent(const StudySummary& summary, const QLocale& locale)
 {
-    ZetaContent content{.reference = summary.reference,
-                        .cases = static_cast<int>(summary.cases.size())};
-    if (content.cases == 0)
+    ZetaContent content;
+    if (summary.cases.empty())
         return content;
     for (std::size_t s = 0; s < summary.settings.size(); ++s) {
         const SettingSummary& of = summary.settings[s];
@@ -83,7 +82,8 @@ ZetaContent zetaContent(const StudySummary& summary, const QLocale& locale)
     std::stable_sort(
         content.policies.begin(), content.policies.end(),
         [](const ZetaPoint& a, const ZetaPoint& b) { return a.zeta_m2s.mean < b.zeta_m2s.mean; });
-    if (summary.bestTau && content.cases > 1) // of one case it is the lowest point of the curve
+    if (summary.bestTau &&
+        summary.cases.size() > 1) // of one case it is the lowest point of the curve
         content.bestTau_m2s = summary.bestTau->zeta_m2s.mean;
     return content;
 }

@@ -30,11 +30,9 @@ struct ZetaContent
 {
     std::vector<ZetaPoint> curve;         ///< ascending tau
     std::vector<ZetaPoint> policies;      ///< ascending mean
-    std::size_t reference = 0;            ///< setting
     std::size_t lowest = 0;               ///< setting of the least mean
     std::optional<std::size_t> lowestTau; ///< of those with a tau
     std::optional<double> bestTau_m2s;    ///< mean with the best tau of each case, in hindsight
-    int cases = 0;                        ///< 0: nothing to show; 1: no spread
 };
 [[nodiscard]] ZetaContent zetaContent(const StudySummary& summary, const QLocale& locale);
 

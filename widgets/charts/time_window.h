@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 namespace berg {
 
 /** The stretch of time a chart shows, seconds. */
@@ -14,14 +16,27 @@ struct TimeWindow
 /** Nothing shorter can be zoomed to. */
 inline constexpr double kLeastWindow_s = 5;
 
+/** The window moved by `by_s` as far as [0, duration] lets it. */
+[[nodiscard]] inline TimeWindow shifted(const TimeWindow& window, double by_s, double duration_s)
+{
+    const double length_s = window.length_s();
+    const double from_s =
+        std::clamp(window.from_s + by_s, 0.0, std::max(0.0, duration_s - length_s));
+    return {.from_s = from_s, .to_s = from_s + length_s};
+}
+
 /**
  * The window `factor` times as long that shows `anchor_s` where it was; within [0, duration] and
  * no shorter than `kLeastWindow_s`.
  */
-[[nodiscard]] TimeWindow zoomed(const TimeWindow& window, double factor, double anchor_s,
-                                double duration_s);
-
-/** The window moved by `by_s` as far as [0, duration] lets it. */
-[[nodiscard]] TimeWindow shifted(const TimeWindow& window, double by_s, double duration_s);
+[[nodiscard]] inline TimeWindow zoomed(const TimeWindow& window, double factor, double anchor_s,
+                                       double duration_s)
+{
+    const double length_s =
+        std::min(std::max(window.length_s() * factor, kLeastWindow_s), duration_s);
+    const double part = (anchor_s - window.from_s) / window.length_s();
+    const double from_s = anchor_s - part * length_s;
+    return shifted({.from_s = from_s, .to_s = from_s + length_s}, 0, duration_s);
+}
 
 } // namespace berg

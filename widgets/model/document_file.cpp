@@ -22,12 +22,6 @@ QString canonicalPath(const QString& path)
     return QDir(QFileInfo(file.absolutePath()).canonicalFilePath()).filePath(file.fileName());
 }
 
-QByteArray hashOf(const std::string& content)
-{
-    return QCryptographicHash::hash(QByteArrayView(content.data(), std::ssize(content)),
-                                    QCryptographicHash::Sha256);
-}
-
 /** Those of programs that were killed. */
 void removeFreeLocks(const QString& folder)
 {

@@ -44,10 +44,7 @@ QString runEndedText()
 }
 
 MissionRunner::MissionRunner(QObject* parent)
-    : QObject(parent)
-    , m_worker(new MissionWorker({m_requests, m_interventions, m_snapshots, m_instantRequests,
-                                  m_instants, m_previewRequests}))
-    , m_exports(new ExportWorker)
+    : QObject(parent), m_worker(new MissionWorker(m_mail)), m_exports(new ExportWorker)
 {
     m_thread.setObjectName(u"mission"_s);
     m_worker->moveToThread(&m_thread);
@@ -148,7 +145,7 @@ void MissionRunner::begin(FlightHandover handover, std::shared_ptr<const RunFile
     m_stop.request_stop();
     m_stop = std::stop_source();
     ++m_generation;
-    (void)m_interventions.take(); // meant for the flight that ends here
+    (void)m_mail.interventions.take(); // meant for the flight that ends here
     MissionRequest request{.generation = m_generation,
                            .scenario = m_scenario,
                            .options = m_options,
@@ -156,7 +153,7 @@ void MissionRunner::begin(FlightHandover handover, std::shared_ptr<const RunFile
                            .handovers = {handover},
                            .stop = m_stop.get_token()};
     const bool mustTell =
-        m_requests.put(std::move(request), [](MissionRequest& waiting, MissionRequest next) {
+        m_mail.requests.put(std::move(request), [](MissionRequest& waiting, MissionRequest next) {
             next.handovers.insert(next.handovers.begin(), waiting.handovers.begin(),
                                   waiting.handovers.end());
             waiting = std::move(next);
@@ -189,13 +186,13 @@ void MissionRunner::flyOnFrom(double time_s)
 
 void MissionRunner::requestInstant(double time_s)
 {
-    if (m_instantRequests.put(time_s))
+    if (m_mail.instantRequests.put(time_s))
         post([](MissionWorker& worker) { worker.sendInstant(); });
 }
 
 void MissionRunner::intervene(const Intervention& intervention)
 {
-    const bool mustTell = m_interventions.put({intervention}, join);
+    const bool mustTell = m_mail.interventions.put({intervention}, join);
     if (mustTell)
         postToFlight([](MissionWorker& worker) { worker.intervene(); });
 }
@@ -225,7 +222,7 @@ void MissionRunner::requestExportPreview(const ExportRequest& request)
 {
     m_previewStop.request_stop();
     m_previewStop = std::stop_source();
-    if (m_previewRequests.put(
+    if (m_mail.previewRequests.put(
             {.request = request, .generation = m_generation, .stop = m_previewStop.get_token()}))
         post([](MissionWorker& worker) { worker.sendExportPreview(); });
 }
@@ -237,12 +234,12 @@ void MissionRunner::cancelExportPreview()
 
 std::optional<MissionSnapshot> MissionRunner::acceptSnapshot()
 {
-    return ofNow(m_snapshots.take());
+    return ofNow(m_mail.snapshots.take());
 }
 
 std::optional<MissionSnapshot> MissionRunner::acceptInstant()
 {
-    return ofNow(m_instants.take());
+    return ofNow(m_mail.instants.take());
 }
 
 std::optional<MissionSnapshot> MissionRunner::ofNow(std::optional<MissionSnapshot> snapshot) const

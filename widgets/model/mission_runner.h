@@ -31,6 +31,17 @@ struct MissionRequest
     std::stop_token stop;
 };
 
+/** What the two threads leave for each other. */
+struct MissionMail
+{
+    Mailbox<MissionRequest> requests;
+    Mailbox<std::vector<Intervention>> interventions;
+    Mailbox<MissionSnapshot> snapshots;
+    Mailbox<double> instantRequests; ///< times, s
+    Mailbox<MissionSnapshot> instants;
+    Mailbox<ExportOrder> previewRequests;
+};
+
 class MissionWorker;
 
 /** Why an export of a scenario that has been replaced meanwhile is not made. */
@@ -125,12 +136,7 @@ private:
     template <class Command>
     void postToFlight(Command command);
 
-    Mailbox<MissionSnapshot> m_snapshots;
-    Mailbox<MissionSnapshot> m_instants;
-    Mailbox<double> m_instantRequests;
-    Mailbox<ExportOrder> m_previewRequests;
-    Mailbox<MissionRequest> m_requests;
-    Mailbox<std::vector<Intervention>> m_interventions;
+    MissionMail m_mail;
     QThread m_thread;
     QThread m_exportThread;
     MissionWorker* m_worker; ///< lives on `m_thread`

@@ -47,7 +47,7 @@ void amend(MissionSnapshot& waiting, MissionSnapshot next)
 
 } // namespace
 
-MissionWorker::MissionWorker(const MissionMail& mail)
+MissionWorker::MissionWorker(MissionMail& mail)
     : m_mail(mail), m_timer(this) // moves to the thread with its parent
 {
     m_timer.setTimerType(Qt::PreciseTimer);

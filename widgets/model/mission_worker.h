@@ -10,24 +10,14 @@
 
 namespace berg {
 
-/** What the two threads leave for each other. */
-struct MissionMail
-{
-    Mailbox<MissionRequest>& requests;
-    Mailbox<std::vector<Intervention>>& interventions;
-    Mailbox<MissionSnapshot>& snapshots;
-    Mailbox<double>& instantRequests; ///< times, s
-    Mailbox<MissionSnapshot>& instants;
-    Mailbox<ExportOrder>& previewRequests;
-};
-
 /** The mission thread's side of `MissionRunner`: owns the mission, flies it in short slices. */
 class MissionWorker : public QObject
 {
     Q_OBJECT
 
 public:
-    explicit MissionWorker(const MissionMail& mail);
+    /** The mail is borrowed. */
+    explicit MissionWorker(MissionMail& mail);
 
     /** Everything is done through this: what it throws fails the mission, not the program. */
     template <class Work>
@@ -91,7 +81,7 @@ private:
     /** Of the mission there is. Throws `Error` where it has no plan. */
     [[nodiscard]] std::shared_ptr<const ExportJob> prepared(const ExportOrder& order) const;
 
-    MissionMail m_mail;
+    MissionMail& m_mail;
     MissionRequest m_request;
     std::unique_ptr<Mission> m_mission;
     Flight m_givenUp; ///< the last one; no mission: none

@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kBetweenReports_ms = 40;
 
-/** The run on file, flown again so that there is a history. Throws as `loadRun` and `replay`. */
+} // namespace
+
 Mission flownAgain(const RunFile& recorded, const std::string& path, const std::stop_token& stop,
                    const std::function<void(double)>& onProgress)
 {
@@ -31,8 +32,6 @@ Mission flownAgain(const RunFile& recorded, const std::string& path, const std::
         throw Error(ErrorCode::ReplayMismatch, path, differences);
     return mission;
 }
-
-} // namespace
 
 RunList::RunList(QObject* parent)
     : QObject(parent)

@@ -12,6 +12,14 @@ namespace berg {
 
 using RunPointer = std::shared_ptr<const ComparedRun>;
 
+/**
+ * A recorded run, flown again so that there is a history. Throws as `replay`, and `Error`
+ * ReplayMismatch when a run of a file, whose `path` is not empty, does not come out as recorded.
+ */
+[[nodiscard]] Mission flownAgain(const RunFile& recorded, const std::string& path,
+                                 const std::stop_token& stop = {},
+                                 const std::function<void(double)>& onProgress = {});
+
 /** Two comparable runs and the time both have flown. */
 struct RunComparison
 {

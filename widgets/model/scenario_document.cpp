@@ -13,15 +13,12 @@
 #include <memory>
 
 namespace berg {
-namespace {
 
 QByteArray hashOf(const std::string& content)
 {
     return QCryptographicHash::hash(QByteArrayView(content.data(), std::ssize(content)),
                                     QCryptographicHash::Sha256);
 }
-
-} // namespace
 
 /**
  * The one undo command: the scenario before and after. One of 500 icebergs takes 130 kilobytes, so

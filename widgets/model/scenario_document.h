@@ -12,6 +12,9 @@ class QUndoStack;
 
 namespace berg {
 
+/** SHA-256 of the bytes of a file. */
+[[nodiscard]] QByteArray hashOf(const std::string& content);
+
 /**
  * The scenario being edited: the only place that changes it, one undo step per gesture. Views read
  * `scenario()` after `scenarioChanged` and ask for changes with `edit`. GUI thread.
@@ -31,7 +34,7 @@ public:
 
     /** Empty: never saved. */
     [[nodiscard]] QString filePath() const { return m_filePath; }
-    /** SHA-256 of the bytes read from the file or written to it; empty: neither was done. */
+    /** Of the bytes read from the file or written to it; empty: neither was done. */
     [[nodiscard]] const QByteArray& fileHash() const { return m_fileHash; }
     [[nodiscard]] bool isClean() const;
 

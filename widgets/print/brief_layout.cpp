@@ -2,7 +2,6 @@
 
 #include "widgets/print/brief_setting.h"
 #include "widgets/print/brief_table_layout.h"
-#include "widgets/print/brief_uav_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +11,8 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr BriefType kTitle{.size_px = 20, .isBold = true};
-constexpr BriefType kHead{.size_px = 12};
-constexpr BriefType kCaption{.size_px = 10, .isMuted = true};
 constexpr BriefType kHeading{.size_px = 11, .isBold = true};
 constexpr BriefType kWords{.size_px = 10};
-constexpr BriefType kFoot{.size_px = 9, .isMuted = true};
 
 constexpr double kBlockGap_px = 10;
 constexpr double kTextGap_px = 12; // between texts of one line
@@ -80,12 +75,12 @@ private:
 
     void setHead()
     {
-        setPair(m_set.taken(linePitch_px(kTitle.size_px)), m_content.title, kTitle, u"Bergwatch"_s,
-                kCaption);
-        setPair(m_set.taken(linePitch_px(kHead.size_px)),
+        setPair(m_set.taken(linePitch_px(kBriefTitle.size_px)), m_content.title, kBriefTitle,
+                u"Bergwatch"_s, kBriefCaption);
+        setPair(m_set.taken(linePitch_px(kBriefHead.size_px)),
                 u"%1 · %2"_s.arg(FlightBrief::tr("Flight brief: %1").arg(m_content.about),
                                  m_content.origin),
-                kHead, m_content.start, {.size_px = kHead.size_px, .isBold = true});
+                kBriefHead, m_content.start, {.size_px = kBriefHead.size_px, .isBold = true});
         rule(m_set.taken(4).bottom(), true);
         m_set.taken(5);
     }
@@ -94,20 +89,20 @@ private:
     {
         rule(m_set.free.top(), false);
         m_set.taken(3);
-        m_set.free.setTop(setUavTable(m_set.layout, m_content.uavs, m_set.free));
+        m_set.setUavTable(m_content.uavs);
         if (!m_content.sorties.empty())
-            m_set.free.setTop(setUavTable(m_set.layout, m_content.sorties, m_set.free));
+            m_set.setUavTable(m_content.sorties);
         m_set.taken(6);
     }
 
     void setFoot()
     {
-        const double height_px = linePitch_px(kFoot.size_px);
+        const double height_px = linePitch_px(kBriefFoot.size_px);
         const QRectF strip(m_set.free.left(), m_set.free.bottom() - height_px, m_set.free.width(),
                            height_px);
         m_set.free.setBottom(strip.top() - 3);
         rule(m_set.free.bottom(), false);
-        setText(m_set.layout, strip, m_content.foot, kFoot);
+        setText(m_set.layout, strip, m_content.foot, kBriefFoot);
     }
 
     [[nodiscard]] QStringList warningLines(int most) const

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace berg {
 
@@ -107,16 +108,16 @@ void PageSetting::rule(bool isStrong)
 void PageSetting::setFacts(const std::vector<BriefFact>& facts, int columns)
 {
     constexpr double kGap_px = 12;
-    constexpr BriefType kCaption{.size_px = 10, .isMuted = true};
     constexpr BriefType kFact{.size_px = 12, .isBold = true};
     const double column_px = free.width() / columns;
-    const double caption_px = linePitch_px(kCaption.size_px);
+    const double caption_px = linePitch_px(kBriefCaption.size_px);
     const double height_px = caption_px + linePitch_px(kFact.size_px);
     int at = columns;
     QRectF row;
     for (const BriefFact& fact : facts) {
         const double wide_px =
-            std::max(widthOf_px(fact.caption, kCaption), widthOf_px(fact.value, kFact)) + kGap_px;
+            std::max(widthOf_px(fact.caption, kBriefCaption), widthOf_px(fact.value, kFact)) +
+            kGap_px;
         const int span = std::clamp(static_cast<int>(std::ceil(wide_px / column_px)), 1, columns);
         if (at + span > columns) {
             row = taken(height_px + 3);
@@ -124,11 +125,83 @@ void PageSetting::setFacts(const std::vector<BriefFact>& facts, int columns)
         }
         const QRectF box(row.left() + at * column_px, row.top(), span * column_px - kGap_px,
                          caption_px);
-        setText(layout, box, fact.caption, kCaption);
+        setText(layout, box, fact.caption, kBriefCaption);
         setText(layout, QRectF(box.left(), box.bottom(), box.width(), height_px - caption_px),
                 fact.value, kFact);
         at += span;
     }
+}
+
+namespace {
+
+constexpr int kSize_px = 11;
+constexpr std::size_t kMostRows = 8; // captions not counted
+constexpr double kLeastGap_px = 10;
+constexpr double kLeastName_px = 50;
+
+double gaps_px(const std::vector<double>& widths_px)
+{
+    return kLeastGap_px * static_cast<double>(widths_px.size() - 1);
+}
+
+/** Of the columns: what they need, the name at most what is left. */
+std::vector<double> columnWidths(const std::vector<QStringList>& rows, const BriefType& type,
+                                 double room_px)
+{
+    std::vector<double> widths_px(static_cast<std::size_t>(rows.front().size()));
+    for (const QStringList& row : rows)
+        for (std::size_t i = 0; i < widths_px.size(); ++i)
+            widths_px[i] = std::max(widths_px[i], 1 + widthOf_px(row[static_cast<int>(i)], type));
+    const double others_px =
+        std::accumulate(widths_px.begin() + 1, widths_px.end(), gaps_px(widths_px));
+    widths_px.front() = std::min(widths_px.front(), std::max(kLeastName_px, room_px - others_px));
+    return widths_px;
+}
+
+/** The largest type in which they fit. */
+BriefType typeFor(const std::vector<QStringList>& rows, double room_px)
+{
+    BriefType type{.size_px = kSize_px};
+    for (; type.size_px > kSmallestBriefType_px; --type.size_px) {
+        const std::vector<double> widths_px = columnWidths(rows, type, room_px);
+        if (std::accumulate(widths_px.begin(), widths_px.end(), gaps_px(widths_px)) <= room_px)
+            break;
+    }
+    return type;
+}
+
+void setRow(BriefLayout& layout, const QRectF& strip, const QStringList& texts,
+            const std::vector<double>& widths_px, const BriefType& type)
+{
+    const double taken_px = std::accumulate(widths_px.begin(), widths_px.end(), 0.0);
+    const double gap_px =
+        (strip.width() - taken_px) / std::max(1.0, static_cast<double>(widths_px.size() - 1));
+    double left_px = strip.left();
+    for (std::size_t i = 0; i < widths_px.size(); ++i) {
+        // Where there is too little room all the same, each gives some.
+        const double width_px = widths_px[i] + std::min(0.0, gap_px - kLeastGap_px);
+        setText(layout, QRectF(left_px, strip.top(), width_px, strip.height()),
+                texts[static_cast<int>(i)], type);
+        left_px += widths_px[i] + gap_px;
+    }
+}
+
+} // namespace
+
+void PageSetting::setUavTable(const std::vector<QStringList>& rows)
+{
+    const BriefType type = typeFor(rows, free.width());
+    const std::vector<double> widths_px = columnWidths(rows, type, free.width());
+    BriefType captions = type;
+    captions.isMuted = true;
+    const std::size_t uavs = rows.size() - 1;
+    const std::size_t shown = uavs > kMostRows ? kMostRows - 1 : uavs;
+    const double pitch_px = linePitch_px(type.size_px);
+    setRow(layout, taken(pitch_px), rows.front(), widths_px, captions);
+    for (std::size_t row = 1; row <= shown; ++row)
+        setRow(layout, taken(pitch_px), rows[row], widths_px, type);
+    if (shown < uavs)
+        setText(layout, taken(pitch_px), FlightBrief::tr("and %1 more").arg(uavs - shown), type);
 }
 
 } // namespace berg

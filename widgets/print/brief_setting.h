@@ -8,6 +8,11 @@ namespace berg {
 
 // Texts into boxes of the brief.
 
+inline constexpr BriefType kBriefTitle{.size_px = 20, .isBold = true};
+inline constexpr BriefType kBriefHead{.size_px = 12};
+inline constexpr BriefType kBriefCaption{.size_px = 10, .isMuted = true};
+inline constexpr BriefType kBriefFoot{.size_px = 9, .isMuted = true};
+
 /** From one line of this type to the next, and the height of its box. */
 [[nodiscard]] double linePitch_px(int size_px);
 
@@ -35,6 +40,9 @@ struct PageSetting
     void rule(bool isStrong);
     /** In columns, each fact as many of them wide as it needs. */
     void setFacts(const std::vector<BriefFact>& facts, int columns);
+    /** Captions and rows of the UAVs, in smaller type where they are too wide; of many UAVs the
+     * first. */
+    void setUavTable(const std::vector<QStringList>& rows);
 };
 
 } // namespace berg

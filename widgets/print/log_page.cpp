@@ -8,7 +8,6 @@
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/print/brief_setting.h"
 #include "widgets/print/brief_table.h"
-#include "widgets/print/brief_uav_table.h"
 #include "widgets/print/document_chart.h"
 #include "widgets/print/export_picture.h"
 #include "widgets/print/flight_brief.h"
@@ -35,9 +34,6 @@ struct LogText
     Q_DECLARE_TR_FUNCTIONS(LogText)
 };
 
-constexpr BriefType kTitle{.size_px = 20, .isBold = true};
-constexpr BriefType kHead{.size_px = 12};
-constexpr BriefType kCaption{.size_px = 10, .isMuted = true};
 constexpr BriefType kHeading{.size_px = 12, .isBold = true};
 constexpr BriefType kWords{.size_px = 10};
 
@@ -63,20 +59,18 @@ std::vector<BriefFact> factsOf(const ExportContent& content, const FlightLog& lo
     const QString day = content.start
                             ? QString::fromStdString(utcText(*content.start, 0)).left(10) + u' '
                             : QString();
-    std::vector<BriefFact> facts{
-        {content.start ? LogText::tr("Start, UTC") : LogText::tr("Start"),
-         day + briefClock(content, 0)},
-        {content.start ? LogText::tr("Until, UTC") : LogText::tr("Until"),
-         briefClock(content, log.flown_s)},
-        {LogText::tr("Zeta flown"), zetaText(log.metrics.zeta_m2s, locale)},
-        {LogText::tr("Predicted before take-off"),
-         log.predicted ? zetaText(log.predicted->zeta_m2s, locale) : u"–"_s},
-        {LogText::tr("Visits"), locale.toString(log.metrics.visits)},
-        {LogText::tr("Plans made"), locale.toString(log.metrics.replans)},
-        {LogText::tr("Planned by"), policyText(scenario.planner, locale)},
-        {LogText::tr("Seed"), QString::number(scenario.seed)},
-        {LogText::tr("Program"), QString::fromStdString(programName())}};
-    return facts;
+    return {{content.start ? LogText::tr("Start, UTC") : LogText::tr("Start"),
+             day + briefClock(content, 0)},
+            {content.start ? LogText::tr("Until, UTC") : LogText::tr("Until"),
+             briefClock(content, log.flown_s)},
+            {LogText::tr("Zeta flown"), zetaText(log.metrics.zeta_m2s, locale)},
+            {LogText::tr("Predicted before take-off"),
+             log.predicted ? zetaText(log.predicted->zeta_m2s, locale) : u"–"_s},
+            {LogText::tr("Visits"), locale.toString(log.metrics.visits)},
+            {LogText::tr("Plans made"), locale.toString(log.metrics.replans)},
+            {LogText::tr("Planned by"), policyText(scenario.planner, locale)},
+            {LogText::tr("Seed"), QString::number(scenario.seed)},
+            {LogText::tr("Program"), QString::fromStdString(programName())}};
 }
 
 std::vector<QStringList> uavRows(const ExportContent& content, const FlightLog& log,
@@ -143,12 +137,12 @@ public:
 
     LogSheets laidOut(const ExportContent& content, const FlightLog& log, const QLocale& locale)
     {
-        m_set.line(LogText::tr("Flight log: %1").arg(pageTitle(content)), kTitle);
-        m_set.line(pathsText(content), kHead);
+        m_set.line(LogText::tr("Flight log: %1").arg(pageTitle(content)), kBriefTitle);
+        m_set.line(pathsText(content), kBriefHead);
         m_set.rule(true);
         m_set.setFacts(factsOf(content, log, locale), 3);
         m_set.rule(false);
-        m_set.free.setTop(setUavTable(m_set.layout, uavRows(content, log, locale), m_set.free));
+        m_set.setUavTable(uavRows(content, log, locale));
         m_set.taken(kGap_px);
         const QRectF& free = m_set.free;
         m_sheets.chart = QRectF(free.left(), free.bottom() - kChart_px, free.width(), kChart_px);
@@ -183,18 +177,16 @@ private:
     {
         m_set.line(heading, kHeading);
         const double line_px = linePitch_px(kWords.size_px);
-        setRow(rows.front(), kCaption);
+        setRow(rows.front(), kBriefCaption);
         const double keep_px = 14 * line_px; // for what follows
         for (std::size_t i = 1; i < rows.size(); ++i) {
             if (room(line_px, isLastPage() ? keep_px : 0) < 2) {
                 if (isLastPage()) {
-                    m_set.line(LogText::tr("and %1 more; all of them: export log-html")
-                                   .arg(rows.size() - i),
-                               kWords);
+                    setMore(rows.size() - i);
                     break;
                 }
                 turn();
-                setRow(rows.front(), kCaption);
+                setRow(rows.front(), kBriefCaption);
             }
             setRow(rows[i], kWords);
         }
@@ -228,9 +220,7 @@ private:
         for (qsizetype i = 0; i < lines.size(); ++i) {
             if (room(line_px, hashes_px) < 2) {
                 if (isLastPage()) {
-                    m_set.line(LogText::tr("and %1 more; all of them: export log-html")
-                                   .arg(lines.size() - i),
-                               kWords);
+                    setMore(lines.size() - i);
                     break;
                 }
                 turn();
@@ -240,16 +230,21 @@ private:
         m_set.taken(kGap_px);
     }
 
+    template <class Count>
+    void setMore(Count count)
+    {
+        m_set.line(LogText::tr("and %1 more; all of them: export log-html").arg(count), kWords);
+    }
+
     /** Of as many UAVs as there is room for. */
     void setHashes(const ExportContent& content, const FlightLog& log)
     {
-        m_set.line(LogText::tr("SHA-256 of the first plan as a file of the format wpl"), kCaption);
+        m_set.line(LogText::tr("SHA-256 of the first plan as a file of the format wpl"),
+                   kBriefCaption);
         const double line_px = linePitch_px(kWords.size_px);
         for (std::size_t i = 0; i < log.uavs.size(); ++i) {
             if (i + 1 < log.uavs.size() && room(line_px, 0) < 2) {
-                m_set.line(LogText::tr("and %1 more; all of them: export log-html")
-                               .arg(log.uavs.size() - i),
-                           kWords);
+                setMore(log.uavs.size() - i);
                 break;
             }
             const LogUav& uav = log.uavs[i];

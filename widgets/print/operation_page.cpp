@@ -1,7 +1,6 @@
 #include "widgets/print/operation_page.h"
 
 #include "widgets/print/brief_setting.h"
-#include "widgets/print/brief_uav_table.h"
 #include "widgets/print/page_text.h"
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/quantity_text.h"
@@ -21,12 +20,8 @@ struct OperationPage
     Q_DECLARE_TR_FUNCTIONS(OperationPage)
 };
 
-constexpr BriefType kTitle{.size_px = 20, .isBold = true};
-constexpr BriefType kHead{.size_px = 12};
-constexpr BriefType kCaption{.size_px = 10, .isMuted = true};
 constexpr BriefType kHeading{.size_px = 11, .isBold = true};
 constexpr BriefType kWords{.size_px = 11};
-constexpr BriefType kFoot{.size_px = 9, .isMuted = true};
 
 constexpr double kGap_px = 9;
 constexpr double kBlankLine_px = 24; ///< to write on
@@ -112,20 +107,20 @@ class OperationLayout
 public:
     explicit OperationLayout(const QSizeF& page) : m_set(page)
     {
-        m_set.free.setBottom(m_set.free.bottom() - linePitch_px(kFoot.size_px) - kGap_px);
+        m_set.free.setBottom(m_set.free.bottom() - linePitch_px(kBriefFoot.size_px) - kGap_px);
     }
 
     BriefLayout laidOut(const OperationContent& content)
     {
         QRectF& free = m_set.free;
-        const double foot_px = linePitch_px(kFoot.size_px);
+        const double foot_px = linePitch_px(kBriefFoot.size_px);
         setText(m_set.layout, QRectF(free.left(), free.bottom() + kGap_px, free.width(), foot_px),
                 OperationPage::tr("Made by Bergwatch from the scenario. It says nothing about "
                                   "whether the operation may be flown."),
-                kFoot);
-        for (const QString& text : wrapped(content.title, kTitle, free.width(), kMostLines))
-            m_set.line(text, kTitle);
-        m_set.line(content.about, kHead);
+                kBriefFoot);
+        for (const QString& text : wrapped(content.title, kBriefTitle, free.width(), kMostLines))
+            m_set.line(text, kBriefTitle);
+        m_set.line(content.about, kBriefHead);
         m_set.rule(true);
         m_set.setFacts(content.volume, 3);
         m_set.taken(kGap_px);
@@ -134,7 +129,7 @@ public:
                 m_set.line(text, kWords);
         m_set.taken(kGap_px);
         m_set.rule(false);
-        free.setTop(setUavTable(m_set.layout, content.uavs, free));
+        m_set.setUavTable(content.uavs);
         m_set.taken(kGap_px);
         m_set.rule(false);
         for (const BriefFact& paper : content.papers)
@@ -152,7 +147,7 @@ private:
 
     void setPaper(const BriefFact& paper)
     {
-        m_set.line(paper.caption, kCaption);
+        m_set.line(paper.caption, kBriefCaption);
         const QStringList words = wrapped(paper.value, kWords, m_set.free.width(), kMostLines);
         if (paper.value.isEmpty())
             for (int i = 0; i < kBlankLines; ++i)

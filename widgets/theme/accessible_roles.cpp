@@ -1,12 +1,13 @@
 #include "widgets/theme/accessible_roles.h"
 
-#include "widgets/theme/accessible_combo.h"
-
 #include <QAbstractItemView>
+#include <QAccessibleWidget>
 #include <QAction>
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QCoreApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QVariant>
 
 namespace berg {
@@ -65,6 +66,78 @@ public:
 
 private:
     [[nodiscard]] bool hasOwn() const { return widget()->property(kRole).isValid(); }
+};
+
+/**
+ * A list to choose from as screen readers know it: "label: value", and its actions choose. Qt tells
+ * the value alone, and takes no choice but by keys and pointer.
+ */
+class AccessibleCombo : public QAccessibleWidget
+{
+public:
+    explicit AccessibleCombo(QComboBox* combo) : QAccessibleWidget(combo, QAccessible::ComboBox) {}
+
+    [[nodiscard]] QString text(QAccessible::Text kind) const override
+    {
+        const QString label = combo().accessibleName();
+        if (kind == QAccessible::Value || (kind == QAccessible::Name && label.isEmpty()))
+            return combo().currentText();
+        if (kind == QAccessible::Name)
+            return QStringLiteral("%1: %2").arg(label, combo().currentText());
+        return QAccessibleWidget::text(kind);
+    }
+
+    [[nodiscard]] QAccessible::State state() const override
+    {
+        QAccessible::State state = QAccessibleWidget::state();
+        state.expandable = true;
+        state.expanded = combo().view()->isVisible();
+        state.editable = combo().isEditable();
+        return state;
+    }
+
+    [[nodiscard]] int childCount() const override { return combo().isEditable() ? 2 : 1; }
+
+    [[nodiscard]] QAccessibleInterface* child(int index) const override
+    {
+        if (index == 0)
+            return QAccessible::queryAccessibleInterface(combo().view());
+        if (index == 1 && combo().isEditable())
+            return QAccessible::queryAccessibleInterface(combo().lineEdit());
+        return nullptr;
+    }
+
+    [[nodiscard]] int indexOfChild(const QAccessibleInterface* child) const override
+    {
+        for (int index = 0; index < childCount(); ++index)
+            if (this->child(index)->object() == child->object())
+                return index;
+        return -1;
+    }
+
+    [[nodiscard]] QStringList actionNames() const override
+    {
+        QStringList names = QAccessibleWidget::actionNames();
+        if (combo().isEnabled())
+            names = QStringList{showMenuAction(), increaseAction(), decreaseAction()} + names;
+        return names;
+    }
+
+    void doAction(const QString& name) override
+    {
+        const bool isNext = name == increaseAction();
+        if (name == showMenuAction())
+            combo().view()->isVisible() ? combo().hidePopup() : combo().showPopup();
+        else if (isNext || name == decreaseAction()) // by key, so that it is acted upon
+            QCoreApplication::postEvent(&combo(), new QKeyEvent(QEvent::KeyPress,
+                                                                isNext ? Qt::Key_Down : Qt::Key_Up,
+                                                                Qt::NoModifier));
+        else
+            QAccessibleWidget::doAction(name);
+    }
+
+private:
+    [[nodiscard]] QComboBox& combo() const { return *static_cast<QComboBox*>(widget()); }
 };
 
 /** Called for the class of the object, then for those it comes from, until one is known. */

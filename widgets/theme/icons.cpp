@@ -6,9 +6,9 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include <vector>
-
-using namespace Qt::StringLiterals;
+#include <algorithm>
+#include <array>
+#include <utility>
 
 namespace berg {
 namespace {
@@ -18,140 +18,101 @@ constexpr double kLine_px = 1.8;   ///< on the grid
 constexpr double kDisabled = 0.55; ///< of the way from the ink to the ground
 
 /**
- * The drawing of an icon as path data, absolute coordinates on the grid, y down: M, L, C and Z as
- * in SVG 1.1, and O for a circle (centre x, y, radius). Tokens are parted by one space.
+ * The drawings of the icons as path data, absolute coordinates on the grid, y down: M, L, C and Z
+ * as in SVG 1.1, and O for a circle (centre x, y, radius). Tokens are parted by one space.
  */
-QString linesOf(IconName name)
+constexpr std::array<std::pair<IconName, const char16_t*>, kIconCount> kDrawings = {{
+    {IconName::Play, u"M 7 4.5 L 19 12 L 7 19.5 Z"},
+    {IconName::Pause, u"M 8 5 L 8 19 M 16 5 L 16 19"},
+    {IconName::Step, u"M 5 5 L 14.5 12 L 5 19 Z M 19 5 L 19 19"},
+    {IconName::Reset, u"M 19 5 L 9.5 12 L 19 19 Z M 5 5 L 5 19"},
+    {IconName::Select, u"M 6 3.5 L 19 12.5 L 13 13.8 L 16 20 L 13.2 21.3 L 10.2 15 L 6 19 Z"},
+    {IconName::Iceberg, u"M 5 14 L 9.5 4 L 13 8 L 15.5 6.5 L 19 14 M 9.5 4 L 11 14 "
+                        "M 2 14 L 22 14 M 5.5 14 L 8 19 L 13 21 L 16.5 18.5 L 18.5 14"},
+    {IconName::Uav, u"M 12 3 L 20.5 20 L 12 16 L 3.5 20 Z M 12 3 L 12 16"},
+    {IconName::Asset, u"M 4 10 L 20 10 L 20 14 L 4 14 Z M 7 14 L 5 21.5 M 17 14 L 19 21.5 "
+                      "M 6.2 17.5 L 17.8 17.5 M 9.5 10 L 11.5 3 L 13.5 10"},
+    {IconName::Area, u"M 5 7.5 L 15.5 4.5 L 20 12.5 L 14 19.5 L 5.5 16.5 Z "
+                     "O 5 7.5 1.6 O 15.5 4.5 1.6 O 20 12.5 1.6 O 14 19.5 1.6 O 5.5 16.5 1.6"},
+    {IconName::NoFly, u"M 4 6 L 18 4 L 20.5 15 L 12 20 L 4.5 16.5 Z "
+                      "M 4.2 11.5 L 11 5 M 5 16.5 L 17.5 4.2 M 9.5 18.5 L 19 9 M 14 18.8 L 20 13"},
+    {IconName::Measure, u"M 2.5 16.5 L 16.5 2.5 L 21.5 7.5 L 7.5 21.5 Z M 6 13 L 8.3 15.3 "
+                        "M 9.5 9.5 L 12.7 12.7 M 13 6 L 15.3 8.3"},
+    {IconName::Pan, u"M 12 2.5 L 12 21.5 M 2.5 12 L 21.5 12 "
+                    "M 9 5.5 L 12 2.5 L 15 5.5 M 9 18.5 L 12 21.5 L 15 18.5 "
+                    "M 5.5 9 L 2.5 12 L 5.5 15 M 18.5 9 L 21.5 12 L 18.5 15"},
+    {IconName::Undo,
+     u"M 9 4.5 L 4 9.5 L 9 14.5 "
+     "M 4 9.5 L 14.5 9.5 C 17.6 9.5 20 11.9 20 14.75 C 20 17.6 17.6 20 14.5 20 L 9 20"},
+    {IconName::Redo, u"M 15 4.5 L 20 9.5 L 15 14.5 "
+                     "M 20 9.5 L 9.5 9.5 C 6.4 9.5 4 11.9 4 14.75 C 4 17.6 6.4 20 9.5 20 L 15 20"},
+    {IconName::Fit, u"M 3.5 8.5 L 3.5 3.5 L 8.5 3.5 M 15.5 3.5 L 20.5 3.5 L 20.5 8.5 "
+                    "M 20.5 15.5 L 20.5 20.5 L 15.5 20.5 M 8.5 20.5 L 3.5 20.5 L 3.5 15.5 "
+                    "M 8.5 8.5 L 15.5 8.5 L 15.5 15.5 L 8.5 15.5 Z"},
+    {IconName::Follow, u"O 12 12 7.5 O 12 12 1.4 M 12 1.5 L 12 7 M 12 17 L 12 22.5 "
+                       "M 1.5 12 L 7 12 M 17 12 L 22.5 12"},
+    {IconName::ExportPlan, u"M 12 15 L 12 3 M 7.5 7.5 L 12 3 L 16.5 7.5 "
+                           "M 4 13.5 L 4 20.5 L 20 20.5 L 20 13.5"},
+    {IconName::Open, u"M 3 19.5 L 3 5 L 9.5 5 L 11.5 7.5 L 19 7.5 L 19 10.5 "
+                     "M 3 19.5 L 6.5 10.5 L 22 10.5 L 18.5 19.5 Z"},
+    {IconName::Save, u"M 4 4 L 16.5 4 L 20 7.5 L 20 20 L 4 20 Z M 8 4 L 8 9 L 15 9 L 15 4 "
+                     "M 7.5 20 L 7.5 13.5 L 16.5 13.5 L 16.5 20"},
+    {IconName::NewFile,
+     u"M 18.5 12 L 18.5 8 L 13.5 3 L 5 3 L 5 21 L 12 21 M 13.5 3 L 13.5 8 L 18.5 8 "
+     "M 18.5 15 L 18.5 22 M 15 18.5 L 22 18.5"},
+    {IconName::Proven, u"O 12 12 9 M 7.5 12.5 L 10.7 15.7 L 16.5 9"},
+    {IconName::Estimate, u"M 4 9.5 C 6.5 5.5 9.5 6 12 8.5 C 14.5 11 17.5 11.5 20 7.5 "
+                         "M 4 16.5 C 6.5 12.5 9.5 13 12 15.5 C 14.5 18 17.5 18.5 20 14.5"},
+    {IconName::Warning, u"M 12 3.5 L 22 20.5 L 2 20.5 Z M 12 10 L 12 14.5 M 12 17.3 L 12 17.6"},
+    {IconName::Fault, u"M 8 2.5 L 16 2.5 L 21.5 8 L 21.5 16 L 16 21.5 L 8 21.5 L 2.5 16 L 2.5 8 Z "
+                      "M 8.5 8.5 L 15.5 15.5 M 15.5 8.5 L 8.5 15.5"},
+    {IconName::Hint, u"O 12 12 9 M 12 11 L 12 16.5 M 12 7.5 L 12 7.8"},
+    {IconName::Locked, u"M 5 11 L 19 11 L 19 20.5 L 5 20.5 Z "
+                       "M 8 11 L 8 8 C 8 5.5 9.7 3.5 12 3.5 C 14.3 3.5 16 5.5 16 8 L 16 11"},
+    {IconName::Pin, u"M 8 3 L 16 3 M 9.5 3 L 9.5 10 L 6 14.5 L 18 14.5 L 14.5 10 L 14.5 3 "
+                    "M 12 14.5 L 12 21.5"},
+}};
+
+/** The drawing of that icon; a fault in its path data is a bug. */
+QPainterPath pathOf(IconName name)
 {
-    switch (name) {
-    case IconName::Play:
-        return u"M 7 4.5 L 19 12 L 7 19.5 Z"_s;
-    case IconName::Pause:
-        return u"M 8 5 L 8 19 M 16 5 L 16 19"_s;
-    case IconName::Step:
-        return u"M 5 5 L 14.5 12 L 5 19 Z M 19 5 L 19 19"_s;
-    case IconName::Reset:
-        return u"M 19 5 L 9.5 12 L 19 19 Z M 5 5 L 5 19"_s;
-    case IconName::Select:
-        return u"M 6 3.5 L 19 12.5 L 13 13.8 L 16 20 L 13.2 21.3 L 10.2 15 L 6 19 Z"_s;
-    case IconName::Iceberg:
-        return u"M 5 14 L 9.5 4 L 13 8 L 15.5 6.5 L 19 14 M 9.5 4 L 11 14 "
-               "M 2 14 L 22 14 M 5.5 14 L 8 19 L 13 21 L 16.5 18.5 L 18.5 14"_s;
-    case IconName::Uav:
-        return u"M 12 3 L 20.5 20 L 12 16 L 3.5 20 Z M 12 3 L 12 16"_s;
-    case IconName::Asset:
-        return u"M 4 10 L 20 10 L 20 14 L 4 14 Z M 7 14 L 5 21.5 M 17 14 L 19 21.5 "
-               "M 6.2 17.5 L 17.8 17.5 M 9.5 10 L 11.5 3 L 13.5 10"_s;
-    case IconName::Area:
-        return u"M 5 7.5 L 15.5 4.5 L 20 12.5 L 14 19.5 L 5.5 16.5 Z "
-               "O 5 7.5 1.6 O 15.5 4.5 1.6 O 20 12.5 1.6 O 14 19.5 1.6 O 5.5 16.5 1.6"_s;
-    case IconName::NoFly:
-        return u"M 4 6 L 18 4 L 20.5 15 L 12 20 L 4.5 16.5 Z "
-               "M 4.2 11.5 L 11 5 M 5 16.5 L 17.5 4.2 M 9.5 18.5 L 19 9 M 14 18.8 L 20 13"_s;
-    case IconName::Measure:
-        return u"M 2.5 16.5 L 16.5 2.5 L 21.5 7.5 L 7.5 21.5 Z M 6 13 L 8.3 15.3 "
-               "M 9.5 9.5 L 12.7 12.7 M 13 6 L 15.3 8.3"_s;
-    case IconName::Pan:
-        return u"M 12 2.5 L 12 21.5 M 2.5 12 L 21.5 12 "
-               "M 9 5.5 L 12 2.5 L 15 5.5 M 9 18.5 L 12 21.5 L 15 18.5 "
-               "M 5.5 9 L 2.5 12 L 5.5 15 M 18.5 9 L 21.5 12 L 18.5 15"_s;
-    case IconName::Undo:
-        return u"M 9 4.5 L 4 9.5 L 9 14.5 "
-               "M 4 9.5 L 14.5 9.5 C 17.6 9.5 20 11.9 20 14.75 C 20 17.6 17.6 20 14.5 20 L 9 20"_s;
-    case IconName::Redo:
-        return u"M 15 4.5 L 20 9.5 L 15 14.5 "
-               "M 20 9.5 L 9.5 9.5 C 6.4 9.5 4 11.9 4 14.75 C 4 17.6 6.4 20 9.5 20 L 15 20"_s;
-    case IconName::Fit:
-        return u"M 3.5 8.5 L 3.5 3.5 L 8.5 3.5 M 15.5 3.5 L 20.5 3.5 L 20.5 8.5 "
-               "M 20.5 15.5 L 20.5 20.5 L 15.5 20.5 M 8.5 20.5 L 3.5 20.5 L 3.5 15.5 "
-               "M 8.5 8.5 L 15.5 8.5 L 15.5 15.5 L 8.5 15.5 Z"_s;
-    case IconName::Follow:
-        return u"O 12 12 7.5 O 12 12 1.4 M 12 1.5 L 12 7 M 12 17 L 12 22.5 "
-               "M 1.5 12 L 7 12 M 17 12 L 22.5 12"_s;
-    case IconName::ExportPlan:
-        return u"M 12 15 L 12 3 M 7.5 7.5 L 12 3 L 16.5 7.5 "
-               "M 4 13.5 L 4 20.5 L 20 20.5 L 20 13.5"_s;
-    case IconName::Open:
-        return u"M 3 19.5 L 3 5 L 9.5 5 L 11.5 7.5 L 19 7.5 L 19 10.5 "
-               "M 3 19.5 L 6.5 10.5 L 22 10.5 L 18.5 19.5 Z"_s;
-    case IconName::Save:
-        return u"M 4 4 L 16.5 4 L 20 7.5 L 20 20 L 4 20 Z M 8 4 L 8 9 L 15 9 L 15 4 "
-               "M 7.5 20 L 7.5 13.5 L 16.5 13.5 L 16.5 20"_s;
-    case IconName::NewFile:
-        return u"M 18.5 12 L 18.5 8 L 13.5 3 L 5 3 L 5 21 L 12 21 M 13.5 3 L 13.5 8 L 18.5 8 "
-               "M 18.5 15 L 18.5 22 M 15 18.5 L 22 18.5"_s;
-    case IconName::Proven:
-        return u"O 12 12 9 M 7.5 12.5 L 10.7 15.7 L 16.5 9"_s;
-    case IconName::Estimate:
-        return u"M 4 9.5 C 6.5 5.5 9.5 6 12 8.5 C 14.5 11 17.5 11.5 20 7.5 "
-               "M 4 16.5 C 6.5 12.5 9.5 13 12 15.5 C 14.5 18 17.5 18.5 20 14.5"_s;
-    case IconName::Warning:
-        return u"M 12 3.5 L 22 20.5 L 2 20.5 Z M 12 10 L 12 14.5 M 12 17.3 L 12 17.6"_s;
-    case IconName::Fault:
-        return u"M 8 2.5 L 16 2.5 L 21.5 8 L 21.5 16 L 16 21.5 L 8 21.5 L 2.5 16 L 2.5 8 Z "
-               "M 8.5 8.5 L 15.5 15.5 M 15.5 8.5 L 8.5 15.5"_s;
-    case IconName::Hint:
-        return u"O 12 12 9 M 12 11 L 12 16.5 M 12 7.5 L 12 7.8"_s;
-    case IconName::Locked:
-        return u"M 5 11 L 19 11 L 19 20.5 L 5 20.5 Z "
-               "M 8 11 L 8 8 C 8 5.5 9.7 3.5 12 3.5 C 14.3 3.5 16 5.5 16 8 L 16 11"_s;
-    case IconName::Pin:
-        return u"M 8 3 L 16 3 M 9.5 3 L 9.5 10 L 6 14.5 L 18 14.5 L 14.5 10 L 14.5 3 "
-               "M 12 14.5 L 12 21.5"_s;
-    }
-    return {};
-}
-
-/** Reads path data; a fault in it is a bug. */
-class PathReader
-{
-public:
-    explicit PathReader(const QString& data) : m_tokens(data.split(u' ')) {}
-
-    [[nodiscard]] QPainterPath path()
-    {
-        QPainterPath path;
-        while (m_next < m_tokens.size()) {
-            const QString command = m_tokens[m_next++];
-            if (command == u"M") {
-                path.moveTo(point());
-            } else if (command == u"L") {
-                path.lineTo(point());
-            } else if (command == u"C") {
-                const QPointF first = point();
-                const QPointF second = point();
-                path.cubicTo(first, second, point());
-            } else if (command == u"O") {
-                const QPointF centre = point();
-                const double radius_px = number();
-                path.addEllipse(centre, radius_px, radius_px);
-            } else {
-                require(command == u"Z", "icon: unknown path command");
-                path.closeSubpath();
-            }
-        }
-        return path;
-    }
-
-private:
-    double number()
-    {
+    const auto* const drawing =
+        std::ranges::find(kDrawings, name, &decltype(kDrawings)::value_type::first);
+    require(drawing != kDrawings.end(), "icon: no drawing");
+    const QStringList tokens = QString::fromUtf16(drawing->second).split(u' ');
+    qsizetype next = 0;
+    const auto number = [&] {
         bool ok = false;
-        const double value = m_next < m_tokens.size() ? m_tokens[m_next].toDouble(&ok) : 0;
+        const double value = tokens.value(next++).toDouble(&ok);
         require(ok, "icon: number missing in path");
-        ++m_next;
         return value;
-    }
-
-    QPointF point()
-    {
+    };
+    const auto point = [&] {
         const double x = number();
-        return {x, number()};
+        return QPointF(x, number());
+    };
+    QPainterPath path;
+    while (next < tokens.size()) {
+        const QString& command = tokens[next++];
+        if (command == u"M") {
+            path.moveTo(point());
+        } else if (command == u"L") {
+            path.lineTo(point());
+        } else if (command == u"C") {
+            const QPointF first = point();
+            const QPointF second = point();
+            path.cubicTo(first, second, point());
+        } else if (command == u"O") {
+            const QPointF centre = point();
+            const double radius_px = number();
+            path.addEllipse(centre, radius_px, radius_px);
+        } else {
+            require(command == u"Z", "icon: unknown path command");
+            path.closeSubpath();
+        }
     }
-
-    QStringList m_tokens;
-    qsizetype m_next = 0;
-};
+    return path;
+}
 
 class LineIconEngine final : public QIconEngine
 {
@@ -202,10 +163,10 @@ private:
 
 QIcon icon(IconName name, const Theme& theme)
 {
-    return QIcon(new LineIconEngine(PathReader(linesOf(name)).path(),
-                                    {.usual = theme.text,
-                                     .disabled = mixed(theme.text, theme.panel, kDisabled),
-                                     .selected = theme.planText}));
+    return QIcon(
+        new LineIconEngine(pathOf(name), {.usual = theme.text,
+                                          .disabled = mixed(theme.text, theme.panel, kDisabled),
+                                          .selected = theme.planText}));
 }
 
 } // namespace berg

@@ -173,6 +173,12 @@ QString speedText(double speed_mps, const QLocale& locale, int digits)
     return u"%1 %2"_s.arg(significantText(unit.fromSi(speed_mps), digits, locale), unit.name);
 }
 
+QString fixedSpeedText(double speed_mps, int decimals, const QLocale& locale)
+{
+    const ShownUnit unit = speedUnit();
+    return u"%1 %2"_s.arg(fixedText(unit.fromSi(speed_mps), decimals, locale), unit.name);
+}
+
 QString sigmaText(double sigma_m2, const QLocale& locale)
 {
     return QuantityText::tr("%1 m²").arg(significantText(sigma_m2, 3, locale));
@@ -222,10 +228,14 @@ QString placeText(const LatLon& place, int decimals, const QLocale& locale)
            longitudeText(place.longitude_deg, decimals, locale);
 }
 
+QString directionText(double heading_deg)
+{
+    return u"%1°"_s.arg(static_cast<int>(std::lround(heading_deg)) % 360, 3, 10, QChar(u'0'));
+}
+
 QString bearingText(const Point& path_m)
 {
-    const double heading_deg = headingFromPsi(std::atan2(path_m.y(), path_m.x()));
-    return u"%1°"_s.arg(static_cast<int>(std::lround(heading_deg)) % 360, 3, 10, QChar(u'0'));
+    return directionText(headingFromPsi(std::atan2(path_m.y(), path_m.x())));
 }
 
 } // namespace berg

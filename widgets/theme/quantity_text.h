@@ -61,6 +61,9 @@ struct ShownUnit
 /** "0.32 m/s" or "0.62 kn" with so many significant digits. */
 [[nodiscard]] QString speedText(double speed_mps, const QLocale& locale, int digits = 2);
 
+/** The same with so many decimals. */
+[[nodiscard]] QString fixedSpeedText(double speed_mps, int decimals, const QLocale& locale);
+
 /** "8.12 m²": three digits. */
 [[nodiscard]] QString sigmaText(double sigma_m2, const QLocale& locale);
 
@@ -83,7 +86,9 @@ inline constexpr int kPlaceDecimals = 3;
 /** Both, as far apart as they are read. */
 [[nodiscard]] QString placeText(const LatLon& place, int decimals, const QLocale& locale);
 
-/** Direction of a way as navigators write it: "045°", clockwise from north. */
+/** As navigators write it: "045°", clockwise from north. */
+[[nodiscard]] QString directionText(double heading_deg);
+/** The direction of a way. */
 [[nodiscard]] QString bearingText(const Point& path_m);
 
 } // namespace berg

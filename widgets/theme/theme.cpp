@@ -19,76 +19,58 @@ double linear(float given)
     return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
 }
 
+/** The colours of both appearances side by side. */
+Theme usual(bool isDark)
+{
+    const auto of = [isDark](const QColor& light, const QColor& dark) {
+        return isDark ? dark : light;
+    };
+    Theme theme;
+    theme.isDark = isDark;
+    theme.sea = of(0xe6eff4, 0x0e1a23);
+    theme.land = of(0xe7e1d3, 0x27313a);
+    theme.coast = of(0x74827c, 0x71828e);
+    theme.graticule = of(0x6c7e88, QColor(0x96, 0xbe, 0xd7, 158)); // seen on sea and land alike
+    theme.graticuleText = of(0x4c626f, 0x8aa0ae);
+    theme.ice = of(0xffffff, 0xf2f7fa);
+    theme.ink = of(0x22313b, 0xc3d0d8);
+    theme.uav = of(0xd9541e, 0xff8a4c);
+    theme.plan = of(0x1769aa, 0x5fb3f2);
+    theme.planText = of(0xffffff, 0x0b1720);
+    theme.formerPlan = of(0x667c94, 0x5f7d96);
+    theme.track = of(0x43535f, 0x9fb1bd);
+    theme.swept = of(QColor(0x2a, 0x8f, 0x86, 24), QColor(0x4f, 0xd0, 0xc0, 30));
+    theme.comparison = of(0xb3263a, 0xfa5876);
+    theme.alarm = of(0xa40810, 0xff5c52);
+    theme.warning = of(0x9c6400, 0xf2b632);
+    theme.text = of(0x16222b, 0xe8eff3);
+    theme.mutedText = of(0x4c5e6a, 0x9cb0bc);
+    theme.panel = of(0xfafcfd, 0x152530);
+    theme.panelLine = of(0xcbd8e0, 0x2c4150);
+    theme.chart = of(0xffffff, 0x111e28);
+    theme.chartGrid = of(0xe3eaee, 0x223441);
+    theme.chartAxis = of(0x84949e, 0x6b7f8c);
+    theme.accumulated = of(0x16222b, 0xe8eff3);
+    theme.momentary = of(0x1769aa, 0x5fb3f2);
+    theme.sigma = SigmaScale(isDark);
+    return theme;
+}
+
 } // namespace
 
 Theme Theme::light()
 {
-    Theme theme;
-    theme.sea = QColor(0xe6eff4);
-    theme.land = QColor(0xe7e1d3);
-    theme.coast = QColor(0x74827c);
-    theme.graticule = QColor(0x6c7e88);
-    theme.graticuleText = QColor(0x4c626f);
-    theme.ice = QColor(0xffffff);
-    theme.ink = QColor(0x22313b);
-    theme.uav = QColor(0xd9541e);
-    theme.plan = QColor(0x1769aa);
-    theme.planText = QColor(0xffffff);
-    theme.formerPlan = QColor(0x667c94);
-    theme.track = QColor(0x43535f);
-    theme.swept = QColor(0x2a, 0x8f, 0x86, 24);
-    theme.comparison = QColor(0xb3263a);
-    theme.alarm = QColor(0xa40810);
-    theme.warning = QColor(0x9c6400);
-    theme.text = QColor(0x16222b);
-    theme.mutedText = QColor(0x4c5e6a);
-    theme.panel = QColor(0xfafcfd);
-    theme.panelLine = QColor(0xcbd8e0);
-    theme.chart = QColor(0xffffff);
-    theme.chartGrid = QColor(0xe3eaee);
-    theme.chartAxis = QColor(0x84949e);
-    theme.accumulated = QColor(0x16222b);
-    theme.momentary = QColor(0x1769aa);
-    theme.sigma = SigmaScale(false);
-    return theme;
+    return usual(false);
 }
 
 Theme Theme::dark()
 {
-    Theme theme;
-    theme.isDark = true;
-    theme.sea = QColor(0x0e1a23);
-    theme.land = QColor(0x27313a);
-    theme.coast = QColor(0x71828e);
-    theme.graticule = QColor(0x96, 0xbe, 0xd7, 158); // seen on sea and land alike
-    theme.graticuleText = QColor(0x8aa0ae);
-    theme.ice = QColor(0xf2f7fa);
-    theme.ink = QColor(0xc3d0d8);
-    theme.uav = QColor(0xff8a4c);
-    theme.plan = QColor(0x5fb3f2);
-    theme.planText = QColor(0x0b1720);
-    theme.formerPlan = QColor(0x5f7d96);
-    theme.track = QColor(0x9fb1bd);
-    theme.swept = QColor(0x4f, 0xd0, 0xc0, 30);
-    theme.comparison = QColor(0xfa5876);
-    theme.alarm = QColor(0xff5c52);
-    theme.warning = QColor(0xf2b632);
-    theme.text = QColor(0xe8eff3);
-    theme.mutedText = QColor(0x9cb0bc);
-    theme.panel = QColor(0x152530);
-    theme.panelLine = QColor(0x2c4150);
-    theme.chart = QColor(0x111e28);
-    theme.chartGrid = QColor(0x223441);
-    theme.chartAxis = QColor(0x6b7f8c);
-    theme.accumulated = QColor(0xe8eff3);
-    theme.momentary = QColor(0x5fb3f2);
-    theme.sigma = SigmaScale(true);
-    return theme;
+    return usual(true);
 }
 
 Theme Theme::highContrast(bool isDark)
 {
-    Theme theme = isDark ? dark() : light();
+    Theme theme = usual(isDark);
     const QColor ground = isDark ? QColor(Qt::black) : QColor(Qt::white);
     const QColor ink = isDark ? QColor(Qt::white) : QColor(Qt::black);
     theme.sea = ground;

@@ -7,39 +7,20 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-// A byte for each choice: the whole is too large for an atomic without a lock.
-constexpr std::uint32_t kByte = 8;
-constexpr std::uint32_t kOne = 0xff;
-
-template <class Enum>
-constexpr std::uint32_t packed(Enum value, std::uint32_t place)
-{
-    return static_cast<std::uint32_t>(value) << (place * kByte);
-}
-
-template <class Enum>
-constexpr Enum unpacked(std::uint32_t all, std::uint32_t place)
-{
-    return static_cast<Enum>((all >> (place * kByte)) & kOne);
-}
-
-std::atomic<std::uint32_t> unitsInUse{0}; // the defaults
+std::atomic<Units> unitsInUse{Units{}};
+// Any thread reads them, many times in each frame.
+static_assert(decltype(unitsInUse)::is_always_lock_free);
 
 } // namespace
 
 Units shownUnits()
 {
-    const std::uint32_t all = unitsInUse.load();
-    return {.distance = unpacked<DistanceUnit>(all, 0),
-            .speed = unpacked<SpeedUnit>(all, 1),
-            .coordinates = unpacked<CoordinateForm>(all, 2),
-            .vectors = unpacked<VectorForm>(all, 3)};
+    return unitsInUse.load();
 }
 
 void setShownUnits(const Units& units)
 {
-    unitsInUse.store(packed(units.distance, 0) | packed(units.speed, 1) |
-                     packed(units.coordinates, 2) | packed(units.vectors, 3));
+    unitsInUse.store(units);
 }
 
 Units readUnits(const QSettings& settings)

@@ -36,8 +36,8 @@ struct Units
 {
     DistanceUnit distance = DistanceUnit::Metric;
     SpeedUnit speed = SpeedUnit::MetresPerSecond;
-    CoordinateForm coordinates = CoordinateForm::DegreesMinutes;
     VectorForm vectors = VectorForm::Direction;
+    CoordinateForm coordinates = CoordinateForm::DegreesMinutes;
     bool operator==(const Units&) const = default;
 };
 

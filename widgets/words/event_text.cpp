@@ -1,6 +1,7 @@
 #include "widgets/words/event_text.h"
 
 #include "core/io/results/event_words.h"
+#include "core/plan/solve/names.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 #include "widgets/words/policy_words.h"
@@ -16,7 +17,27 @@ namespace {
 struct EventText
 {
     Q_DECLARE_TR_FUNCTIONS(EventText)
+
+public:
+    static constexpr Named<PlanReason> kReasons[]{
+        {PlanReason::Start, QT_TR_NOOP("take-off")},
+        {PlanReason::TargetReached, QT_TR_NOOP("iceberg reached")},
+        {PlanReason::OutOfView, QT_TR_NOOP("iceberg out of view again")},
+        {PlanReason::Appeared, QT_TR_NOOP("new iceberg")},
+        {PlanReason::Intervention, QT_TR_NOOP("changed in flight")},
+        {PlanReason::Sighted, QT_TR_NOOP("iceberg sighted en route")},
+        {PlanReason::Overdue, QT_TR_NOOP("sighting overdue")},
+        {PlanReason::Left, QT_TR_NOOP("iceberg left the area")},
+        {PlanReason::Lost, QT_TR_NOOP("iceberg lost")},
+        {PlanReason::Found, QT_TR_NOOP("lost iceberg found")},
+        {PlanReason::GivenUp, QT_TR_NOOP("search given up")},
+        {PlanReason::TakeOff, QT_TR_NOOP("next sortie")},
+        {PlanReason::HoldFlown, QT_TR_NOOP("end of hold")},
+        {PlanReason::SeenByOther, QT_TR_NOOP("seen by another UAV")},
+        {PlanReason::Fleet, QT_TR_NOOP("another UAV needed a plan")},
+    };
 };
+static_assert(std::size(EventText::kReasons) == std::size_t(PlanReason::Fleet)); // but for None
 
 QString nameOf(int index, const std::vector<Iceberg>& icebergs)
 {
@@ -51,41 +72,8 @@ QString eventText(const MissionEvent& event, const std::vector<Iceberg>& iceberg
 
 QString planReasonText(PlanReason reason)
 {
-    switch (reason) {
-    case PlanReason::None:
-        return {};
-    case PlanReason::Start:
-        return EventText::tr("take-off");
-    case PlanReason::TargetReached:
-        return EventText::tr("iceberg reached");
-    case PlanReason::OutOfView:
-        return EventText::tr("iceberg out of view again");
-    case PlanReason::Appeared:
-        return EventText::tr("new iceberg");
-    case PlanReason::Intervention:
-        return EventText::tr("changed in flight");
-    case PlanReason::Sighted:
-        return EventText::tr("iceberg sighted en route");
-    case PlanReason::Overdue:
-        return EventText::tr("sighting overdue");
-    case PlanReason::Left:
-        return EventText::tr("iceberg left the area");
-    case PlanReason::Lost:
-        return EventText::tr("iceberg lost");
-    case PlanReason::Found:
-        return EventText::tr("lost iceberg found");
-    case PlanReason::GivenUp:
-        return EventText::tr("search given up");
-    case PlanReason::TakeOff:
-        return EventText::tr("next sortie");
-    case PlanReason::HoldFlown:
-        return EventText::tr("end of hold");
-    case PlanReason::SeenByOther:
-        return EventText::tr("seen by another UAV");
-    case PlanReason::Fleet:
-        return EventText::tr("another UAV needed a plan");
-    }
-    return {};
+    const std::string english = nameOf(EventText::kReasons, reason);
+    return english.empty() ? QString() : EventText::tr(english.c_str());
 }
 
 QString planOrderText(const PlanEvent& plan, const std::vector<Iceberg>& icebergs)

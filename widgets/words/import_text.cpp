@@ -1,5 +1,6 @@
 #include "widgets/words/import_text.h"
 
+#include "core/plan/solve/names.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/error_text.h"
 #include "widgets/words/issue_text.h"
@@ -17,38 +18,121 @@ namespace {
 struct ImportWords
 {
     Q_DECLARE_TR_FUNCTIONS(ImportWords)
+
+public:
+    static constexpr Named<ImportNote> kNotes[]{
+        {ImportNote::VelocityUnknown, QT_TR_NOOP("velocity unknown")},
+        {ImportNote::TimeUnknown, QT_TR_NOOP("no time: counts as seen at the start")},
+        {ImportNote::VelocityGiven, QT_TR_NOOP("velocity from the file")},
+        {ImportNote::VelocityClamped, QT_TR_NOOP("velocity limited to 5 m/s per axis")},
+        {ImportNote::GrowthEstimated, QT_TR_NOOP("q estimated")},
+        {ImportNote::GrowthClamped, QT_TR_NOOP("q limited to 10⁶ m²/s")},
+        {ImportNote::Stationary, QT_TR_NOOP("stationary")},
+        {ImportNote::Repeated, QT_TR_NOOP("several sightings at one time")},
+        {ImportNote::Jumped, QT_TR_NOOP("sightings at impossible places not used")},
+        {ImportNote::TrackAttached, QT_TR_NOOP("recorded track")},
+        {ImportNote::NoTrack, QT_TR_NOOP("no track: not sighted after the start")},
+        {ImportNote::Older, QT_TR_NOOP("older than what the scenario has")},
+        {ImportNote::SeenLater, QT_TR_NOOP("sighted only after the start")},
+        {ImportNote::DriftedAway, QT_TR_NOOP("more than 1000 km from the origin at the start")},
+        {ImportNote::TooMany, QT_TR_NOOP("the scenario is full")},
+        {ImportNote::IdTaken, QT_TR_NOOP("a UAV has this id")},
+    };
+
+    static constexpr Named<ImportOutcome> kOutcomes[]{
+        {ImportOutcome::Added, QT_TR_NOOP("new")},
+        {ImportOutcome::Updated, QT_TR_NOOP("updated")},
+        {ImportOutcome::Unchanged, QT_TR_NOOP("unchanged")},
+        {ImportOutcome::LeftOut, QT_TR_NOOP("left out")},
+    };
+
+    static constexpr Named<SightingField> kFields[]{
+        {SightingField::Id, QT_TR_NOOP("Id")},
+        {SightingField::Name, QT_TR_NOOP("Name")},
+        {SightingField::Date, QT_TR_NOOP("Date")},
+        {SightingField::Time, QT_TR_NOOP("Time")},
+        {SightingField::Latitude, QT_TR_NOOP("Latitude")},
+        {SightingField::Longitude, QT_TR_NOOP("Longitude")},
+        {SightingField::Speed, QT_TR_NOOP("Speed")},
+        {SightingField::Direction, QT_TR_NOOP("Direction")},
+        {SightingField::Sigma, QT_TR_NOOP("Uncertainty σ")},
+        {SightingField::Growth, QT_TR_NOOP("Growth q")},
+        {SightingField::Length, QT_TR_NOOP("Length")},
+        {SightingField::Radius, QT_TR_NOOP("Radius")},
+        {SightingField::Area, QT_TR_NOOP("Area")},
+        {SightingField::SizeClass, QT_TR_NOOP("Size class")},
+        {SightingField::Remarks, QT_TR_NOOP("Remarks")},
+    };
+
+    /** With the reason where it is left out; counts are told with those that begin with one. */
+    static constexpr Named<SceneNote> kScene[]{
+        {SceneNote::UavsTaken, QT_TR_N_NOOP("%n UAVs")},
+        {SceneNote::AreaTaken, QT_TR_NOOP("the area")},
+        {SceneNote::FenceTaken, QT_TR_NOOP("the area as geofence")},
+        {SceneNote::AssetTaken, QT_TR_NOOP("the asset")},
+        {SceneNote::NoFlyTaken, QT_TR_N_NOOP("%n no-fly areas")},
+        {SceneNote::InUse, QT_TR_NOOP("UAVs, area and asset (the scenario has its own)")},
+        {SceneNote::UavsTooMany, QT_TR_N_NOOP("%n UAVs (too many)")},
+        {SceneNote::UavsTooFar, QT_TR_N_NOOP("%n UAVs (more than 1000 km from the origin)")},
+        {SceneNote::AreaUnreadable, QT_TR_NOOP("an area (unreadable)")},
+        {SceneNote::AreaCorners, QT_TR_NOOP("the area (too few or too many corners)")},
+        {SceneNote::AreaTooFar, QT_TR_NOOP("the area (more than 1000 km from the origin)")},
+        {SceneNote::AreaCrossing, QT_TR_NOOP("the area (touches or crosses itself)")},
+        {SceneNote::AreaInParts, QT_TR_NOOP("the area (in several parts)")},
+        {SceneNote::AreasMore, QT_TR_N_NOOP("%n further areas")},
+        {SceneNote::AreaHoles, QT_TR_N_NOOP("%n holes of the area")},
+        {SceneNote::FenceCircles, QT_TR_N_NOOP("%n circles of the geofence")},
+        {SceneNote::FenceCorners, QT_TR_NOOP("the geofence (too many corners)")},
+        {SceneNote::FenceOutside, QT_TR_NOOP("the geofence (a UAV starts or lands outside)")},
+        {SceneNote::NoFlyUnfit,
+         QT_TR_N_NOOP(
+             "%n no-fly areas (a UAV starts or lands in them, or their heights are wrong)")},
+        {SceneNote::RallyPoints, QT_TR_N_NOOP("%n rally points")},
+        {SceneNote::AssetsMore, QT_TR_N_NOOP("%n further assets")},
+        {SceneNote::AssetTooFar, QT_TR_NOOP("the asset (more than 1000 km from the origin)")},
+        {SceneNote::NumberWrong, QT_TR_N_NOOP("%n numbers out of range")},
+    };
+
+    static constexpr Named<std::string_view> kFormats[]{
+        {"kml", QT_TR_NOOP("KML (Google Earth)")},
+        {"kmz", QT_TR_NOOP("KMZ (KML, packed)")},
+        {"czml", QT_TR_NOOP("CZML (Cesium)")},
+        {"gpx", QT_TR_NOOP("GPX (waypoints, routes and tracks)")},
+        {"plan", QT_TR_NOOP("QGroundControl plan")},
+        {"wpl", QT_TR_NOOP("ArduPilot mission (QGC WPL)")},
+        {"metno", QT_TR_NOOP("MET Norway (GeoJSON)")},
+        {"geojson", QT_TR_NOOP("GeoJSON (QGIS)")},
+        {"iip", QT_TR_NOOP("International Ice Patrol (CSV)")},
+        {"cis-beacon", QT_TR_NOOP("Canadian Ice Service (CSV)")},
+        {"usnic", QT_TR_NOOP("US National Ice Center (CSV)")},
+        {"csv", QT_TR_NOOP("Any table (CSV)")},
+    };
+
+    /** Of the codes that mean something else for sightings than for files of ours. */
+    static constexpr Named<ErrorCode> kErrors[]{
+        {ErrorCode::FileTooLarge,
+         QT_TR_NOOP(
+             "The file is too large to be imported. Split it, or leave out what is not needed.")},
+        {ErrorCode::SyntaxError,
+         QT_TR_NOOP("The file is broken. Correct it at the place named, or export it again.")},
+        {ErrorCode::WrongFormat,
+         QT_TR_NOOP("This is no file of sightings that can be recognised. If it is a table, name "
+                    "its columns for latitude and longitude.")},
+        {ErrorCode::InvalidInput, QT_TR_NOOP("Nothing of it can be used like this.")},
+    };
 };
+static_assert(std::size(ImportWords::kNotes) == std::size_t(ImportNote::IdTaken) + 1);
+static_assert(std::size(ImportWords::kOutcomes) == std::size_t(ImportOutcome::LeftOut) + 1);
+static_assert(std::size(ImportWords::kFields) == kSightingFieldNames.size());
+static_assert(std::size(ImportWords::kScene) == std::size_t(SceneNote::NumberWrong) + 1);
 
 constexpr double kHour_s = 3600;
 constexpr double kDay_s = 24 * kHour_s;
 
-/** Of the codes that mean something else for sightings than for files of ours. */
 QString errorSentence(ErrorCode code)
 {
-    switch (code) {
-    case ErrorCode::FileTooLarge:
-        return ImportWords::tr(
-            "The file is too large to be imported. Split it, or leave out what is not "
-            "needed.");
-    case ErrorCode::SyntaxError:
-        return ImportWords::tr(
-            "The file is broken. Correct it at the place named, or export it again.");
-    case ErrorCode::WrongFormat:
-        return ImportWords::tr(
-            "This is no file of sightings that can be recognised. If it is a table, "
-            "name its columns for latitude and longitude.");
-    case ErrorCode::InvalidInput:
-        return ImportWords::tr("Nothing of it can be used like this.");
-    case ErrorCode::FileNotFound:
-    case ErrorCode::FileUnreadable:
-    case ErrorCode::FileUnwritable:
-    case ErrorCode::UnsupportedVersion:
-    case ErrorCode::Unsupported:
-    case ErrorCode::SolverFailed:
-    case ErrorCode::ReplayMismatch:
-        return errorText(code);
-    }
-    return {};
+    const std::string own = nameOf(ImportWords::kErrors, code);
+    return own.empty() ? errorText(code) : ImportWords::tr(own.c_str());
 }
 
 bool isTaken(SceneNote note)
@@ -58,183 +142,36 @@ bool isTaken(SceneNote note)
            note == SceneNote::NoFlyTaken;
 }
 
-/** Part of a scene, with the reason where it is left out. */
+/** Part of a scene. */
 QString sceneWords(const SceneFinding& finding)
 {
-    const auto count = static_cast<int>(finding.count);
-    switch (finding.note) {
-    case SceneNote::UavsTaken:
-        return ImportWords::tr("%n UAVs", nullptr, count);
-    case SceneNote::AreaTaken:
-        return ImportWords::tr("the area");
-    case SceneNote::FenceTaken:
-        return ImportWords::tr("the area as geofence");
-    case SceneNote::AssetTaken:
-        return ImportWords::tr("the asset");
-    case SceneNote::NoFlyTaken:
-        return ImportWords::tr("%n no-fly areas", nullptr, count);
-    case SceneNote::InUse:
-        return ImportWords::tr("UAVs, area and asset (the scenario has its own)");
-    case SceneNote::UavsTooMany:
-        return ImportWords::tr("%n UAVs (too many)", nullptr, count);
-    case SceneNote::UavsTooFar:
-        return ImportWords::tr("%n UAVs (more than 1000 km from the origin)", nullptr, count);
-    case SceneNote::AreaUnreadable:
-        return ImportWords::tr("an area (unreadable)");
-    case SceneNote::AreaCorners:
-        return ImportWords::tr("the area (too few or too many corners)");
-    case SceneNote::AreaTooFar:
-        return ImportWords::tr("the area (more than 1000 km from the origin)");
-    case SceneNote::AreaCrossing:
-        return ImportWords::tr("the area (touches or crosses itself)");
-    case SceneNote::AreaInParts:
-        return ImportWords::tr("the area (in several parts)");
-    case SceneNote::AreasMore:
-        return ImportWords::tr("%n further areas", nullptr, count);
-    case SceneNote::AreaHoles:
-        return ImportWords::tr("%n holes of the area", nullptr, count);
-    case SceneNote::FenceCircles:
-        return ImportWords::tr("%n circles of the geofence", nullptr, count);
-    case SceneNote::FenceCorners:
-        return ImportWords::tr("the geofence (too many corners)");
-    case SceneNote::FenceOutside:
-        return ImportWords::tr("the geofence (a UAV starts or lands outside)");
-    case SceneNote::NoFlyUnfit:
-        return ImportWords::tr(
-            "%n no-fly areas (a UAV starts or lands in them, or their heights are wrong)", nullptr,
-            count);
-    case SceneNote::RallyPoints:
-        return ImportWords::tr("%n rally points", nullptr, count);
-    case SceneNote::AssetsMore:
-        return ImportWords::tr("%n further assets", nullptr, count);
-    case SceneNote::AssetTooFar:
-        return ImportWords::tr("the asset (more than 1000 km from the origin)");
-    case SceneNote::NumberWrong:
-        return ImportWords::tr("%n numbers out of range", nullptr, count);
-    }
-    return {};
+    const std::string english = nameOf(ImportWords::kScene, finding.note);
+    const int count = english.starts_with("%n") ? static_cast<int>(finding.count) : -1;
+    return ImportWords::tr(english.c_str(), nullptr, count);
 }
 
 } // namespace
 
 QString importNoteSentence(ImportNote note)
 {
-    switch (note) {
-    case ImportNote::VelocityUnknown:
-        return ImportWords::tr("velocity unknown");
-    case ImportNote::TimeUnknown:
-        return ImportWords::tr("no time: counts as seen at the start");
-    case ImportNote::VelocityGiven:
-        return ImportWords::tr("velocity from the file");
-    case ImportNote::VelocityClamped:
-        return ImportWords::tr("velocity limited to 5 m/s per axis");
-    case ImportNote::GrowthEstimated:
-        return ImportWords::tr("q estimated");
-    case ImportNote::GrowthClamped:
-        return ImportWords::tr("q limited to 10⁶ m²/s");
-    case ImportNote::Stationary:
-        return ImportWords::tr("stationary");
-    case ImportNote::Repeated:
-        return ImportWords::tr("several sightings at one time");
-    case ImportNote::Jumped:
-        return ImportWords::tr("sightings at impossible places not used");
-    case ImportNote::TrackAttached:
-        return ImportWords::tr("recorded track");
-    case ImportNote::NoTrack:
-        return ImportWords::tr("no track: not sighted after the start");
-    case ImportNote::Older:
-        return ImportWords::tr("older than what the scenario has");
-    case ImportNote::SeenLater:
-        return ImportWords::tr("sighted only after the start");
-    case ImportNote::DriftedAway:
-        return ImportWords::tr("more than 1000 km from the origin at the start");
-    case ImportNote::TooMany:
-        return ImportWords::tr("the scenario is full");
-    case ImportNote::IdTaken:
-        return ImportWords::tr("a UAV has this id");
-    }
-    return {};
+    return ImportWords::tr(nameOf(ImportWords::kNotes, note).c_str());
 }
 
 QString importOutcomeWord(ImportOutcome outcome)
 {
-    switch (outcome) {
-    case ImportOutcome::Added:
-        return ImportWords::tr("new");
-    case ImportOutcome::Updated:
-        return ImportWords::tr("updated");
-    case ImportOutcome::Unchanged:
-        return ImportWords::tr("unchanged");
-    case ImportOutcome::LeftOut:
-        return ImportWords::tr("left out");
-    }
-    return {};
+    return ImportWords::tr(nameOf(ImportWords::kOutcomes, outcome).c_str());
 }
 
 QString sightingFieldName(SightingField field)
 {
-    switch (field) {
-    case SightingField::Id:
-        return ImportWords::tr("Id");
-    case SightingField::Name:
-        return ImportWords::tr("Name");
-    case SightingField::Date:
-        return ImportWords::tr("Date");
-    case SightingField::Time:
-        return ImportWords::tr("Time");
-    case SightingField::Latitude:
-        return ImportWords::tr("Latitude");
-    case SightingField::Longitude:
-        return ImportWords::tr("Longitude");
-    case SightingField::Speed:
-        return ImportWords::tr("Speed");
-    case SightingField::Direction:
-        return ImportWords::tr("Direction");
-    case SightingField::Sigma:
-        return ImportWords::tr("Uncertainty σ");
-    case SightingField::Growth:
-        return ImportWords::tr("Growth q");
-    case SightingField::Length:
-        return ImportWords::tr("Length");
-    case SightingField::Radius:
-        return ImportWords::tr("Radius");
-    case SightingField::Area:
-        return ImportWords::tr("Area");
-    case SightingField::SizeClass:
-        return ImportWords::tr("Size class");
-    case SightingField::Remarks:
-        return ImportWords::tr("Remarks");
-    }
-    return {};
+    return ImportWords::tr(nameOf(ImportWords::kFields, field).c_str());
 }
 
 QString importFormatName(std::string_view id)
 {
-    if (id == "kml")
-        return ImportWords::tr("KML (Google Earth)");
-    if (id == "kmz")
-        return ImportWords::tr("KMZ (KML, packed)");
-    if (id == "czml")
-        return ImportWords::tr("CZML (Cesium)");
-    if (id == "gpx")
-        return ImportWords::tr("GPX (waypoints, routes and tracks)");
-    if (id == "plan")
-        return ImportWords::tr("QGroundControl plan");
-    if (id == "wpl")
-        return ImportWords::tr("ArduPilot mission (QGC WPL)");
-    if (id == "metno")
-        return ImportWords::tr("MET Norway (GeoJSON)");
-    if (id == "geojson")
-        return ImportWords::tr("GeoJSON (QGIS)");
-    if (id == "iip")
-        return ImportWords::tr("International Ice Patrol (CSV)");
-    if (id == "cis-beacon")
-        return ImportWords::tr("Canadian Ice Service (CSV)");
-    if (id == "usnic")
-        return ImportWords::tr("US National Ice Center (CSV)");
-    if (id == "csv")
-        return ImportWords::tr("Any table (CSV)");
-    return QString::fromUtf8(id.data(), qsizetype(id.size()));
+    const std::string name = nameOf(ImportWords::kFormats, id);
+    return name.empty() ? QString::fromUtf8(id.data(), qsizetype(id.size()))
+                        : ImportWords::tr(name.c_str());
 }
 
 QString importSummary(const ImportResult& result)

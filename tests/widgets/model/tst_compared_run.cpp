@@ -1,7 +1,7 @@
 #include "tests/support/comparison_builder.h"
 #include "tests/support/fleet_flight.h"
 #include "tests/support/panel_test.h"
-#include "widgets/map/picture/comparison_track.h"
+#include "widgets/map/picture/mission_picture.h"
 #include "widgets/model/compared_run.h"
 #include "widgets/panels/study/comparison_tables.h"
 

@@ -2,7 +2,7 @@
 #include "tests/support/comparison_builder.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/patience.h"
-#include "widgets/map/picture/comparison_track.h"
+#include "widgets/map/picture/mission_picture.h"
 #include "widgets/model/run_list.h"
 
 #include <QSignalSpy>

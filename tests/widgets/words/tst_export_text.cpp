@@ -9,7 +9,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kNoteKinds = static_cast<int>(ExportNoteKind::LaterSorties) + 1;
+constexpr int kNoteKinds = static_cast<int>(ExportNoteKind::OptionNotUsed) + 1;
 
 ExportNote note(ExportNoteKind kind)
 {
@@ -55,6 +55,7 @@ private slots:
         row("crossing", ExportNoteKind::LegsCross, {u"21"_s});
         row("sortie", ExportNoteKind::LaterSorties, {u"21"_s});
         row("fence", ExportNoteKind::FenceAcross180, {u"The tool"_s});
+        row("option", ExportNoteKind::OptionNotUsed, {u"The tool"_s});
     }
 
     void numbersAreInTheSentence()

@@ -50,20 +50,6 @@ QPolygonF onScreen(const std::vector<Point>& points_m, const MapViewTransform& v
     return line;
 }
 
-/** Of a line, closed or not, what is within the rectangle. */
-void addSeen(QPainterPath& path, const QPolygonF& line, bool isClosed, const QRectF& rect)
-{
-    for (qsizetype i = isClosed ? 0 : 1; i < line.size(); ++i) {
-        const std::optional<QLineF> seen =
-            clipped(QLineF(i == 0 ? line.back() : line[i - 1], line[i]), rect);
-        if (!seen)
-            continue;
-        if (path.isEmpty() || path.currentPosition() != seen->p1())
-            path.moveTo(seen->p1());
-        path.lineTo(seen->p2());
-    }
-}
-
 } // namespace
 
 BackdropLook backdropLookOf(const Theme& theme)
@@ -118,7 +104,8 @@ void BackdropDrawing::paintShape(QPainter& painter, std::size_t i, const MapView
         const QPolygonF line = onScreen(part.points_m, view);
         if (isPolygon)
             area.addPolygon(clipped(line, wide));
-        addSeen(edge, line, isPolygon, wide);
+        for (qsizetype k = isPolygon ? 0 : 1; k < line.size(); ++k)
+            addClipped(edge, QLineF(k == 0 ? line.back() : line[k - 1], line[k]), wide);
     }
     QColor fill = look.ink;
     fill.setAlphaF(kFill);

@@ -13,8 +13,8 @@ class QPainter;
 namespace berg {
 
 /** What a file of the user draws below the map: an ice chart, routes, borders. */
-using Backdrop = std::vector<MapShape>;
-using BackdropPointer = std::shared_ptr<const Backdrop>;
+using BackdropShapes = std::vector<MapShape>;
+using BackdropPointer = std::shared_ptr<const BackdropShapes>;
 
 /** Of shapes without a colour of their own. */
 struct BackdropLook

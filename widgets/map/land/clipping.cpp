@@ -38,22 +38,34 @@ QPolygonF clipped(QPolygonF polygon, const QRectF& rect)
     return polygon;
 }
 
-std::optional<QLineF> clipped(const QLineF& line, const QRectF& rect)
+std::optional<LineShares> sharesInside(const QLineF& line, const QRectF& rect)
 {
-    double from = 0;
-    double to = 1;
-    const auto enter = [&](double path, double room) {
+    LineShares inside;
+    const auto enter = [&inside](double path, double room) { // path * share <= room
         if (path == 0)
             return room >= 0;
         const double at = room / path;
-        (path < 0 ? from : to) = path < 0 ? std::max(from, at) : std::min(to, at);
-        return from <= to;
+        if (path < 0)
+            inside.from = std::max(inside.from, at);
+        else
+            inside.to = std::min(inside.to, at);
+        return inside.from <= inside.to;
     };
-    if (!enter(-line.dx(), line.x1() - rect.left()) ||
-        !enter(line.dx(), rect.right() - line.x1()) || !enter(-line.dy(), line.y1() - rect.top()) ||
-        !enter(line.dy(), rect.bottom() - line.y1()))
-        return std::nullopt;
-    return QLineF(from > 0 ? line.pointAt(from) : line.p1(), to < 1 ? line.pointAt(to) : line.p2());
+    if (enter(-line.dx(), line.x1() - rect.left()) && enter(line.dx(), rect.right() - line.x1()) &&
+        enter(-line.dy(), line.y1() - rect.top()) && enter(line.dy(), rect.bottom() - line.y1()))
+        return inside;
+    return std::nullopt;
+}
+
+void addClipped(QPainterPath& path, const QLineF& line, const QRectF& rect)
+{
+    const std::optional<LineShares> inside = sharesInside(line, rect);
+    if (!inside)
+        return;
+    const QPointF from = inside->from > 0 ? line.pointAt(inside->from) : line.p1();
+    if (path.isEmpty() || path.currentPosition() != from)
+        path.moveTo(from);
+    path.lineTo(inside->to < 1 ? line.pointAt(inside->to) : line.p2());
 }
 
 bool meet(const WorldBounds& a, const WorldBounds& b)

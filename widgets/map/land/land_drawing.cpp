@@ -117,14 +117,8 @@ void LandDrawing::addTo(QPainterPath& land, QPainterPath& coast, const Ring& rin
             continue;
         polygon << at;
         const QLineF edge(std::exchange(before, at), at);
-        if (ring.isCut[i])
-            continue;
-        const std::optional<QLineF> seen = clipped(edge, rect);
-        if (!seen)
-            continue;
-        if (coast.isEmpty() || coast.currentPosition() != seen->p1())
-            coast.moveTo(seen->p1());
-        coast.lineTo(seen->p2());
+        if (!ring.isCut[i])
+            addClipped(coast, edge, rect);
     }
     land.addPolygon(isWithin(ring.bounds, view.visible(rect)) ? polygon : clipped(polygon, rect));
 }

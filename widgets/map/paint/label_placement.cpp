@@ -1,6 +1,7 @@
 #include "widgets/map/paint/label_placement.h"
 
 #include "core/base/angles.h"
+#include "widgets/map/land/clipping.h"
 
 #include <algorithm>
 #include <array>
@@ -167,22 +168,8 @@ bool overlaps(const QRectF& rect, const LabelDisk& disk)
 
 double lengthInside(const QRectF& rect, const QLineF& line)
 {
-    // Liang and Barsky: the interval of the line's parameter inside all four half planes.
-    double from = 0;
-    double to = 1;
-    const auto clip = [&](double delta, double room) { // delta * t <= room
-        if (delta == 0)
-            return room >= 0;
-        if (delta > 0)
-            to = std::min(to, room / delta);
-        else
-            from = std::max(from, room / delta);
-        return from < to;
-    };
-    const bool inside =
-        clip(-line.dx(), line.x1() - rect.left()) && clip(line.dx(), rect.right() - line.x1()) &&
-        clip(-line.dy(), line.y1() - rect.top()) && clip(line.dy(), rect.bottom() - line.y1());
-    return inside ? (to - from) * line.length() : 0;
+    const std::optional<LineShares> inside = sharesInside(line, rect);
+    return inside ? (inside->to - inside->from) * line.length() : 0;
 }
 
 std::vector<PlacedLabel> placeLabels(std::span<const LabelRequest> requests,

@@ -1,4 +1,3 @@
-#include "widgets/map/paint/legend_uavs.h"
 #include "widgets/map/paint/map_legend_rows.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/theme/painter_state.h"

@@ -6,6 +6,8 @@
 #include "widgets/map/paint/map_surroundings.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/map/picture/route_colours.h"
+#include "widgets/theme/painter_state.h"
+#include "widgets/theme/palette.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
@@ -20,6 +22,10 @@ namespace {
 
 constexpr double kRow_px = 18;
 constexpr double kSymbolRow_px = 26;
+constexpr double kSignRow_px = 20; // of the UAVs
+constexpr double kSign_px = 19;
+constexpr double kSignGap_px = 14;
+constexpr double kSignScale = 0.55; // of the symbol on the map
 
 struct MapLegend
 {
@@ -343,6 +349,39 @@ std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& sty
                  drawArrow(p, arrow, QPen(theme.ink, 1.6), 7);
              });
     return rows.take();
+}
+
+LegendUavs::LegendUavs(const MapPicture& picture, const Theme& theme, double width_px)
+{
+    const QFontMetricsF metrics(theme.small());
+    QPointF at(0, kSignRow_px / 2);
+    for (const MapUav& uav : picture.uavs) {
+        if (uav.label.isEmpty())
+            continue;
+        const QString name = metrics.elidedText(uav.label, Qt::ElideRight, width_px - kSign_px);
+        const double chip_px = kSign_px + metrics.horizontalAdvance(name);
+        if (at.x() > 0 && at.x() + chip_px > width_px)
+            at = QPointF(0, at.y() + kSignRow_px);
+        m_chips.push_back({.at = at, .name = name, .colour = uavColour(theme, uav.place)});
+        at.rx() += chip_px + kSignGap_px;
+    }
+    if (!m_chips.empty())
+        m_height_px = at.y() + kSignRow_px / 2;
+}
+
+void LegendUavs::paint(QPainter& painter, const QPointF& at, const Theme& theme) const
+{
+    for (const Chip& chip : m_chips) {
+        const PainterState saved(painter);
+        painter.translate(at + chip.at);
+        painter.setFont(theme.small());
+        painter.setPen(theme.text);
+        painter.drawText(QRectF(kSign_px, -kSignRow_px / 2, 1000, kSignRow_px),
+                         static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), chip.name);
+        painter.translate(kSign_px / 2 - 3, 0);
+        painter.scale(kSignScale, kSignScale);
+        drawUav(painter, {0, 0}, 0, chip.colour, theme);
+    }
 }
 
 } // namespace berg

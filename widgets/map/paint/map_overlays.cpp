@@ -58,20 +58,12 @@ struct ScaleBar
     QString text;
 };
 
-ScaleBar metricBar(const MapViewTransform& view, const MapStyle& style)
+ScaleBar scaleBar(const MapViewTransform& view, const MapStyle& style, DistanceUnit unit)
 {
-    const double length_m = roundDown125(kBarLength_px / view.scale_pxpm());
+    const double unit_m = unit == DistanceUnit::Nautical ? kMetresPerNauticalMile : 1;
+    const double length_m = roundDown125(kBarLength_px / view.scale_pxpm() / unit_m) * unit_m;
     return {.length_px = length_m * view.scale_pxpm(),
-            .text = distanceText(length_m, style.locale, 1, DistanceUnit::Metric)};
-}
-
-ScaleBar nauticalBar(const MapViewTransform& view, const MapStyle& style)
-{
-    const double length_nmi =
-        roundDown125(kBarLength_px / view.scale_pxpm() / kMetresPerNauticalMile);
-    return {.length_px = length_nmi * kMetresPerNauticalMile * view.scale_pxpm(),
-            .text = distanceText(length_nmi * kMetresPerNauticalMile, style.locale, 1,
-                                 DistanceUnit::Nautical)};
+            .text = distanceText(length_m, style.locale, 1, unit)};
 }
 
 void paintBar(QPainter& painter, const QPointF& at, const ScaleBar& bar, const Theme& theme)
@@ -200,8 +192,10 @@ QSizeF scaleBarSize(const MapViewTransform& view, const MapStyle& style)
 {
     const QFontMetricsF small(style.theme.small());
     double width_px = 0;
-    for (const ScaleBar& bar : {metricBar(view, style), nauticalBar(view, style)})
+    for (const DistanceUnit unit : {DistanceUnit::Metric, DistanceUnit::Nautical}) {
+        const ScaleBar bar = scaleBar(view, style, unit);
         width_px = std::max(width_px, bar.length_px + 8 + small.horizontalAdvance(bar.text));
+    }
     return {std::ceil(width_px) + 2 * kPadding_px, 2 * kBarRow_px + 12};
 }
 
@@ -211,8 +205,8 @@ void paintScaleBar(QPainter& painter, const QRectF& rect, const MapViewTransform
     const PainterState saved(painter);
     paintPanel(painter, rect, style.theme);
     QPointF at = rect.topLeft() + QPointF(kPadding_px, 6 + kBarRow_px / 2);
-    for (const ScaleBar& bar : {metricBar(view, style), nauticalBar(view, style)}) {
-        paintBar(painter, at, bar, style.theme);
+    for (const DistanceUnit unit : {DistanceUnit::Metric, DistanceUnit::Nautical}) {
+        paintBar(painter, at, scaleBar(view, style, unit), style.theme);
         at.ry() += kBarRow_px;
     }
 }

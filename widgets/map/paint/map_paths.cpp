@@ -134,21 +134,6 @@ void paintTrack(const MapPaint& p, const std::vector<MapTrackPoint>& track, cons
     flush();
 }
 
-void paintSearch(const MapPaint& p, std::size_t uav)
-{
-    const MapRoute& route = p.picture.routes[uav];
-    if (route.search_m.empty())
-        return;
-    const QColor colour = routeColours(p.picture, p.theme, uav).uav;
-    QPolygonF path{p.layout.view.toPixel(p.picture.uavs[uav].position_m)};
-    for (const Point& corner_m : route.search_m)
-        path << p.layout.view.toPixel(corner_m);
-    p.painter.setBrush(Qt::NoBrush);
-    p.painter.setPen(searchPen(colour));
-    p.painter.drawPolyline(path);
-    drawDirectionMark(p.painter, QLineF(path[0], path[1]), colour, 10);
-}
-
 /** Where the plan looks for lost icebergs: a ring with the chance of finding one there. */
 void paintSearchPlaces(const MapPaint& p, const MapRoute& route, const QColor& colour)
 {
@@ -274,8 +259,18 @@ std::vector<QLineF> headingMarks(const MapPicture& picture, const MapLayout& lay
 
 void paintSearches(const MapPaint& p)
 {
-    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav)
-        paintSearch(p, uav);
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav) {
+        const MapRoute& route = p.picture.routes[uav];
+        if (route.search_m.empty())
+            continue;
+        const QColor colour = routeColours(p.picture, p.theme, uav).uav;
+        QPolygonF path{p.layout.view.toPixel(p.picture.uavs[uav].position_m)};
+        path << p.layout.view.toPixels(route.search_m);
+        p.painter.setBrush(Qt::NoBrush);
+        p.painter.setPen(searchPen(colour));
+        p.painter.drawPolyline(path);
+        drawDirectionMark(p.painter, QLineF(path[0], path[1]), colour, 10);
+    }
 }
 
 void paintPlans(const MapPaint& p)

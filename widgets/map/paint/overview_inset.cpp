@@ -54,8 +54,6 @@ OverviewInset::OverviewInset(QWidget* parent) : QWidget(parent), m_frame(frameOf
     showWhole();
 }
 
-OverviewInset::~OverviewInset() = default;
-
 void OverviewInset::setTheme(const Theme& theme)
 {
     m_theme = theme;
@@ -204,8 +202,7 @@ void OverviewInset::paintCoordinates(QPainter& painter) const
     if (!place)
         return;
     const int decimals = m_view.scale_pxpm() > 2e-4 ? 0 : -1;
-    const QString text = u"%1  %2"_s.arg(latitudeText(place->latitude_deg, decimals, locale()),
-                                         longitudeText(place->longitude_deg, decimals, locale()));
+    const QString text = placeText(*place, decimals, locale());
     const QFontMetricsF metrics(m_theme.small());
     const QSizeF size(metrics.horizontalAdvance(text) + 12, metrics.height() + 6);
     const QRectF chart = chartRect();

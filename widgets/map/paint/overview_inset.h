@@ -20,7 +20,6 @@ class OverviewInset : public QWidget
 
 public:
     explicit OverviewInset(QWidget* parent = nullptr);
-    ~OverviewInset() override;
 
     void setTheme(const Theme& theme);
     void setNavigable(bool navigable);

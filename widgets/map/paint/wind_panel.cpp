@@ -34,18 +34,12 @@ constexpr double kGrip_px = 5; // that its head keeps off the tip, where it is d
 constexpr double kStep_mps = 0.5;
 constexpr double kStep_deg = 5;
 
-QString speedOf(const Point& velocity_mps, int decimals, const QLocale& locale)
-{
-    const ShownUnit unit = speedUnit();
-    return u"%1 %2"_s.arg(fixedText(unit.fromSi(velocity_mps.norm()), decimals, locale), unit.name);
-}
-
 /** Two lines; one in calm. */
 QStringList windLines(const MapAir& air, const QLocale& locale)
 {
     if (air.wind_mps.isZero(0))
         return {WindText::tr("No wind")};
-    const QString speed = speedOf(air.wind_mps, 1, locale);
+    const QString speed = fixedSpeedText(air.wind_mps.norm(), 1, locale);
     const QString from = bearingText(-air.wind_mps);
     return (isStrong(air) ? WindText::tr("Wind %1\nfrom %2, strong")
                           : WindText::tr("Wind %1\nfrom %2"))
@@ -59,7 +53,7 @@ QStringList currentLines(const MapAir& air, const QLocale& locale)
     if (air.current_mps.isZero(0))
         return {};
     return WindText::tr("Current %1\ntowards %2")
-        .arg(speedOf(air.current_mps, 2, locale), bearingText(air.current_mps))
+        .arg(fixedSpeedText(air.current_mps.norm(), 2, locale), bearingText(air.current_mps))
         .split(u'\n');
 }
 

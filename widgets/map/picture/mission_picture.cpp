@@ -338,6 +338,20 @@ void hideTruth(MapPicture& picture)
     picture.hidesTruth = true;
 }
 
+void addComparison(MapPicture& picture, const ComparedRun& run, double until_s,
+                   const QLocale& locale)
+{
+    picture.comparisonName = runName(run, locale);
+    picture.comparisonTracks.assign(run.scenario.uavs.size(), {});
+    for (const Sample& sample : run.samples) {
+        if (sample.time_s > until_s)
+            break;
+        for (std::size_t uav = 0; uav < picture.comparisonTracks.size(); ++uav)
+            picture.comparisonTracks[uav].push_back(
+                {.position_m = sample.uavs[uav].pose.position_m, .time_s = sample.time_s});
+    }
+}
+
 SweptPointer SweptPaths::of(const FlightRecord& record, std::size_t uav)
 {
     if (record.instant) { // the list of the flight goes on beyond it
@@ -369,7 +383,6 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale, Swe
     MapPicture picture;
     picture.title = QString::fromStdString(scenario.name);
     picture.subtitle = policyText(record.shown().planner, locale);
-    picture.origin = scenario.origin;
     std::vector<int> shown;
     picture.icebergs = icebergsOf(record, shown);
     picture.clusters = clustersOf(record.shown().plans, shown);
@@ -381,16 +394,8 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale, Swe
         picture.routes[uav].planCorners = cornersOf(picture, record.shown(), uav);
     }
     picture.readouts = readoutsOf(record, picture.uavs, locale);
-    picture.area_m = scenario.area_m;
-    picture.isFenced = scenario.geofence;
-    picture.closed = closedOf(scenario, record.shown().asset);
-    picture.airspace = airspaceOf(scenario);
-    picture.operation = operationOf(scenario);
-    picture.separation_m = scenario.separation_m;
-    picture.asset = assetOf(record.shown().asset, record.shown().time_s);
-    picture.station = stationOf(scenario);
+    setSurroundings(picture, scenario, record.shown().asset, record.shown().time_s);
     markNoReturn(picture, record);
-    picture.air = airOf(scenario);
     if (!record.shown().motions.empty())
         picture.air.wind_mps = record.shown().motions.front().wind_mps;
     picture.sigmaFull_m2 = sigmaScaleEnd_m2(record);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/map/picture/map_picture.h"
+#include "widgets/model/compared_run.h"
 #include "widgets/model/flight_record.h"
 
 #include <QLocale>
@@ -46,5 +47,9 @@ private:
 
 /** Leaves only what an operator would see. */
 void hideTruth(MapPicture& picture);
+
+/** Lays the tracks of another run over the map, up to `until_s`. */
+void addComparison(MapPicture& picture, const ComparedRun& run, double until_s,
+                   const QLocale& locale);
 
 } // namespace berg

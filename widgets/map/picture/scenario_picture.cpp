@@ -73,6 +73,34 @@ void markInView(MapPicture& picture)
     }
 }
 
+/** With the ring round `asset`, which may not be that of the scenario any more. */
+std::vector<MapClosedArea> closedOf(const Scenario& scenario, const std::optional<Asset>& asset)
+{
+    return closedOf(scenario.noFly,
+                    asset ? standoffArea(*asset, scenario.duration_s) : std::nullopt);
+}
+
+std::optional<MapStation> stationOf(const Scenario& scenario)
+{
+    if (!scenario.groundStation)
+        return std::nullopt;
+    MapStation station{.position_m = scenario.groundStation->position_m, .ranges_m = {}};
+    for (const Uav& uav : scenario.uavs)
+        station.ranges_m.push_back(linkRange_m(*scenario.groundStation, uav.spec.altitude_m));
+    std::ranges::sort(station.ranges_m);
+    station.ranges_m.erase(std::unique(station.ranges_m.begin(), station.ranges_m.end()),
+                           station.ranges_m.end());
+    return station;
+}
+
+/** None where no permit is applied for. */
+std::optional<OperationVolume> operationOf(const Scenario& scenario)
+{
+    if (!scenario.operation || scenario.uavs.empty())
+        return std::nullopt;
+    return operationVolume(scenario, *scenario.operation);
+}
+
 bool isAt(const MapUav& drawn, const Uav& uav)
 {
     return drawn.position_m == uav.position_m && drawn.psi_rad == psiFromHeading(uav.heading_deg);
@@ -141,19 +169,6 @@ std::optional<MapAsset> assetOf(const std::optional<Asset>& asset, double time_s
                     .alarm_m = alarmRadius_m(*asset)};
 }
 
-std::optional<MapStation> stationOf(const Scenario& scenario)
-{
-    if (!scenario.groundStation)
-        return std::nullopt;
-    MapStation station{.position_m = scenario.groundStation->position_m, .ranges_m = {}};
-    for (const Uav& uav : scenario.uavs)
-        station.ranges_m.push_back(linkRange_m(*scenario.groundStation, uav.spec.altitude_m));
-    std::ranges::sort(station.ranges_m);
-    station.ranges_m.erase(std::unique(station.ranges_m.begin(), station.ranges_m.end()),
-                           station.ranges_m.end());
-    return station;
-}
-
 std::vector<MapClosedArea> closedOf(const std::vector<NoFlyArea>& noFly,
                                     const std::optional<NoFlyArea>& ring)
 {
@@ -172,12 +187,6 @@ std::vector<MapClosedArea> closedOf(const std::vector<NoFlyArea>& noFly,
     return closed;
 }
 
-std::vector<MapClosedArea> closedOf(const Scenario& scenario, const std::optional<Asset>& asset)
-{
-    return closedOf(scenario.noFly,
-                    asset ? standoffArea(*asset, scenario.duration_s) : std::nullopt);
-}
-
 std::vector<MapAirspace> airspaceOf(const Scenario& scenario)
 {
     std::vector<MapAirspace> airspace;
@@ -189,18 +198,26 @@ std::vector<MapAirspace> airspaceOf(const Scenario& scenario)
     return airspace;
 }
 
-std::optional<OperationVolume> operationOf(const Scenario& scenario)
-{
-    if (!scenario.operation || scenario.uavs.empty())
-        return std::nullopt;
-    return operationVolume(scenario, *scenario.operation);
-}
-
 MapAir airOf(const Scenario& scenario)
 {
     return {.wind_mps = scenario.wind_mps,
             .current_mps = scenario.current_mps,
             .limit_mps = slowestAirspeed_mps(scenario)};
+}
+
+void setSurroundings(MapPicture& picture, const Scenario& scenario,
+                     const std::optional<Asset>& asset, double time_s)
+{
+    picture.origin = scenario.origin;
+    picture.area_m = scenario.area_m;
+    picture.isFenced = scenario.geofence;
+    picture.closed = closedOf(scenario, asset);
+    picture.airspace = airspaceOf(scenario);
+    picture.operation = operationOf(scenario);
+    picture.separation_m = scenario.separation_m;
+    picture.asset = assetOf(asset, time_s);
+    picture.station = stationOf(scenario);
+    picture.air = airOf(scenario);
 }
 
 MapUav mapUav(const Scenario& scenario, std::size_t i)
@@ -253,16 +270,7 @@ MapPicture withScenario(MapPicture picture, const Scenario& scenario)
         picture.uavs.push_back(mapUav(scenario, i));
     markInView(picture);
 
-    picture.origin = scenario.origin;
-    picture.area_m = scenario.area_m;
-    picture.isFenced = scenario.geofence;
-    picture.closed = closedOf(scenario, scenario.asset);
-    picture.airspace = airspaceOf(scenario);
-    picture.operation = operationOf(scenario);
-    picture.separation_m = scenario.separation_m;
-    picture.asset = assetOf(scenario.asset, 0);
-    picture.station = stationOf(scenario);
-    picture.air = airOf(scenario);
+    setSurroundings(picture, scenario, scenario.asset, 0);
     for (const MapIceberg& iceberg : picture.icebergs)
         picture.sigmaFull_m2 = std::max(picture.sigmaFull_m2, roundSigmaScale(iceberg.sigma_m2));
     return picture;

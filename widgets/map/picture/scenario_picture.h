@@ -12,22 +12,22 @@ namespace berg {
 [[nodiscard]] MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario);
 
 /** Where the asset is `time_s` after the start, with its rings. */
-[[nodiscard]] std::optional<MapStation> stationOf(const Scenario& scenario);
 [[nodiscard]] std::optional<MapAsset> assetOf(const std::optional<Asset>& asset, double time_s);
 
 [[nodiscard]] std::vector<MapAirspace> airspaceOf(const Scenario& scenario);
 
-/** None where no permit is applied for. */
-[[nodiscard]] std::optional<OperationVolume> operationOf(const Scenario& scenario);
-
 /** No-fly areas and stand-off ring. */
 [[nodiscard]] std::vector<MapClosedArea> closedOf(const std::vector<NoFlyArea>& noFly,
                                                   const std::optional<NoFlyArea>& ring);
-/** With the ring round `asset`, which may not be that of the scenario any more. */
-[[nodiscard]] std::vector<MapClosedArea> closedOf(const Scenario& scenario,
-                                                  const std::optional<Asset>& asset);
 /** Wind and current of the scenario. */
 [[nodiscard]] MapAir airOf(const Scenario& scenario);
+
+/**
+ * Everything but icebergs and UAVs: areas, airspace, wind, and `asset` at `time_s`, which may not
+ * be that of the scenario any more.
+ */
+void setSurroundings(MapPicture& picture, const Scenario& scenario,
+                     const std::optional<Asset>& asset, double time_s);
 
 /**
  * UAV i of the scenario at t = 0, named when it is one of several. It has no home while its

@@ -98,8 +98,7 @@ QString DriftArrow::status() const
 QString driftText(const Point& drift_mps, const QLocale& locale)
 {
     const double speed_mps = drift_mps.norm();
-    const ShownUnit unit = speedUnit();
-    const QString speed = u"%1 %2"_s.arg(fixedText(unit.fromSi(speed_mps), 2, locale), unit.name);
+    const QString speed = fixedSpeedText(speed_mps, 2, locale);
     return speed_mps > 0 ? speed + u"  "_s + bearingText(drift_mps) : speed;
 }
 
@@ -115,9 +114,7 @@ std::optional<double> headingTowards_deg(const Point& from_m, const MapPointer& 
 
 QString headingText(double heading_deg)
 {
-    const QString degrees =
-        u"%1°"_s.arg(static_cast<int>(std::lround(heading_deg)) % 360, 3, 10, QChar(u'0'));
-    return DriftArrowText::tr("Heading %1").arg(degrees);
+    return DriftArrowText::tr("Heading %1").arg(directionText(heading_deg));
 }
 
 QString pathText(const Point& path_m, const QLocale& locale)

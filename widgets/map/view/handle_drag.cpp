@@ -1,7 +1,7 @@
 // What dragging a handle of the map does to the scenario.
 
+#include "widgets/map/paint/wind_panel.h"
 #include "widgets/map/view/drift_arrow.h"
-#include "widgets/map/view/flight_drag.h"
 #include "widgets/map/view/map_handles.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/scenario_edits.h"
@@ -20,6 +20,11 @@ struct HandleText
     Q_DECLARE_TR_FUNCTIONS(HandleDrag)
 };
 
+struct FlightDragText
+{
+    Q_DECLARE_TR_FUNCTIONS(FlightDrag)
+};
+
 constexpr std::size_t kFewestCorners = 3;
 
 /** Icebergs among what is selected. */
@@ -35,7 +40,7 @@ class DriftDrag final : public HandleDrag
 {
 public:
     DriftDrag(const MapToolContext& context, const MapHandle& handle)
-        : HandleDrag(context, handle)
+        : HandleDrag(context)
         , m_ids(selectedIcebergs(context))
         , m_iceberg(*findById(context.document.scenario().icebergs, handle.id))
         , m_arrow(context.scene, handle.id)
@@ -70,7 +75,7 @@ class HeadingDrag final : public HandleDrag
 {
 public:
     HeadingDrag(const MapToolContext& context, const MapHandle& handle)
-        : HandleDrag(context, handle), m_uav(*findById(context.document.scenario().uavs, handle.id))
+        : HandleDrag(context), m_uav(*findById(context.document.scenario().uavs, handle.id))
     {
         begin(HandleText::tr("Turn UAV"));
     }
@@ -100,7 +105,7 @@ class CornerDrag final : public HandleDrag
 {
 public:
     CornerDrag(const MapToolContext& context, const MapHandle& handle)
-        : HandleDrag(context, handle)
+        : HandleDrag(context)
         , m_area_m(*outlineIn(context.document.scenario(), handle.id))
         , m_index(handle.kind == HandleKind::Edge ? handle.index + 1 : handle.index)
         , m_from_m(context.scene.view().toWorld(handle.at_px))
@@ -141,12 +146,103 @@ private:
     bool m_isRefused = false;
 };
 
-} // namespace
+// What can be dragged in flight, too: there the end of a drag is told to the flight, and what is
+// under way is only drawn.
 
-HandleDrag::HandleDrag(const MapToolContext& context, MapHandle handle)
-    : m_context(context), m_handle(std::move(handle))
+/** Direction and speed of the wind, by the tip of its arrow. */
+class WindDrag final : public HandleDrag
 {
-}
+public:
+    explicit WindDrag(const MapToolContext& context)
+        : HandleDrag(context), m_air(context.scene.picture().air)
+    {
+        if (!context.view.isLocked())
+            begin(FlightDragText::tr("Change wind"));
+    }
+
+    void move(const MapPointer& pointer) override
+    {
+        m_air.wind_mps = windAtTip(context().scene.layout().wind, m_air, pointer.at_px,
+                                   pointer.modifiers.testFlag(Qt::ShiftModifier));
+        const Point wind_mps = m_air.wind_mps;
+        if (isInFlight())
+            context().view.setDraft([wind_mps](MapPicture& p) { p.air.wind_mps = wind_mps; });
+        else
+            gesture().apply([&](Scenario& scenario) { scenario.wind_mps = wind_mps; });
+    }
+
+    void end(bool keep) override
+    {
+        if (!isInFlight())
+            HandleDrag::end(keep);
+        else if (keep)
+            emit context().view.windEdited(m_air.wind_mps);
+    }
+
+    [[nodiscard]] QString text() const override { return {}; } // the panel has them
+
+    [[nodiscard]] QString status() const override
+    {
+        if (isStrong(m_air))
+            return FlightDragText::tr("The UAV makes little way against this wind. Esc takes it "
+                                      "back.");
+        return isInFlight()
+                   ? FlightDragText::tr("Let go: this wind blows from now on. Esc takes it back.")
+                   : FlightDragText::tr("Let go to keep this wind. Shift keeps to steps of %1°, "
+                                        "Esc takes it back.")
+                         .arg(kDirectionStep_deg);
+    }
+
+private:
+    MapAir m_air; ///< with the wind drawn
+};
+
+/** Where the asset is now; in flight only. */
+class AssetDrag final : public HandleDrag
+{
+public:
+    AssetDrag(const MapToolContext& context, const MapHandle& handle)
+        : HandleDrag(context)
+        , m_from_m(context.scene.picture().asset->position_m)
+        , m_grip_m(context.scene.view().toWorld(handle.at_px) - m_from_m)
+        , m_to_m(m_from_m)
+    {
+    }
+
+    void move(const MapPointer& pointer) override
+    {
+        MapPointer centre = pointer;
+        centre.at_m -= m_grip_m;
+        m_to_m = placeOf(centre);
+        context().view.setDraft([to_m = m_to_m](MapPicture& p) {
+            if (p.asset)
+                p.asset->position_m = to_m;
+        });
+    }
+
+    void end(bool keep) override
+    {
+        if (keep)
+            emit context().view.assetMoved(m_to_m);
+    }
+
+    [[nodiscard]] QString text() const override
+    {
+        return pathText(m_to_m - m_from_m, context().scene.locale());
+    }
+
+    [[nodiscard]] QString status() const override
+    {
+        return FlightDragText::tr("Let go: the asset is here from now on. Esc takes it back.");
+    }
+
+private:
+    Point m_from_m;
+    Point m_grip_m; ///< from its centre to where it was taken
+    Point m_to_m;
+};
+
+} // namespace
 
 void HandleDrag::end(bool keep)
 {
@@ -167,9 +263,9 @@ std::unique_ptr<HandleDrag> makeHandleDrag(const MapToolContext& context, const 
     case HandleKind::Edge:
         return std::make_unique<CornerDrag>(context, handle);
     case HandleKind::Wind:
-        return makeWindDrag(context, handle);
+        return std::make_unique<WindDrag>(context);
     case HandleKind::Asset:
-        return makeAssetDrag(context, handle);
+        return std::make_unique<AssetDrag>(context, handle);
     }
     return nullptr;
 }

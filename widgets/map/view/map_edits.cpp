@@ -33,16 +33,16 @@ Point middleOf(std::span<const Iceberg> icebergs)
 /** Ends what the tool has under way; false: the map is locked. */
 bool MapEdits::begin()
 {
-    m_view.cancelGesture();
-    return !m_view.isLocked();
+    m_context.view.cancelGesture();
+    return !m_context.view.isLocked();
 }
 
 QString MapEdits::removalText(const std::vector<std::string>& ids) const
 {
-    const Scenario& scenario = m_document.scenario();
+    const Scenario& scenario = m_context.document.scenario();
     const auto icebergs = static_cast<int>(icebergsOf(scenario, ids).size());
-    const bool hasAsset = scenario.asset && m_selection.contains(kAssetKey);
-    const bool hasArea = !scenario.area_m.empty() && m_selection.contains(kAreaKey);
+    const bool hasAsset = scenario.asset && m_context.selection.contains(kAssetKey);
+    const bool hasArea = !scenario.area_m.empty() && m_context.selection.contains(kAreaKey);
     const auto uavs = static_cast<int>(removableUavs(scenario, ids));
     const auto noFly = static_cast<int>(std::count_if(
         ids.begin(), ids.end(), [](const std::string& id) { return noFlyPlace(id); }));
@@ -64,32 +64,32 @@ QString MapEdits::removalText(const std::vector<std::string>& ids) const
 
 void MapEdits::deleteSelected()
 {
-    const std::vector<std::string> ids = m_selection.ids();
-    if (m_view.isLocked())
-        emit m_view.removalRequested(ids);
-    if (!begin() || m_view.removePart())
+    const std::vector<std::string> ids = m_context.selection.ids();
+    if (m_context.view.isLocked())
+        emit m_context.view.removalRequested(ids);
+    if (!begin() || m_context.view.removePart())
         return;
     if (const QString text = removalText(ids); !text.isEmpty())
-        m_document.edit(text, [&](Scenario& scenario) { removeObjects(scenario, ids); });
-    else if (!uavsOf(m_document.scenario(), ids).empty())
-        emit m_view.refused(tr("The last UAV stays: a scenario has at least one."));
+        m_context.document.edit(text, [&](Scenario& scenario) { removeObjects(scenario, ids); });
+    else if (!uavsOf(m_context.document.scenario(), ids).empty())
+        emit m_context.view.refused(tr("The last UAV stays: a scenario has at least one."));
 }
 
 void MapEdits::selectAll()
 {
     std::vector<std::string> ids;
-    for (const MapIceberg& iceberg : m_scene.picture().icebergs)
+    for (const MapIceberg& iceberg : m_context.scene.picture().icebergs)
         ids.push_back(keyOf(iceberg));
-    m_selection.set(std::move(ids));
+    m_context.selection.set(std::move(ids));
 }
 
 void MapEdits::nudge(double east_m, double north_m)
 {
-    if (!begin() || m_selection.isEmpty())
+    if (!begin() || m_context.selection.isEmpty())
         return;
-    const std::vector<std::string> ids = m_selection.ids();
-    m_document.edit(
-        moveText(m_document.scenario(), ids),
+    const std::vector<std::string> ids = m_context.selection.ids();
+    m_context.document.edit(
+        moveText(m_context.document.scenario(), ids),
         [&](Scenario& scenario) {
             moveObjects(scenario, ids, {east_m, north_m});
         },
@@ -98,7 +98,8 @@ void MapEdits::nudge(double east_m, double north_m)
 
 bool MapEdits::copySelected()
 {
-    const std::vector<Iceberg> icebergs = icebergsOf(m_document.scenario(), m_selection.ids());
+    const std::vector<Iceberg> icebergs =
+        icebergsOf(m_context.document.scenario(), m_context.selection.ids());
     if (icebergs.empty())
         return false;
     QApplication::clipboard()->setMimeData(icebergMimeData(icebergs).release());
@@ -109,15 +110,15 @@ void MapEdits::cutSelected()
 {
     if (!begin() || !copySelected())
         return;
-    const std::vector<std::string> ids = m_selection.ids();
-    const auto count = static_cast<int>(icebergsOf(m_document.scenario(), ids).size());
-    m_document.edit(tr("Cut %n icebergs", nullptr, count),
-                    [&](Scenario& scenario) { removeIcebergs(scenario, ids); });
+    const std::vector<std::string> ids = m_context.selection.ids();
+    const auto count = static_cast<int>(icebergsOf(m_context.document.scenario(), ids).size());
+    m_context.document.edit(tr("Cut %n icebergs", nullptr, count),
+                            [&](Scenario& scenario) { removeIcebergs(scenario, ids); });
 }
 
 void MapEdits::paste()
 {
-    pasteAt(m_view.cursor_m());
+    pasteAt(m_context.view.cursor_m());
 }
 
 void MapEdits::pasteAt(const std::optional<Point>& place_m)
@@ -130,7 +131,7 @@ void MapEdits::pasteAt(const std::optional<Point>& place_m)
     } catch (const Error& error) {
         const bool isOther =
             error.code() == ErrorCode::SyntaxError || error.code() == ErrorCode::WrongFormat;
-        emit m_view.refused(
+        emit m_context.view.refused(
             isOther
                 ? tr("There are no icebergs on the clipboard.")
                 : tr("What is on the clipboard cannot be pasted. %1").arg(errorText(error.code())));
@@ -144,17 +145,18 @@ void MapEdits::duplicateSelected()
 {
     if (!begin())
         return;
-    const std::vector<Iceberg> icebergs = icebergsOf(m_document.scenario(), m_selection.ids());
+    const std::vector<Iceberg> icebergs =
+        icebergsOf(m_context.document.scenario(), m_context.selection.ids());
     const auto count = static_cast<int>(icebergs.size());
     if (icebergs.empty())
-        duplicateUavs(uavsOf(m_document.scenario(), m_selection.ids()));
+        duplicateUavs(uavsOf(m_context.document.scenario(), m_context.selection.ids()));
     addCopiesOf(icebergs, std::nullopt, tr("Duplicate %n icebergs", nullptr, count));
 }
 
 /** About this far beside the original. */
 Point MapEdits::copyStep_m() const
 {
-    const double step_m = roundDown125(kCopyOffset_px / m_scene.view().scale_pxpm());
+    const double step_m = roundDown125(kCopyOffset_px / m_context.scene.view().scale_pxpm());
     return {step_m, -step_m};
 }
 
@@ -165,21 +167,21 @@ void MapEdits::duplicateUavs(const std::vector<Uav>& uavs)
     const Point step_m = copyStep_m();
     std::vector<std::string> ids;
     const auto count = static_cast<int>(uavs.size());
-    m_document.edit(tr("Duplicate %n UAVs", nullptr, count), [&](Scenario& scenario) {
+    m_context.document.edit(tr("Duplicate %n UAVs", nullptr, count), [&](Scenario& scenario) {
         for (const Uav& uav : uavs) {
             scenario.uavs.push_back(anotherUav(scenario, uav, uav.position_m + step_m));
             ids.push_back(scenario.uavs.back().id);
         }
     });
-    m_selection.set(std::move(ids));
+    m_context.selection.set(std::move(ids));
 }
 
 /** Says so when there is none. */
 bool MapEdits::hasRoomForUavs(std::size_t count)
 {
-    if (m_document.scenario().uavs.size() + count <= kMostUavs)
+    if (m_context.document.scenario().uavs.size() + count <= kMostUavs)
         return true;
-    emit m_view.refused(
+    emit m_context.view.refused(
         tr("A scenario holds at most %n UAVs.", nullptr, static_cast<int>(kMostUavs)));
     return false;
 }
@@ -188,14 +190,16 @@ void MapEdits::addUavAt(const Point& place_m)
 {
     if (!begin() || !hasRoomForUavs(1))
         return;
-    const Uav uav = anotherUav(m_document.scenario(), roundedTo(place_m, kPositionStep_m));
-    m_document.edit(tr("Add UAV"), [&](Scenario& scenario) { scenario.uavs.push_back(uav); });
-    m_selection.set({uav.id});
+    const Uav uav = anotherUav(m_context.document.scenario(), roundedTo(place_m, kPositionStep_m));
+    m_context.document.edit(tr("Add UAV"),
+                            [&](Scenario& scenario) { scenario.uavs.push_back(uav); });
+    m_context.selection.set({uav.id});
 }
 
 void MapEdits::addUav()
 {
-    addUavAt(m_view.cursor_m().value_or(m_scene.view().toWorld(m_scene.rect().center())));
+    addUavAt(m_context.view.cursor_m().value_or(
+        m_context.scene.view().toWorld(m_context.scene.rect().center())));
 }
 
 /** Round `place_m`, or beside the originals where no copy hides another iceberg. */
@@ -204,9 +208,9 @@ void MapEdits::addCopiesOf(const std::vector<Iceberg>& icebergs,
 {
     if (icebergs.empty())
         return;
-    const Scenario& scenario = m_document.scenario();
+    const Scenario& scenario = m_context.document.scenario();
     if (scenario.icebergs.size() + icebergs.size() > kMostIcebergs) {
-        emit m_view.refused(
+        emit m_context.view.refused(
             tr("A scenario holds at most %n icebergs.", nullptr, static_cast<int>(kMostIcebergs)));
         return;
     }
@@ -214,8 +218,9 @@ void MapEdits::addCopiesOf(const std::vector<Iceberg>& icebergs,
     const Point offset_m = place_m ? roundedTo(*place_m - middleOf(icebergs), kPositionStep_m)
                                    : freeOffset(scenario, icebergs, step_m);
     std::vector<std::string> ids;
-    m_document.edit(undoText, [&](Scenario& after) { ids = addCopies(after, icebergs, offset_m); });
-    m_selection.set(std::move(ids));
+    m_context.document.edit(undoText,
+                            [&](Scenario& after) { ids = addCopies(after, icebergs, offset_m); });
+    m_context.selection.set(std::move(ids));
 }
 
 void MapEdits::addIcebergAt(const Point& place_m)
@@ -224,15 +229,15 @@ void MapEdits::addIcebergAt(const Point& place_m)
     Iceberg iceberg;
     iceberg.position_m = clampedPosition(roundedTo(place_m, kPositionStep_m));
     if (isLocked) {
-        emit m_view.icebergPlaced(iceberg);
+        emit m_context.view.icebergPlaced(iceberg);
         return;
     }
-    if (m_document.scenario().icebergs.size() >= kMostIcebergs)
+    if (m_context.document.scenario().icebergs.size() >= kMostIcebergs)
         return;
-    iceberg.id = freshIcebergId(m_document.scenario());
-    m_document.edit(tr("Add iceberg"),
-                    [&](Scenario& scenario) { scenario.icebergs.push_back(iceberg); });
-    m_selection.set({iceberg.id});
+    iceberg.id = freshIcebergId(m_context.document.scenario());
+    m_context.document.edit(tr("Add iceberg"),
+                            [&](Scenario& scenario) { scenario.icebergs.push_back(iceberg); });
+    m_context.selection.set({iceberg.id});
 }
 
 } // namespace berg

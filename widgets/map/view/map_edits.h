@@ -17,13 +17,7 @@ class MapEdits
 
 public:
     /** All of it must outlive this. */
-    explicit MapEdits(const MapToolContext& context)
-        : m_document(context.document)
-        , m_selection(context.selection)
-        , m_scene(context.scene)
-        , m_view(context.view)
-    {
-    }
+    explicit MapEdits(const MapToolContext& context) : m_context(context) {}
 
     /** What is selected, but the last UAV; or the part that a tool has current. */
     void deleteSelected();
@@ -56,10 +50,7 @@ private:
     [[nodiscard]] bool hasRoomForUavs(std::size_t count);
     [[nodiscard]] Point copyStep_m() const;
 
-    ScenarioDocument& m_document;
-    Selection& m_selection;
-    MapScene& m_scene;
-    MapView& m_view;
+    MapToolContext m_context;
 };
 
 } // namespace berg

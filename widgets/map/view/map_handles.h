@@ -62,7 +62,7 @@ void paintHandles(QPainter& painter, const std::vector<MapHandle>& handles,
 class HandleDrag
 {
 public:
-    HandleDrag(const MapToolContext& context, MapHandle handle);
+    explicit HandleDrag(const MapToolContext& context) : m_context(context) {}
     virtual ~HandleDrag() = default;
     HandleDrag(const HandleDrag&) = delete;
     HandleDrag& operator=(const HandleDrag&) = delete;
@@ -73,7 +73,6 @@ public:
     /** For the status bar. */
     [[nodiscard]] virtual QString status() const = 0;
 
-    [[nodiscard]] const MapHandle& handle() const { return m_handle; }
     virtual void end(bool keep);
     [[nodiscard]] bool isApplying() const { return m_gesture && m_gesture->isApplying(); }
 
@@ -86,7 +85,6 @@ protected:
 
 private:
     MapToolContext m_context;
-    MapHandle m_handle;
     std::unique_ptr<EditGesture> m_gesture;
 };
 

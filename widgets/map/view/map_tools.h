@@ -113,10 +113,6 @@ public:
 
 protected:
     [[nodiscard]] const MapToolContext& context() const { return m_context; }
-    [[nodiscard]] std::unique_ptr<EditGesture> newGesture(const QString& text) const
-    {
-        return makeGesture(m_context, text);
-    }
     /** The change that is being told is an edit of this tool's gesture. */
     [[nodiscard]] virtual bool isApplying() const { return false; }
     /** Ends what is pressed without an edit. */

@@ -57,8 +57,6 @@ MapView::MapView(ScenarioDocument& document, Selection& selection, QWidget* pare
     updateTexts();
 }
 
-MapView::~MapView() = default;
-
 void MapView::setPicture(MapPicture picture)
 {
     m_picture = std::move(picture);
@@ -221,8 +219,7 @@ void MapView::zoomBy(double factor, const QPointF& at)
 void MapView::showIceberg(const std::string& id)
 {
     const std::vector<MapIceberg>& icebergs = m_scene.picture().icebergs;
-    const auto it = std::find_if(icebergs.begin(), icebergs.end(),
-                                 [&](const MapIceberg& iceberg) { return keyOf(iceberg) == id; });
+    const auto it = std::ranges::find(icebergs, id, keyOf);
     if (it != icebergs.end())
         panBy(m_scene.rect().center() - toScreen(it->position_m));
 }

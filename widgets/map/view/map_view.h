@@ -28,7 +28,6 @@ class MapView : public QWidget
 public:
     /** Both must outlive the view. */
     explicit MapView(ScenarioDocument& document, Selection& selection, QWidget* parent = nullptr);
-    ~MapView() override;
 
     /** The first one, and the first one after another scenario was opened, is fitted. */
     void setPicture(MapPicture picture);

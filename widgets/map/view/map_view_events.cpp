@@ -354,9 +354,7 @@ bool MapView::showToolTip(const QHelpEvent& event)
     }
     const std::string id = m_tool->isBusy() ? std::string() : m_scene.objectAt(event.pos());
     const std::vector<MapIceberg>& icebergs = m_scene.picture().icebergs;
-    const auto iceberg =
-        std::find_if(icebergs.begin(), icebergs.end(),
-                     [&](const MapIceberg& candidate) { return keyOf(candidate) == id; });
+    const auto iceberg = std::ranges::find(icebergs, id, keyOf);
     if (iceberg == icebergs.end()) {
         QToolTip::hideText();
         return true;

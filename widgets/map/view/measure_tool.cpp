@@ -61,9 +61,7 @@ QString measuredText(double length_m, const QLocale& locale)
 
 QString legText(const MeasuredLeg& leg, const QLocale& locale)
 {
-    const int bearing_deg = static_cast<int>(std::lround(leg.bearing_deg)) % 360;
-    return u"%1  %2°"_s.arg(measuredText(leg.length_m, locale))
-        .arg(bearing_deg, 3, 10, QChar(u'0'));
+    return u"%1  %2"_s.arg(measuredText(leg.length_m, locale), directionText(leg.bearing_deg));
 }
 
 } // namespace

@@ -5,7 +5,6 @@
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/asset_size.h"
-#include "widgets/map/view/drift_arrow.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/theme/quantity_text.h"
@@ -77,7 +76,7 @@ void IcebergTool::press(const MapPointer& pointer)
     m_iceberg = {};
     m_iceberg.id = freshIcebergId(scenario);
     m_iceberg.position_m = placeOf(pointer);
-    m_gesture = newGesture(PlacingTools::tr("Add iceberg"));
+    m_gesture = makeGesture(context(), PlacingTools::tr("Add iceberg"));
     apply();
 }
 
@@ -85,8 +84,7 @@ void IcebergTool::press(const MapPointer& pointer)
 void IcebergTool::pressInFlight(const MapPointer& pointer, const std::string& object)
 {
     const std::vector<MapIceberg>& icebergs = context().scene.picture().icebergs;
-    if (std::any_of(icebergs.begin(), icebergs.end(),
-                    [&](const MapIceberg& iceberg) { return keyOf(iceberg) == object; })) {
+    if (std::ranges::find(icebergs, object, keyOf) != icebergs.end()) {
         context().selection.set({object});
         return;
     }
@@ -102,7 +100,7 @@ void IcebergTool::beginDrift()
 {
     m_arrow = std::make_unique<DriftArrow>(context().scene);
     if (!m_gesture && !context().view.isLocked())
-        m_gesture = newGesture(PlacingTools::tr("Change drift"));
+        m_gesture = makeGesture(context(), PlacingTools::tr("Change drift"));
 }
 
 void IcebergTool::move(const MapPointer& pointer)
@@ -144,20 +142,15 @@ void IcebergTool::release(const MapPointer& pointer)
         return;
     }
     if (context().view.isLocked()) {
-        addInFlight();
+        const Iceberg placed = m_iceberg;
+        drop();
+        emit context().view.icebergPlaced(placed);
         return;
     }
     if (m_gesture)
         m_gesture->finish();
     context().selection.set({m_iceberg.id});
     drop();
-}
-
-void IcebergTool::addInFlight()
-{
-    const Iceberg placed = m_iceberg;
-    drop();
-    emit context().view.icebergPlaced(placed);
 }
 
 void IcebergTool::drop()
@@ -192,10 +185,6 @@ QString IcebergTool::status() const
         "Click adds an iceberg, drag on to set its drift. Esc leaves the tool.");
 }
 
-IcebergTool::IcebergTool(const MapToolContext& context) : PlacingTool(context) {}
-
-IcebergTool::~IcebergTool() = default;
-
 void UavTool::press(const MapPointer& pointer)
 {
     MapScene& scene = context().scene;
@@ -216,7 +205,8 @@ void UavTool::press(const MapPointer& pointer)
         m_uav = grabbed != nullptr ? *grabbed : *meant;
     if (grabbed == nullptr)
         m_uav.position_m = placeOf(pointer);
-    m_gesture = newGesture(adds ? PlacingTools::tr("Add UAV") : PlacingTools::tr("Place UAV"));
+    m_gesture =
+        makeGesture(context(), adds ? PlacingTools::tr("Add UAV") : PlacingTools::tr("Place UAV"));
     apply();
 }
 
@@ -305,8 +295,8 @@ void AssetTool::press(const MapPointer& pointer)
     m_grip_m = isGrabbed ? Point(pointer.at_m - m_asset.position_m) : Point(Point::Zero());
     m_press = pointer;
     m_isMoving = !isGrabbed;
-    m_gesture =
-        newGesture(asset ? PlacingTools::tr("Move asset") : PlacingTools::tr("Place asset"));
+    m_gesture = makeGesture(context(), asset ? PlacingTools::tr("Move asset")
+                                             : PlacingTools::tr("Place asset"));
     move(pointer);
 }
 

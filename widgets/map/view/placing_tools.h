@@ -1,10 +1,8 @@
 #pragma once
 
-#include "widgets/map/view/map_tools.h"
+#include "widgets/map/view/drift_arrow.h"
 
 namespace berg {
-
-class DriftArrow;
 
 /** What places something where one clicks; Enter places it in the middle of the map. */
 class PlacingTool : public MapTool
@@ -36,8 +34,7 @@ protected:
 class IcebergTool final : public PlacingTool
 {
 public:
-    explicit IcebergTool(const MapToolContext& context);
-    ~IcebergTool() override;
+    using PlacingTool::PlacingTool;
 
     void press(const MapPointer& pointer) override;
     void move(const MapPointer& pointer) override;
@@ -54,7 +51,6 @@ private:
     void apply();
     void beginDrift();
     void pressInFlight(const MapPointer& pointer, const std::string& object);
-    void addInFlight();
 
     bool m_isPressed = false;
     Iceberg m_iceberg;                   ///< as it was pressed on, or as it is to be added

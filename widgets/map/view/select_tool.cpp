@@ -97,7 +97,7 @@ void SelectTool::beginDrag()
     } else {
         m_phase = Phase::Moving;
         m_moved = context().selection.ids();
-        m_gesture = newGesture(moveText(context().document.scenario(), m_moved));
+        m_gesture = makeGesture(context(), moveText(context().document.scenario(), m_moved));
     }
 }
 

@@ -115,21 +115,18 @@ void GenerateDialog::addPlace(QFormLayout& form)
     m_place->addItem(tr("What the map shows"), static_cast<int>(Place::View));
     m_place->addItem(tr("Rectangle in the middle of the map"), static_cast<int>(Place::Rectangle));
     addRow(form, tr("&Where"), {m_place});
-    const ShownUnit side = longDistanceUnit();
-    m_width = makeNumber({"generateWidth",
-                          tr("Width of the rectangle"),
-                          u' ' + side.name,
-                          {0, 2},
-                          std::floor(side.fromSi(kLargestSide_m)),
-                          1,
-                          side.fromSi(kWidth_m)});
-    m_height = makeNumber({"generateHeight",
-                           tr("Height of the rectangle"),
-                           u' ' + side.name,
+    const auto side = [this, unit = longDistanceUnit()](const char* name, const QString& label,
+                                                        double length_m) {
+        return makeNumber({name,
+                           label,
+                           u' ' + unit.name,
                            {0, 2},
-                           std::floor(side.fromSi(kLargestSide_m)),
+                           std::floor(unit.fromSi(kLargestSide_m)),
                            1,
-                           side.fromSi(kHeight_m)});
+                           unit.fromSi(length_m)});
+    };
+    m_width = side("generateWidth", tr("Width of the rectangle"), kWidth_m);
+    m_height = side("generateHeight", tr("Height of the rectangle"), kHeight_m);
     addRow(form, tr("Si&ze"), {m_width, new QLabel(u"×"_s), m_height});
     connect(m_place, &QComboBox::currentIndexChanged, this, &GenerateDialog::draw);
 }
@@ -137,21 +134,18 @@ void GenerateDialog::addPlace(QFormLayout& form)
 void GenerateDialog::addMotion(QFormLayout& form)
 {
     const FieldRequest standard;
-    const ShownUnit speed = speedUnit();
-    m_speedMin = makeNumber({"generateSpeedMin",
-                             tr("Lowest speed"),
-                             u' ' + speed.name,
-                             {1, 2},
-                             shownLimits(limits::kSpeed_mps, speed, 2).high,
-                             0.05,
-                             speed.fromSi(standard.speedMin_mps)});
-    m_speedMax = makeNumber({"generateSpeedMax",
-                             tr("Highest speed"),
-                             u' ' + speed.name,
-                             {1, 2},
-                             shownLimits(limits::kSpeed_mps, speed, 2).high,
-                             0.05,
-                             speed.fromSi(standard.speedMax_mps)});
+    const auto speed = [this, unit = speedUnit()](const char* name, const QString& label,
+                                                  double value_mps) {
+        return makeNumber({name,
+                           label,
+                           u' ' + unit.name,
+                           {1, 2},
+                           shownLimits(limits::kSpeed_mps, unit, 2).high,
+                           0.05,
+                           unit.fromSi(value_mps)});
+    };
+    m_speedMin = speed("generateSpeedMin", tr("Lowest speed"), standard.speedMin_mps);
+    m_speedMax = speed("generateSpeedMax", tr("Highest speed"), standard.speedMax_mps);
     addRow(form, tr("S&peed"), {m_speedMin, new QLabel(tr("to")), m_speedMax});
     m_direction = new QComboBox;
     m_direction->setObjectName(u"generateDirection"_s);
@@ -180,20 +174,11 @@ void GenerateDialog::addMotion(QFormLayout& form)
 void GenerateDialog::addUncertainty(QFormLayout& form)
 {
     const FieldRequest standard;
-    m_sigmaMin_m2 = makeNumber({"generateSigmaMin",
-                                tr("Smallest σ at the start"),
-                                u" m²"_s,
-                                {0, 3},
-                                kLargestSigma,
-                                1,
-                                standard.sigmaMin_m2});
-    m_sigmaMax_m2 = makeNumber({"generateSigmaMax",
-                                tr("Largest σ at the start"),
-                                u" m²"_s,
-                                {0, 3},
-                                kLargestSigma,
-                                1,
-                                standard.sigmaMax_m2});
+    const auto sigma = [this](const char* name, const QString& label, double value_m2) {
+        return makeNumber({name, label, u" m²"_s, {0, 3}, kLargestSigma, 1, value_m2});
+    };
+    m_sigmaMin_m2 = sigma("generateSigmaMin", tr("Smallest σ at the start"), standard.sigmaMin_m2);
+    m_sigmaMax_m2 = sigma("generateSigmaMax", tr("Largest σ at the start"), standard.sigmaMax_m2);
     addRow(form, tr("&Uncertainty σ"), {m_sigmaMin_m2, new QLabel(tr("to")), m_sigmaMax_m2});
     m_q_m2ps = makeNumber({"generateGrowth",
                            tr("Growth of σ"),

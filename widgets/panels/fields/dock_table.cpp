@@ -2,7 +2,9 @@
 
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QTableView>
+#include <QVBoxLayout>
 
 #include <utility>
 
@@ -56,6 +58,31 @@ void setUpDockTable(QTableView& table, int row_px)
         return (key.key() == Qt::Key_Home || key.key() == Qt::Key_End) &&
                (key.modifiers() & ~Qt::KeypadModifier) == Qt::ControlModifier;
     });
+}
+
+QLabel* newTableNote(QTableView& table, const QString& name, int margin_px)
+{
+    auto* note = new QLabel(table.viewport());
+    note->setObjectName(name);
+    note->setAlignment(Qt::AlignCenter);
+    note->setWordWrap(true);
+    note->setMargin(margin_px);
+    auto* over = new QVBoxLayout(table.viewport());
+    over->setContentsMargins(0, 0, 0, 0);
+    over->addWidget(note);
+    return note;
+}
+
+void setDockTableTheme(QTableView& table, const Theme& theme)
+{
+    table.setFont(theme.body());
+    table.horizontalHeader()->setFont(theme.small());
+    for (QLabel* note : table.viewport()->findChildren<QLabel*>()) {
+        QPalette muted = note->palette();
+        muted.setColor(QPalette::WindowText, theme.mutedText);
+        note->setPalette(muted);
+        note->setFont(theme.body());
+    }
 }
 
 } // namespace berg

@@ -17,6 +17,14 @@ void settleTyping(QLineEdit& line)
     line.setCursorPosition(cursor);
 }
 
+void setLockedLook(QWidget& input, bool locked)
+{
+    QPalette colours;
+    if (locked)
+        colours.setColor(QPalette::Base, input.palette().color(QPalette::Window));
+    input.setPalette(colours);
+}
+
 EntryField::EntryField(const EntryWords& words, Says says,
                        std::function<QString(const QString&)> whyNot, QWidget* parent)
     : QWidget(parent)
@@ -57,10 +65,7 @@ void EntryField::showText(const QString& text, const QString& placeholder)
 void EntryField::setLocked(bool locked)
 {
     m_line->setReadOnly(locked);
-    QPalette colours;
-    if (locked)
-        colours.setColor(QPalette::Base, m_line->palette().color(QPalette::Window));
-    m_line->setPalette(colours);
+    setLockedLook(*m_line, locked);
 }
 
 void EntryField::finishTyping()

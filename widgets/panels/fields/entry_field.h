@@ -13,6 +13,9 @@ namespace berg {
 /** What was typed is taken: undoing is no longer up to the line, which keeps text and cursor. */
 void settleTyping(QLineEdit& line);
 
+/** A locked input stays as readable as it was, but no longer looks like one to write in. */
+void setLockedLook(QWidget& input, bool locked);
+
 /** Of a line: name of its input, that of the fault is this and "Fault"; name and tool tip for the
  * user. */
 struct EntryWords

@@ -68,11 +68,7 @@ EventModel::Row EventModel::rowOf(const MissionEvent& event, const PlanEvent* pl
                                   const std::vector<Iceberg>& icebergs,
                                   const std::vector<Uav>& uavs) const
 {
-    Row row{.number = 0,
-            .event = event,
-            .what = eventSentence(event, icebergs, uavs, m_locale),
-            .details = {},
-            .toolTip = {}};
+    Row row{.number = 0, .event = event, .what = eventSentence(event, icebergs, uavs, m_locale)};
     if (plan != nullptr) {
         const PlanState state = planState({.plan = *plan}, m_locale);
         row.details = planReasonText(plan->reason);

@@ -58,8 +58,8 @@ private:
         std::size_t number = 0; ///< of the event in the log
         MissionEvent event;
         QString what;
-        QString details;
-        QString toolTip;
+        QString details{};
+        QString toolTip{};
     };
     void clear();
     /** Whether it tells anything. */

@@ -65,8 +65,7 @@ EventPanel::EventPanel(QWidget* parent)
 
 void EventPanel::setTheme(const Theme& theme)
 {
-    m_table->setFont(theme.body());
-    m_table->horizontalHeader()->setFont(theme.small());
+    setDockTableTheme(*m_table, theme);
 }
 
 void EventPanel::showRecord(const FlightRecord& record)

@@ -127,8 +127,7 @@ void addWind(std::vector<FlightNotice>& notices, const FlightRecord& record, con
              .text =
                  ofUav(record, static_cast<int>(k),
                        text.arg(speedText(wind_mps, locale, 3),
-                                speedText(isAboveLimit ? *limit_mps : airspeed_mps, locale, 3))),
-             .toolTip = {}});
+                                speedText(isAboveLimit ? *limit_mps : airspeed_mps, locale, 3)))});
     }
 }
 
@@ -179,8 +178,7 @@ std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocal
     };
     FlightNotice notice{.kind = NoticeKind::RingEntry,
                         .about = {kAssetKey},
-                        .text = sentence(newestOf(entries, eventsOf(record))),
-                        .toolTip = {}};
+                        .text = sentence(newestOf(entries, eventsOf(record)))};
     for (const Entry& entry : entries)
         notice.about.push_back(shown.icebergs[entry.iceberg].id);
     if (entries.size() == 1)
@@ -264,7 +262,6 @@ std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocal
     if (isPlannerFailing(record))
         notices.push_back(
             {.kind = NoticeKind::PlannerFailed,
-             .about = {},
              .text = FlightNotices::tr("The planner failed: continuing with the previous plan"),
              .toolTip = FlightNotices::tr("It is asked again when the next plan is needed.")});
     if (!record.inFlight())
@@ -280,8 +277,7 @@ std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocal
         if (const QString mode = modeText(record.shown(), uavs[k], locale); !mode.isEmpty())
             notices.push_back({.kind = NoticeKind::Mode,
                                .about = {idOf(record, static_cast<int>(k))},
-                               .text = ofUav(record, static_cast<int>(k), mode),
-                               .toolTip = {}});
+                               .text = ofUav(record, static_cast<int>(k), mode)});
     return notices;
 }
 

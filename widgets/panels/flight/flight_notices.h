@@ -34,9 +34,9 @@ enum class NoticeKind
 struct FlightNotice
 {
     NoticeKind kind = NoticeKind::Mode;
-    std::vector<std::string> about; ///< icebergs, UAVs, the asset: where it is on the map
+    std::vector<std::string> about{}; ///< icebergs, UAVs, the asset: where it is on the map
     QString text;
-    QString toolTip; ///< the same in full; empty: the text says it all
+    QString toolTip{}; ///< the same in full; empty: the text says it all
     bool operator==(const FlightNotice&) const = default;
 };
 

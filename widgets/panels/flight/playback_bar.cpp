@@ -166,16 +166,6 @@ void PlaybackBar::stepRate(int steps)
     emit rateEdited(rate());
 }
 
-void PlaybackBar::setMarks(std::vector<TimeMark> marks)
-{
-    m_timeLine->setMarks(std::move(marks));
-}
-
-void PlaybackBar::setNoReturn(std::optional<double> time_s)
-{
-    m_timeLine->setNoReturn(time_s);
-}
-
 void PlaybackBar::editTime()
 {
     m_time->setFocus(Qt::ShortcutFocusReason);

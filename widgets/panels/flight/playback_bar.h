@@ -13,7 +13,6 @@ namespace berg {
 
 class FigureLabel;
 class RunTimeLine;
-struct TimeMark;
 
 /** Take-off, pause, step, back to the start, rate, and the time line of the run. */
 class PlaybackBar : public QWidget
@@ -27,9 +26,7 @@ public:
     /** `time_s` is shown; `newest_s` was flown, none: the same. */
     void showState(RunPhase phase, double time_s, double duration_s,
                    std::optional<double> newest_s = {});
-    void setMarks(std::vector<TimeMark> marks);
-    /** `RunTimeLine::setNoReturn`. */
-    void setNoReturn(std::optional<double> time_s);
+    [[nodiscard]] RunTimeLine& timeLine() const { return *m_timeLine; }
 
     /** Simulated seconds a second; 0: as fast as possible. */
     [[nodiscard]] double rate() const;

@@ -26,31 +26,10 @@ constexpr int kWidth_px = 160;
 constexpr double kMark_px = 6;
 constexpr double kNear_px = 5;
 
+/** Plans and sightings are too many. */
 bool isMarked(EventKind kind)
 {
-    switch (kind) {
-    case EventKind::Planned:
-    case EventKind::Sighted: // there are too many of them
-    case EventKind::HomeBound:
-        return false;
-    case EventKind::Reached:
-    case EventKind::Appeared:
-    case EventKind::PlannerFailed:
-    case EventKind::Alarm:
-    case EventKind::Intervention:
-    case EventKind::Left:
-    case EventKind::Lost:
-    case EventKind::Found:
-    case EventKind::GivenUp:
-    case EventKind::Landed:
-    case EventKind::TookOff:
-    case EventKind::LateHome:
-    case EventKind::Close:
-    case EventKind::LeftFence:
-    case EventKind::BackInside:
-        return true;
-    }
-    return false;
+    return kind != EventKind::Planned && kind != EventKind::Sighted && kind != EventKind::HomeBound;
 }
 
 } // namespace

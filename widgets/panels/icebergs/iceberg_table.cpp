@@ -1,6 +1,7 @@
 #include "widgets/panels/icebergs/iceberg_table.h"
 
 #include "widgets/model/iceberg_clipboard.h"
+#include "widgets/panels/fields/dock_table.h"
 #include "widgets/panels/icebergs/iceberg_table_delegate.h"
 #include "widgets/panels/icebergs/iceberg_table_model.h"
 #include "widgets/panels/icebergs/iceberg_table_view.h"
@@ -40,8 +41,7 @@ QString widestText(IcebergColumn column, double sigmaFull_m2, const QLocale& loc
     case IcebergColumn::Uav:
         return u"berg-100"_s;
     case IcebergColumn::State:
-        return stateText({.id = {}, .name = {}, .state = IcebergStanding::Planned, .values = {}}) +
-               u"0"_s;
+        return stateText({.id = {}, .state = IcebergStanding::Planned}) + u"0"_s;
     case IcebergColumn::Arrival:
         return PlanModel::arrivalText(3599);
     case IcebergColumn::AssetDistance:
@@ -84,7 +84,7 @@ IcebergTable::IcebergTable(ScenarioDocument& document, Selection& selection, QWi
     , m_table(new IcebergTableView(this))
     , m_filter(new QLineEdit(this))
     , m_fault(new QLabel(this))
-    , m_empty(new QLabel(m_table->viewport()))
+    , m_empty(newTableNote(*m_table, u"icebergsEmpty"_s, kMargin_px))
 {
     setUpTable();
     auto* column = new QVBoxLayout(this);
@@ -93,9 +93,6 @@ IcebergTable::IcebergTable(ScenarioDocument& document, Selection& selection, QWi
     column->addWidget(m_filter);
     column->addWidget(m_fault);
     column->addWidget(m_table, 1);
-    auto* over = new QVBoxLayout(m_table->viewport());
-    over->setContentsMargins(0, 0, 0, 0);
-    over->addWidget(m_empty);
 
     m_filter->setObjectName(u"icebergFilter"_s);
     m_filter->setPlaceholderText(tr("Find by name or id"));
@@ -104,10 +101,6 @@ IcebergTable::IcebergTable(ScenarioDocument& document, Selection& selection, QWi
     m_fault->setObjectName(u"icebergFault"_s);
     m_fault->setWordWrap(true);
     m_fault->setMargin(kMargin_px);
-    m_empty->setObjectName(u"icebergsEmpty"_s);
-    m_empty->setAlignment(Qt::AlignCenter);
-    m_empty->setWordWrap(true);
-    m_empty->setMargin(kMargin_px);
     connectTable();
     say({});
     setTheme(Theme::light());
@@ -177,14 +170,9 @@ void IcebergTable::connectTable()
 void IcebergTable::setTheme(const Theme& theme)
 {
     m_delegate->setTheme(theme);
-    m_table->setFont(theme.body());
-    m_table->horizontalHeader()->setFont(theme.small());
+    setDockTableTheme(*m_table, theme);
     m_filter->setFont(theme.body());
     m_fault->setFont(theme.body());
-    QPalette muted = m_empty->palette();
-    muted.setColor(QPalette::WindowText, theme.mutedText);
-    m_empty->setPalette(muted);
-    m_empty->setFont(theme.body());
     setColumnWidths();
     m_table->viewport()->update();
 }

@@ -52,10 +52,7 @@ IcebergColumnSpec ofAsset(const QString& key, const QString& title, const QStrin
             .toolTip = toolTip,
             .isInEditor = true,
             .isInFlight = true,
-            .isOfAsset = true,
-            .number = {},
-            .half = {},
-            .unit = {}};
+            .isOfAsset = true};
 }
 
 /** Closest point of approach and time to it. */
@@ -82,9 +79,7 @@ IcebergColumnSpec inEditor(const QString& key, const QString& title, const QStri
             .copied = title,
             .toolTip = toolTip,
             .isInEditor = true,
-            .number = number,
-            .half = {},
-            .unit = {}};
+            .number = number};
 }
 
 IcebergColumnSpec ofPlace(const QString& key, const QString& title, PlaceHalf half)
@@ -96,9 +91,7 @@ IcebergColumnSpec ofPlace(const QString& key, const QString& title, PlaceHalf ha
                                              "pasted in any form, a whole coordinate sets both"),
             .isInEditor = true,
             .isInFlight = true,
-            .number = {},
-            .half = half,
-            .unit = {}};
+            .half = half};
 }
 
 /** Speed and direction, drift to the east and north: two of them are there, by the form chosen. */
@@ -157,10 +150,7 @@ IcebergColumnSpecs icebergColumnSpecs()
         .copied = IcebergColumnText::tr("Iceberg"),
         .toolTip = IcebergColumnText::tr("Name of the iceberg, its id where it has none"),
         .isInEditor = true,
-        .isInFlight = true,
-        .number = {},
-        .half = {},
-        .unit = {}};
+        .isInFlight = true};
     return {
         name,
         inFlight(u"sigma"_s, u"σ, m²"_s, u"σ, m²"_s,
@@ -206,31 +196,31 @@ IcebergColumnSpecs icebergColumnSpecs()
     };
 }
 
-std::optional<double> icebergNumber(const Iceberg& iceberg, IcebergColumn column)
+namespace {
+
+/** Of a constant iceberg or not: the number that the column holds as it is; null: none, or speed
+ * and direction, which follow from it. */
+template <class I>
+auto* heldNumber(I& iceberg, IcebergColumn column)
 {
+    using Number = std::remove_reference_t<decltype((iceberg.sigma0_m2))>;
     switch (column) {
     case IcebergColumn::East:
-        return iceberg.position_m.x();
+        return &iceberg.position_m.x();
     case IcebergColumn::North:
-        return iceberg.position_m.y();
-    case IcebergColumn::Speed:
-        return iceberg.velocity_mps.norm();
-    case IcebergColumn::Direction:
-        if (iceberg.velocity_mps.isZero(0))
-            return std::nullopt;
-        return directionOf(iceberg.velocity_mps);
+        return &iceberg.position_m.y();
     case IcebergColumn::DriftEast:
-        return iceberg.velocity_mps.x();
+        return &iceberg.velocity_mps.x();
     case IcebergColumn::DriftNorth:
-        return iceberg.velocity_mps.y();
+        return &iceberg.velocity_mps.y();
     case IcebergColumn::Sigma0:
-        return iceberg.sigma0_m2;
+        return &iceberg.sigma0_m2;
     case IcebergColumn::Growth:
-        return iceberg.q_m2ps;
+        return &iceberg.q_m2ps;
     case IcebergColumn::Observed:
-        return iceberg.observed_s;
+        return &iceberg.observed_s;
     case IcebergColumn::Appears:
-        return iceberg.appears_s;
+        return &iceberg.appears_s;
     case IcebergColumn::Name:
     case IcebergColumn::Sigma:
     case IcebergColumn::Deviation:
@@ -241,11 +231,25 @@ std::optional<double> icebergNumber(const Iceberg& iceberg, IcebergColumn column
     case IcebergColumn::Unseen:
     case IcebergColumn::Arrival:
     case IcebergColumn::Visits:
+    case IcebergColumn::Speed:
+    case IcebergColumn::Direction:
     case IcebergColumn::Latitude:
     case IcebergColumn::Longitude:
         break;
     }
-    return std::nullopt;
+    return static_cast<Number*>(nullptr);
+}
+
+} // namespace
+
+std::optional<double> icebergNumber(const Iceberg& iceberg, IcebergColumn column)
+{
+    if (column == IcebergColumn::Speed)
+        return iceberg.velocity_mps.norm();
+    if (column == IcebergColumn::Direction && !iceberg.velocity_mps.isZero(0))
+        return directionOf(iceberg.velocity_mps);
+    const double* held = heldNumber(iceberg, column);
+    return held != nullptr ? std::optional(*held) : std::nullopt;
 }
 
 bool isShownAs(const Iceberg& iceberg, IcebergColumn column, const IcebergColumnSpec& spec,
@@ -257,51 +261,13 @@ bool isShownAs(const Iceberg& iceberg, IcebergColumn column, const IcebergColumn
 
 void setIcebergNumber(Iceberg& iceberg, IcebergColumn column, double value)
 {
-    switch (column) {
-    case IcebergColumn::East:
-        iceberg.position_m.x() = value;
-        break;
-    case IcebergColumn::North:
-        iceberg.position_m.y() = value;
-        break;
-    case IcebergColumn::Speed:
-        setDrift(iceberg, {.speed_mps = value});
-        break;
-    case IcebergColumn::Direction:
-        setDrift(iceberg, {.direction_deg = value});
-        break;
-    case IcebergColumn::DriftEast:
-        iceberg.velocity_mps.x() = value;
-        break;
-    case IcebergColumn::DriftNorth:
-        iceberg.velocity_mps.y() = value;
-        break;
-    case IcebergColumn::Sigma0:
-        iceberg.sigma0_m2 = value;
-        break;
-    case IcebergColumn::Growth:
-        iceberg.q_m2ps = value;
-        break;
-    case IcebergColumn::Observed:
-        iceberg.observed_s = value;
-        break;
-    case IcebergColumn::Appears:
-        iceberg.appears_s = value;
-        break;
-    case IcebergColumn::Name:
-    case IcebergColumn::Sigma:
-    case IcebergColumn::Deviation:
-    case IcebergColumn::State:
-    case IcebergColumn::Uav:
-    case IcebergColumn::AssetDistance:
-    case IcebergColumn::AssetTime:
-    case IcebergColumn::Unseen:
-    case IcebergColumn::Arrival:
-    case IcebergColumn::Visits:
-    case IcebergColumn::Latitude:
-    case IcebergColumn::Longitude:
-        require(false, "not a number of an iceberg that can be set");
-    }
+    if (column == IcebergColumn::Speed)
+        return setDrift(iceberg, {.speed_mps = value});
+    if (column == IcebergColumn::Direction)
+        return setDrift(iceberg, {.direction_deg = value});
+    double* held = heldNumber(iceberg, column);
+    require(held != nullptr, "not a number of an iceberg that can be set");
+    *held = value;
 }
 
 void setDrift(Iceberg& iceberg, const Drift& drift)

@@ -45,13 +45,13 @@ struct IcebergColumnSpec
     QString title;  ///< with the unit
     QString copied; ///< title over copied numbers
     QString toolTip;
-    bool isInEditor = false;         ///< there before take-off
-    bool isInFlight = false;         ///< there in flight
-    bool isOfAsset = false;          ///< there only with an asset
-    bool isOfFleet = false;          ///< there only with several UAVs
-    std::optional<NumberRow> number; ///< how the inspector edits it; none: no number to be edited
-    std::optional<PlaceHalf> half;   ///< it holds an angle of the place
-    ShownUnit unit;                  ///< its numbers are shown, edited and copied in this
+    bool isInEditor = false;           ///< there before take-off
+    bool isInFlight = false;           ///< there in flight
+    bool isOfAsset = false;            ///< there only with an asset
+    bool isOfFleet = false;            ///< there only with several UAVs
+    std::optional<NumberRow> number{}; ///< how the inspector edits it; none: no number to be edited
+    std::optional<PlaceHalf> half{};   ///< it holds an angle of the place
+    ShownUnit unit{};                  ///< its numbers are shown, edited and copied in this
 
     /** Before take-off; what tells of the asset follows from the rest. */
     [[nodiscard]] bool isEditable() const { return isInEditor && !isOfAsset; }

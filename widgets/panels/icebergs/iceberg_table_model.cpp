@@ -399,9 +399,7 @@ PasteOutcome IcebergTableModel::paste(const QString& text, int row, int column,
 {
     if (!spec(column).isEditable())
         return {.fault = tr("The column \"%1\" follows from the others. Nothing was pasted.")
-                             .arg(spec(column).title),
-                .ids = {},
-                .scenario = {}};
+                             .arg(spec(column).title)};
     PasteTarget target;
     for (int at = row; at < rowCount(); ++at)
         target.ids.push_back(rowAt(at).id);

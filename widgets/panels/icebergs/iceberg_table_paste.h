@@ -19,9 +19,9 @@ struct PasteTarget
 
 struct PasteOutcome
 {
-    QString fault;                ///< a sentence; empty: `scenario` is what comes of it
-    std::vector<std::string> ids; ///< of the icebergs pasted onto, the added ones last
-    Scenario scenario;
+    QString fault;                  ///< a sentence; empty: `scenario` is what comes of it
+    std::vector<std::string> ids{}; ///< of the icebergs pasted onto, the added ones last
+    Scenario scenario{};
 };
 
 /**

@@ -130,27 +130,10 @@ IcebergStanding stateOf(const MissionSnapshot& shown, std::size_t iceberg, int p
 double stateOrder(IcebergStanding state, int place)
 {
     constexpr double kBehindAll = 1e6;
-    switch (state) {
-    case IcebergStanding::InView:
-        return -1;
-    case IcebergStanding::Target:
-        return 0;
-    case IcebergStanding::Planned:
+    if (state == IcebergStanding::Planned)
         return place;
-    case IcebergStanding::Searched:
-        return kBehindAll;
-    case IcebergStanding::Lost:
-        return kBehindAll + 1;
-    case IcebergStanding::GivenUp:
-        return kBehindAll + 2;
-    case IcebergStanding::Unplanned:
-        return kBehindAll + 3;
-    case IcebergStanding::Later:
-        return kBehindAll + 4;
-    case IcebergStanding::Left:
-        return kBehindAll + 5;
-    }
-    return 0;
+    const int fromPlanned = static_cast<int>(state) - static_cast<int>(IcebergStanding::Planned);
+    return fromPlanned < 0 ? fromPlanned + 1 : kBehindAll + fromPlanned - 1;
 }
 
 QString orDash(const QString& text)

@@ -8,7 +8,7 @@
 
 namespace berg {
 
-/** How an iceberg stands in the mission. */
+/** How an iceberg stands in the mission; sorted, the former ones stand further up. */
 enum class IcebergStanding
 {
     InView,
@@ -17,9 +17,9 @@ enum class IcebergStanding
     Searched,  ///< lost, and the UAV is searching for it
     Lost,      ///< not where it should be
     GivenUp,   ///< the search for it has ended without it
-    Left,      ///< of the area that is monitored
     Unplanned, ///< known, not in the order
-    Later      ///< not there yet
+    Later,     ///< not there yet
+    Left       ///< of the area that is monitored
 };
 
 /** One iceberg as numbers. */
@@ -28,7 +28,7 @@ struct IcebergTableRow
     std::string id;
     QString name; ///< empty: it has none
     IcebergStanding state = IcebergStanding::Unplanned;
-    std::array<std::optional<double>, kIcebergColumns> values; ///< by column; none: nothing there
+    std::array<std::optional<double>, kIcebergColumns> values{}; ///< by column; none: nothing there
     QString uav; ///< of several UAVs the one that has it in its order; empty: none has
     std::optional<double> ringEntry_s; ///< from now, into the inner ring of the asset, 0: inside
     bool operator==(const IcebergTableRow&) const = default;

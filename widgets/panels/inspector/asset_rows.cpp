@@ -29,24 +29,23 @@ NumberRow ceilingRow(const RowWords& words, Height height)
 
 std::vector<InspectorRow> wayRows()
 {
-    const QString undoText = InspectorRows::tr("Change velocity of the asset");
-    NumberRow east = assetRow(
-        {.key = u"assetVelocityEast"_s,
-         .label = InspectorRows::tr("Speed east"),
-         .toolTip = InspectorRows::tr("What a ship makes to the east; 0 for a platform."),
-         .undoText = undoText},
-        [](auto& asset) -> auto& { return asset.velocity_mps.x(); }, limits::kAssetVelocity_mps,
-        kSpeedStep_mps);
-    NumberRow north = assetRow(
-        {.key = u"assetVelocityNorth"_s,
-         .label = InspectorRows::tr("Speed north"),
-         .toolTip = InspectorRows::tr("What a ship makes to the north; 0 for a platform."),
-         .undoText = undoText},
-        [](auto& asset) -> auto& { return asset.velocity_mps.y(); }, limits::kAssetVelocity_mps,
-        kSpeedStep_mps);
+    const auto component = [](const QString& key, const QString& label, const QString& toolTip,
+                              int axis) {
+        return assetRow(
+            {.key = key,
+             .label = label,
+             .toolTip = toolTip,
+             .undoText = InspectorRows::tr("Change velocity of the asset")},
+            [axis](auto& asset) -> auto& { return asset.velocity_mps[axis]; },
+            limits::kAssetVelocity_mps, kSpeedStep_mps);
+    };
     return velocityRows(
-        {.east = east,
-         .north = north,
+        {.east =
+             component(u"assetVelocityEast"_s, InspectorRows::tr("Speed east"),
+                       InspectorRows::tr("What a ship makes to the east; 0 for a platform."), 0),
+         .north =
+             component(u"assetVelocityNorth"_s, InspectorRows::tr("Speed north"),
+                       InspectorRows::tr("What a ship makes to the north; 0 for a platform."), 1),
          .key = u"assetVelocity"_s,
          .speedLabel = InspectorRows::tr("Speed"),
          .speedToolTip = InspectorRows::tr("What a ship makes; 0 for a platform."),
@@ -94,14 +93,12 @@ std::vector<InspectorRow> assetRows()
                                &Asset::alarm_m, limits::kLength_m, 500);
     alarm.lowestText = InspectorRows::tr("half the range");
     rows.emplace_back(asDistance(alarm));
-    NumberRow gain =
+    rows.emplace_back(
         assetRow({.key = u"assetGain"_s,
                   .label = InspectorRows::tr("Gain"),
                   .toolTip = InspectorRows::tr("How much more an iceberg near it matters."),
                   .undoText = InspectorRows::tr("Change gain of the asset")},
-                 &Asset::gain, limits::kGain);
-    gain.decimals = {.least = 0, .most = 2};
-    rows.emplace_back(gain);
+                 &Asset::gain, limits::kGain));
     NumberRow standoff = assetRow(
         {.key = u"assetStandoff"_s,
          .label = InspectorRows::tr("Stand-off ring"),
@@ -134,13 +131,12 @@ std::vector<InspectorRow> areaRows()
         InfoRow{.key = u"areaSize"_s,
                 .text = [](const Scenario& scenario, const std::string&,
                            const QLocale& locale) { return areaText(scenario.area_m, locale); }},
-        FlagRow{.words = {.key = u"areaFence"_s,
-                          .label = InspectorRows::tr("Geofence"),
-                          .toolTip = InspectorRows::tr("UAVs that start clear of its edge stay "
-                                                       "inside the area."),
-                          .undoText = InspectorRows::tr("Change geofence")},
-                .read = [](const Scenario& scenario) { return scenario.geofence; },
-                .write = [](Scenario& scenario, bool on) { scenario.geofence = on; }},
+        flagRow({.key = u"areaFence"_s,
+                 .label = InspectorRows::tr("Geofence"),
+                 .toolTip = InspectorRows::tr("UAVs that start clear of its edge stay "
+                                              "inside the area."),
+                 .undoText = InspectorRows::tr("Change geofence")},
+                &Scenario::geofence),
         ActionRow{.words = {.key = u"areaRemove"_s,
                             .toolTip = InspectorRows::tr("Takes the area off the map."),
                             .undoText = InspectorRows::tr("Remove area")},

@@ -54,15 +54,6 @@ private:
     std::function<void()> m_finished;
 };
 
-/** A locked input stays as readable as it was, but no longer looks like one to write in. */
-void setReadOnlyLook(QWidget& input, bool locked)
-{
-    QPalette colours;
-    if (locked)
-        colours.setColor(QPalette::Base, input.palette().color(QPalette::Window));
-    input.setPalette(colours);
-}
-
 /** Numbers that were reckoned from others may differ by their rounding. */
 bool isAlike(double a, double b)
 {
@@ -125,15 +116,12 @@ void InspectorForm::showWhere(const RowWords& words, QWidget* input)
 {
     if (!words.isShown)
         return;
-    m_inputs.push_back({.show =
-                            [this, isShown = words.isShown, input] {
-                                const auto matters = [&](const std::string& id) {
-                                    return isShown(m_document.scenario(), id);
-                                };
-                                m_form->setRowVisible(
-                                    input, std::any_of(m_ids.begin(), m_ids.end(), matters));
-                            },
-                        .lock = [](bool) {}});
+    m_shows.emplace_back([this, isShown = words.isShown, input] {
+        const auto matters = [&](const std::string& id) {
+            return isShown(m_document.scenario(), id);
+        };
+        m_form->setRowVisible(input, std::any_of(m_ids.begin(), m_ids.end(), matters));
+    });
 }
 
 template <class Read>
@@ -150,6 +138,13 @@ auto InspectorForm::common(const Read& read) const
     return value;
 }
 
+std::optional<QString> InspectorForm::commonText(const ReadText& read) const
+{
+    return common([&](const Scenario& scenario, const std::string& id) {
+        return read(scenario, id, locale());
+    });
+}
+
 void InspectorForm::add(const NumberRow& row)
 {
     auto* field = new NumberField;
@@ -162,23 +157,14 @@ void InspectorForm::add(const NumberRow& row)
              [&](Scenario& scenario, const std::string& id) { row.write(scenario, id, value); });
     });
     connect(field, &NumberField::editFinished, &m_document, &ScenarioDocument::endGesture);
-    m_inputs.push_back({.show =
-                            [this, row, field] {
-                                const Limits range = row.range(m_document.scenario());
-                                field->limit(range.low, range.high);
-                                if (const std::optional<double> value = common(row.read))
-                                    field->showValue(*value);
-                                else
-                                    field->showMixed(
-                                        row.read(m_document.scenario(), m_ids.front()));
-                            },
-                        .lock =
-                            [field](bool locked) {
-                                field->setReadOnly(locked);
-                                field->setButtonSymbols(locked ? QAbstractSpinBox::NoButtons
-                                                               : QAbstractSpinBox::UpDownArrows);
-                                setReadOnlyLook(*field, locked);
-                            }});
+    m_shows.emplace_back([this, row, field] {
+        const Limits range = row.range(m_document.scenario());
+        field->limit(range.low, range.high);
+        if (const std::optional<double> value = common(row.read))
+            field->showValue(*value);
+        else
+            field->showMixed(row.read(m_document.scenario(), m_ids.front()));
+    });
 }
 
 void InspectorForm::add(const TextRow& row)
@@ -205,21 +191,15 @@ void InspectorForm::addLine(const TextRow& row)
         settleTyping(*line);
         showAll(); // in place of what could not be taken
     });
-    m_inputs.push_back({.show =
-                            [this, row, line] {
-                                const std::optional<std::string> value = common(row.read);
-                                const QString text = QString::fromStdString(value.value_or(""));
-                                line->setPlaceholderText(value ? row.placeholder : tr("mixed"));
-                                if (text != line->text()) {
-                                    line->setText(text);
-                                    line->setCursorPosition(0);
-                                }
-                            },
-                        .lock =
-                            [line](bool locked) {
-                                line->setReadOnly(locked);
-                                setReadOnlyLook(*line, locked);
-                            }});
+    m_shows.emplace_back([this, row, line] {
+        const std::optional<std::string> value = common(row.read);
+        const QString text = QString::fromStdString(value.value_or(""));
+        line->setPlaceholderText(value ? row.placeholder : tr("mixed"));
+        if (text != line->text()) {
+            line->setText(text);
+            line->setCursorPosition(0);
+        }
+    });
 }
 
 namespace {
@@ -247,18 +227,11 @@ void InspectorForm::addPage(const TextRow& row)
             row.write(scenario, id, text.toStdString());
         });
     });
-    m_inputs.push_back({.show =
-                            [this, row, page] {
-                                const QString text =
-                                    QString::fromStdString(common(row.read).value_or(""));
-                                if (asPageHasIt(text) != page->toPlainText())
-                                    page->setPlainText(text);
-                            },
-                        .lock =
-                            [page](bool locked) {
-                                page->setReadOnly(locked);
-                                setReadOnlyLook(*page, locked);
-                            }});
+    m_shows.emplace_back([this, row, page] {
+        const QString text = QString::fromStdString(common(row.read).value_or(""));
+        if (asPageHasIt(text) != page->toPlainText())
+            page->setPlainText(text);
+    });
 }
 
 void InspectorForm::add(const EntryRow& row)
@@ -285,16 +258,10 @@ void InspectorForm::add(const EntryRow& row)
         });
         m_document.endGesture();
     });
-    m_inputs.push_back(
-        {.show =
-             [this, row, field] {
-                 const auto read = [&](const Scenario& scenario, const std::string& id) {
-                     return row.read(scenario, id, locale());
-                 };
-                 const std::optional<QString> text = common(read);
-                 field->showText(text.value_or(QString()), text ? QString() : tr("mixed"));
-             },
-         .lock = [field](bool locked) { field->setLocked(locked); }});
+    m_shows.emplace_back([this, row, field] {
+        const std::optional<QString> text = commonText(row.read);
+        field->showText(text.value_or(QString()), text ? QString() : tr("mixed"));
+    });
 }
 
 void InspectorForm::add(const FlagRow& row)
@@ -305,9 +272,7 @@ void InspectorForm::add(const FlagRow& row)
         edit(row.words, [&](Scenario& scenario, const std::string&) { row.write(scenario, on); });
         m_document.endGesture();
     });
-    m_inputs.push_back(
-        {.show = [this, row, box] { box->setChecked(row.read(m_document.scenario())); },
-         .lock = [box](bool locked) { box->setEnabled(!locked); }});
+    m_shows.emplace_back([this, row, box] { box->setChecked(row.read(m_document.scenario())); });
 }
 
 void InspectorForm::add(const PickRow& row)
@@ -324,24 +289,21 @@ void InspectorForm::add(const PickRow& row)
              [&](Scenario& scenario, const std::string& id) { row.write(scenario, id, value); });
         m_document.endGesture();
     });
-    m_inputs.push_back(
-        {.show =
-             [this, row, combo, shown = std::vector<PickRow::Option>()]() mutable {
-                 const std::vector<PickRow::Option> options = row.options(m_document.scenario());
-                 if (options != shown) {
-                     combo->clear();
-                     for (const PickRow::Option& option : options)
-                         combo->addItem(option.text);
-                     shown = options;
-                 }
-                 const std::optional<std::string> value = common(row.read);
-                 const auto chosen = std::find_if(
-                     options.begin(), options.end(),
-                     [&](const PickRow::Option& option) { return option.value == value; });
-                 combo->setCurrentIndex(
-                     chosen == options.end() ? -1 : static_cast<int>(chosen - options.begin()));
-             },
-         .lock = [combo](bool locked) { combo->setEnabled(!locked); }});
+    m_shows.emplace_back([this, row, combo, shown = std::vector<PickRow::Option>()]() mutable {
+        const std::vector<PickRow::Option> options = row.options(m_document.scenario());
+        if (options != shown) {
+            combo->clear();
+            for (const PickRow::Option& option : options)
+                combo->addItem(option.text);
+            shown = options;
+        }
+        const std::optional<std::string> value = common(row.read);
+        const auto chosen =
+            std::find_if(options.begin(), options.end(),
+                         [&](const PickRow::Option& option) { return option.value == value; });
+        combo->setCurrentIndex(
+            chosen == options.end() ? -1 : static_cast<int>(chosen - options.begin()));
+    });
 }
 
 void InspectorForm::add(const ActionRow& row)
@@ -357,8 +319,6 @@ void InspectorForm::add(const ActionRow& row)
         m_document.endGesture();
         m_document.edit(row.words.undoText, row.act);
     });
-    m_inputs.push_back(
-        {.show = [] {}, .lock = [button](bool locked) { button->setEnabled(!locked); }});
 }
 
 void InspectorForm::add(const PartRow& row)
@@ -379,17 +339,7 @@ void InspectorForm::add(const PartRow& row)
         edit(row.words, row.remove);
         m_document.endGesture();
     });
-    m_inputs.push_back({.show =
-                            [this, row, text, part] {
-                                const auto read = [&](const Scenario& scenario,
-                                                      const std::string& id) {
-                                    return row.text(scenario, id, locale());
-                                };
-                                const QString words = common(read).value_or(tr("mixed"));
-                                text->setText(words);
-                                m_form->setRowVisible(part, !words.isEmpty());
-                            },
-                        .lock = [button](bool locked) { button->setEnabled(!locked); }});
+    showText(row.text, *text, part);
 }
 
 void InspectorForm::add(const InfoRow& row)
@@ -398,17 +348,17 @@ void InspectorForm::add(const InfoRow& row)
     text->setObjectName(row.key);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_form->addRow(QString(), text);
-    m_inputs.push_back({.show =
-                            [this, row, text] {
-                                const auto read = [&](const Scenario& scenario,
-                                                      const std::string& id) {
-                                    return row.text(scenario, id, locale());
-                                };
-                                const QString words = common(read).value_or(tr("mixed"));
-                                text->setText(words);
-                                m_form->setRowVisible(text, !words.isEmpty());
-                            },
-                        .lock = [](bool) {}});
+    showText(row.text, *text, text);
+}
+
+/** In a row that is there only while there is a text. */
+void InspectorForm::showText(const ReadText& read, QLabel& label, QWidget* row)
+{
+    m_shows.emplace_back([this, read, &label, row] {
+        const QString text = commonText(read).value_or(tr("mixed"));
+        label.setText(text);
+        m_form->setRowVisible(row, !text.isEmpty());
+    });
 }
 
 void InspectorForm::edit(const RowWords& words,
@@ -437,14 +387,32 @@ void InspectorForm::showAll()
 {
     if (m_ids.empty())
         return;
-    for (const Input& input : m_inputs)
-        input.show();
+    for (const auto& show : m_shows)
+        show();
 }
 
 void InspectorForm::setLocked(bool locked)
 {
-    for (const Input& input : m_inputs)
-        input.lock(locked);
+    for (NumberField* field : findChildren<NumberField*>()) {
+        field->setReadOnly(locked);
+        field->setButtonSymbols(locked ? QAbstractSpinBox::NoButtons
+                                       : QAbstractSpinBox::UpDownArrows);
+        setLockedLook(*field, locked);
+    }
+    for (EntryField* field : findChildren<EntryField*>())
+        field->setLocked(locked);
+    for (QLineEdit* line : findChildren<QLineEdit*>(Qt::FindDirectChildrenOnly)) {
+        line->setReadOnly(locked);
+        setLockedLook(*line, locked);
+    }
+    for (QPlainTextEdit* page : findChildren<QPlainTextEdit*>()) {
+        page->setReadOnly(locked);
+        setLockedLook(*page, locked);
+    }
+    for (QAbstractButton* button : findChildren<QAbstractButton*>())
+        button->setEnabled(!locked);
+    for (QComboBox* combo : findChildren<QComboBox*>())
+        combo->setEnabled(!locked);
 }
 
 void InspectorForm::finishTyping()

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 class QFormLayout;
+class QLabel;
 
 namespace berg {
 
@@ -30,17 +31,12 @@ public:
 
     /** Ids of the objects, all of them in the scenario; one empty id: the scenario itself. */
     void showObjects(std::vector<std::string> ids);
+    /** All inputs, the one on top as well. */
     void setLocked(bool locked);
     /** Takes what is being typed as if Return had been pressed. */
     void finishTyping();
 
 private:
-    struct Input
-    {
-        std::function<void()> show;
-        std::function<void(bool)> lock;
-    };
-
     void showWhere(const RowWords& words, QWidget* input);
     void add(const NumberRow& row);
     void add(const TextRow& row);
@@ -59,12 +55,14 @@ private:
     /** What `read` gives for the objects; none: they differ. */
     template <class Read>
     [[nodiscard]] auto common(const Read& read) const;
+    [[nodiscard]] std::optional<QString> commonText(const ReadText& read) const;
+    void showText(const ReadText& read, QLabel& label, QWidget* row);
 
     ScenarioDocument& m_document;
     QFormLayout* m_form;
     QWidget* m_top = nullptr;
     QWidget* m_first = nullptr;
-    std::vector<Input> m_inputs;
+    std::vector<std::function<void()>> m_shows; ///< of the inputs: what there is of `m_ids`
     std::vector<std::string> m_ids;
 };
 

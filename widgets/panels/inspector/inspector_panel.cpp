@@ -205,8 +205,6 @@ void InspectorPanel::setLocked(bool locked)
 
 void InspectorPanel::lockInputs()
 {
-    for (EntryField* id : {m_icebergId, m_uavId})
-        id->setLocked(m_locked);
     for (InspectorForm* form : m_forms)
         form->setLocked(m_locked);
 }

@@ -50,64 +50,10 @@ inline auto always(const Limits& limits)
     return [limits](const Scenario&) { return limits; };
 }
 
-/** Row of a number of an object: `number` is a member of it, or gives a reference to one. */
-template <class Object, class Number>
-NumberRow objectRow(const RowWords& words, const QString& unit, Number number, const Limits& limits,
-                    double step = 1)
-{
-    return {.words = words,
-            .unit = unit,
-            .decimals = {.least = 0, .most = 1},
-            .step = step,
-            .read = [number](const Scenario& scenario, const std::string& id) -> double {
-                const Object* object = objectIn<Object>(scenario, id);
-                return object == nullptr ? 0 : std::invoke(number, *object);
-            },
-            .write =
-                [number](Scenario& scenario, const std::string& id, double value) {
-                    if (Object* object = objectIn<Object>(scenario, id))
-                        std::invoke(number, *object) = value;
-                },
-            .range = always(limits)};
-}
+// What a row edits is a function of scenario, constant or not, and id: a pointer to it, nullptr
+// when it is not there. A `member` is one, or gives a reference to one.
 
-/** Row of a number of the scenario itself. */
-template <class Number>
-NumberRow scenarioRow(const RowWords& words, const QString& unit, Number number,
-                      const std::function<Limits(const Scenario&)>& range)
-{
-    return {.words = words,
-            .unit = unit,
-            .decimals = {.least = 0, .most = 2},
-            .read = [number](const Scenario& scenario, const std::string&) -> double {
-                return number(scenario);
-            },
-            .write = [number](Scenario& scenario, const std::string&,
-                              double value) { number(scenario) = value; },
-            .range = range};
-}
-
-/** The values of an enumeration of the core in the order of its declaration. */
-template <class Member>
-PickRow choiceRow(const RowWords& words, const QStringList& choices, Member member)
-{
-    using Enum = std::remove_reference_t<decltype(member(std::declval<Scenario&>()))>;
-    std::vector<PickRow::Option> options;
-    for (const QString& choice : choices)
-        options.push_back({.value = std::to_string(options.size()), .text = choice});
-    return {.words = words,
-            .options = [options](const Scenario&) { return options; },
-            .read =
-                [member](const Scenario& scenario, const std::string&) {
-                    return std::to_string(static_cast<int>(member(scenario)));
-                },
-            .write =
-                [member](Scenario& scenario, const std::string&, const std::string& value) {
-                    member(scenario) = static_cast<Enum>(std::stoi(value));
-                }};
-}
-
-/** The member of the object with the id; nullptr when there is none. */
+/** Of the object with the id. */
 template <class Object, class Member>
 auto memberOf(Member member)
 {
@@ -115,6 +61,110 @@ auto memberOf(Member member)
         auto* object = objectIn<Object>(scenario, id);
         return object == nullptr ? nullptr : &std::invoke(member, *object);
     };
+}
+
+/** Of the scenario itself. */
+template <class Member>
+auto ofScenario(Member member)
+{
+    return [member](auto& scenario, const std::string&) { return &std::invoke(member, scenario); };
+}
+
+/** Of something that the scenario may have. */
+template <class Part, class Member>
+auto ofPart(Part part, Member member)
+{
+    return [part, member](auto& scenario, const std::string&) {
+        return scenario.*part ? &std::invoke(member, *(scenario.*part)) : nullptr;
+    };
+}
+
+template <class Number>
+NumberRow numberRow(const RowWords& words, const QString& unit, Number number,
+                    const std::function<Limits(const Scenario&)>& range, double step = 1)
+{
+    return {.words = words,
+            .unit = unit,
+            .decimals = {.least = 0, .most = 1},
+            .step = step,
+            .read = [number](const Scenario& scenario, const std::string& id) -> double {
+                const auto* held = number(scenario, id);
+                return held == nullptr ? 0 : *held;
+            },
+            .write =
+                [number](Scenario& scenario, const std::string& id, double value) {
+                    if (auto* held = number(scenario, id))
+                        *held = value;
+                },
+            .range = range};
+}
+
+template <class Object, class Member>
+NumberRow objectRow(const RowWords& words, const QString& unit, Member member, const Limits& limits,
+                    double step = 1)
+{
+    return numberRow(words, unit, memberOf<Object>(member), always(limits), step);
+}
+
+inline NumberRow uavRow(const RowWords& words, const QString& unit, double UavSpec::*member,
+                        const Limits& limits, double step = 1)
+{
+    return objectRow<Uav>(
+        words, unit, [member](auto& uav) -> auto& { return uav.spec.*member; }, limits, step);
+}
+
+template <class Member>
+NumberRow scenarioRow(const RowWords& words, const QString& unit, Member member,
+                      const std::function<Limits(const Scenario&)>& range)
+{
+    NumberRow row = numberRow(words, unit, ofScenario(member), range);
+    row.decimals = {.least = 0, .most = 2};
+    return row;
+}
+
+template <class Text>
+TextRow textRow(const RowWords& words, Text text)
+{
+    return {.words = words,
+            .read =
+                [text](const Scenario& scenario, const std::string& id) {
+                    const std::string* held = text(scenario, id);
+                    return held == nullptr ? std::string() : *held;
+                },
+            .write =
+                [text](Scenario& scenario, const std::string& id, const std::string& value) {
+                    if (std::string* held = text(scenario, id))
+                        *held = value;
+                }};
+}
+
+inline FlagRow flagRow(const RowWords& words, bool Scenario::*flag)
+{
+    return {.words = words,
+            .read = [flag](const Scenario& scenario) { return scenario.*flag; },
+            .write = [flag](Scenario& scenario, bool on) { scenario.*flag = on; }};
+}
+
+/** The values of an enumeration of the core in the order of its declaration, or no and yes. */
+template <class Value>
+PickRow choiceRow(const RowWords& words, const QStringList& choices, Value value)
+{
+    using Enum = std::remove_pointer_t<decltype(value(std::declval<Scenario&>(), std::string()))>;
+    std::vector<PickRow::Option> options;
+    for (const QString& choice : choices)
+        options.push_back({.value = std::to_string(options.size()), .text = choice});
+    return {.words = words,
+            .options = [options](const Scenario&) { return options; },
+            .read =
+                [value](const Scenario& scenario, const std::string& id) {
+                    const Enum* held = value(scenario, id);
+                    return std::to_string(held == nullptr ? 0 : static_cast<int>(*held));
+                },
+            .write =
+                [value](Scenario& scenario, const std::string& id, const std::string& chosen) {
+                    if (Enum* held = value(scenario, id))
+                        *held = static_cast<Enum>(std::stoi(chosen));
+                }};
 }
 
 /** A number that may be left out, which the lowest value of the field stands for; others are
@@ -191,7 +241,7 @@ struct VelocityRows
     double componentLimit_mps = 0; ///< largest amount of a component
     double finest_mps = 0;         ///< components are multiples of it; 0: of nothing
     std::function<Limits(const Scenario&)> speeds_mps;
-    InfoRow direction{}; ///< beside components
+    InfoRow direction{}; ///< beside components; without `text` there is none
 };
 
 /** In the form of `shownUnits`. A direction is there only where there is a speed. */

@@ -68,20 +68,11 @@ EntryRow angleRow(const RowWords& words, PlaceHalf half)
 template <class Object>
 TextRow nameRow(const QString& key)
 {
-    return {.words = {.key = key,
-                      .label = InspectorRows::tr("Name"),
-                      .toolTip = InspectorRows::tr("Shown on the map in place of the id."),
-                      .undoText = InspectorRows::tr("Change name")},
-            .read =
-                [](const Scenario& scenario, const std::string& id) {
-                    const Object* object = objectIn<Object>(scenario, id);
-                    return object == nullptr ? std::string() : object->name;
-                },
-            .write =
-                [](Scenario& scenario, const std::string& id, const std::string& name) {
-                    if (Object* object = objectIn<Object>(scenario, id))
-                        object->name = name;
-                }};
+    return textRow({.key = key,
+                    .label = InspectorRows::tr("Name"),
+                    .toolTip = InspectorRows::tr("Shown on the map in place of the id."),
+                    .undoText = InspectorRows::tr("Change name")},
+                   memberOf<Object>(&Object::name));
 }
 
 template <class Object>

@@ -30,6 +30,8 @@ struct RowWords
     std::function<bool(const Scenario&, const std::string& id)> isShown{};
 };
 
+using ReadText = std::function<QString(const Scenario&, const std::string& id, const QLocale&)>;
+
 struct NumberRow
 {
     RowWords words;
@@ -58,7 +60,7 @@ struct TextRow
 struct EntryRow
 {
     RowWords words;
-    std::function<QString(const Scenario&, const std::string& id, const QLocale&)> read;
+    ReadText read;
     /** Takes the text, or changes nothing and says why not. */
     std::function<QString(Scenario&, const std::string& id, const QString& text, const QLocale&)>
         take;
@@ -101,7 +103,7 @@ struct PartRow
     RowWords words;
     QString removeText; ///< on the button
     /** Empty: the object has none; when no object has one the row is hidden. */
-    std::function<QString(const Scenario&, const std::string& id, const QLocale&)> text;
+    ReadText text;
     std::function<void(Scenario&, const std::string& id)> remove;
 };
 
@@ -109,7 +111,7 @@ struct PartRow
 struct InfoRow
 {
     QString key;
-    std::function<QString(const Scenario&, const std::string& id, const QLocale&)> text;
+    ReadText text;
 };
 
 using InspectorRow =

@@ -73,7 +73,7 @@ std::vector<InspectorRow> observerRows()
                                           "velocity are estimated, and icebergs can get lost."),
              .undoText = InspectorRows::tr("Change observer")},
             {InspectorRows::tr("exact"), InspectorRows::tr("Kalman filter")},
-            [](auto& scenario) -> auto& { return scenario.observer.model; }),
+            ofScenario([](auto& scenario) -> auto& { return scenario.observer.model; })),
         measurementRow(), intervalRow(), detectionRow(),
         choiceRow(
             {.key = u"observerSearch"_s,
@@ -84,7 +84,7 @@ std::vector<InspectorRow> observerRows()
              .isShown = isFiltered},
             {InspectorRows::tr("none"), InspectorRows::tr("expanding square"),
              InspectorRows::tr("sectors")},
-            [](auto& scenario) -> auto& { return scenario.observer.search; })};
+            ofScenario([](auto& scenario) -> auto& { return scenario.observer.search; }))};
 }
 
 } // namespace berg

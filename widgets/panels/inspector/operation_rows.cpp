@@ -17,59 +17,36 @@ bool hasStation(const Scenario& scenario, const std::string& /*id*/)
 NumberRow sortieRow(const RowWords& words, double UavSpec::*member, const Limits& limits,
                     const QString& unit)
 {
-    RowWords shown = words;
-    shown.isShown = isLimited;
-    return objectRow<Uav>(
-        shown, unit, [member](auto& uav) -> auto& { return uav.spec.*member; }, limits, 5);
+    NumberRow row = uavRow(words, unit, member, limits, 5);
+    row.words.isShown = isLimited;
+    return row;
 }
 
 PickRow icingRow()
 {
-    return {.words = {.key = u"uavIcing"_s,
+    return choiceRow({.key = u"uavIcing"_s,
                       .label = InspectorRows::tr("Icing conditions"),
                       .toolTip = InspectorRows::tr("Whether it may be flown below 0 °C in air that "
                                                    "is nearly saturated."),
                       .undoText = InspectorRows::tr("Change icing limit")},
-            .options =
-                [](const Scenario&) {
-                    return std::vector<PickRow::Option>{
-                        {"no", InspectorRows::tr("do not fly")},
-                        {"yes", InspectorRows::tr("flying allowed")}};
-                },
-            .read = [](const Scenario& scenario, const std::string& id) -> std::string {
-                const Uav* uav = findById(scenario.uavs, id);
-                return uav != nullptr && uav->weather.icing ? "yes" : "no";
-            },
-            .write =
-                [](Scenario& scenario, const std::string& id, const std::string& value) {
-                    if (Uav* uav = findById(scenario.uavs, id))
-                        uav->weather.icing = value == "yes";
-                }};
+                     {InspectorRows::tr("do not fly"), InspectorRows::tr("flying allowed")},
+                     memberOf<Uav>([](auto& uav) -> auto& { return uav.weather.icing; }));
 }
 
 NumberRow stationPlaceRow(const QString& key, const QString& label, const QString& toolTip,
                           int axis)
 {
-    return asDistance({.words = {.key = key,
+    const auto coordinate = [axis](auto& station) -> auto&
+    {
+        return station.position_m[axis];
+    };
+    return asDistance(numberRow({.key = key,
                                  .label = label,
                                  .toolTip = toolTip,
                                  .undoText = InspectorRows::tr("Move ground station"),
                                  .isShown = hasStation},
-                       .unit = {},
-                       .decimals = {.least = 0, .most = 1},
-                       .step = 10,
-                       .read =
-                           [axis](const Scenario& scenario, const std::string&) {
-                               return scenario.groundStation
-                                          ? scenario.groundStation->position_m[axis]
-                                          : 0;
-                           },
-                       .write =
-                           [axis](Scenario& scenario, const std::string&, double value) {
-                               if (scenario.groundStation)
-                                   scenario.groundStation->position_m[axis] = value;
-                           },
-                       .range = always(limits::kCoordinate_m)});
+                                {}, ofPart(&Scenario::groundStation, coordinate),
+                                always(limits::kCoordinate_m), 10));
 }
 
 std::vector<InspectorRow> stationRows()
@@ -89,23 +66,14 @@ std::vector<InspectorRow> stationRows()
                         .position_m = scenario.uavs.empty() ? Point(Point::Zero())
                                                             : scenario.uavs.front().position_m};
             }};
-    NumberRow antenna{.words = {.key = u"stationAntenna"_s,
-                                .label = InspectorRows::tr("Antenna height"),
-                                .toolTip = InspectorRows::tr("Height above the sea."),
-                                .undoText = InspectorRows::tr("Change antenna height"),
-                                .isShown = hasStation},
-                      .unit = u" m"_s,
-                      .decimals = {.least = 0, .most = 1},
-                      .read =
-                          [](const Scenario& scenario, const std::string&) {
-                              return scenario.groundStation ? scenario.groundStation->antenna_m : 0;
-                          },
-                      .write =
-                          [](Scenario& scenario, const std::string&, double value) {
-                              if (scenario.groundStation)
-                                  scenario.groundStation->antenna_m = value;
-                          },
-                      .range = always(limits::kLength_m)};
+    const NumberRow antenna =
+        numberRow({.key = u"stationAntenna"_s,
+                   .label = InspectorRows::tr("Antenna height"),
+                   .toolTip = InspectorRows::tr("Height above the sea."),
+                   .undoText = InspectorRows::tr("Change antenna height"),
+                   .isShown = hasStation},
+                  u" m"_s, ofPart(&Scenario::groundStation, &GroundStation::antenna_m),
+                  always(limits::kLength_m));
     NumberRow range = optionalRow(
         {.key = u"stationRange"_s,
          .label = InspectorRows::tr("Link range"),
@@ -113,11 +81,8 @@ std::vector<InspectorRow> stationRows()
                                       "horizon of the antenna and the UAV's altitude."),
          .undoText = InspectorRows::tr("Change link range"),
          .isShown = hasStation},
-        {},
-        [](auto& scenario, const std::string&) {
-            return scenario.groundStation ? &scenario.groundStation->range_m : nullptr;
-        },
-        limits::kLength_m, InspectorRows::tr("radio horizon"), limits::kExtent_m.low);
+        {}, ofPart(&Scenario::groundStation, &GroundStation::range_m), limits::kLength_m,
+        InspectorRows::tr("radio horizon"), limits::kExtent_m.low);
     range.step = 1000;
     return {station,
             stationPlaceRow(u"stationEast"_s, InspectorRows::tr("Station east"),
@@ -181,14 +146,12 @@ std::vector<InspectorRow> surroundingsRows()
 {
     const auto degrees = [](const QString& key, const QString& label, const QString& toolTip,
                             auto member) {
-        return optionalRow(
-            {.key = key,
-             .label = label,
-             .toolTip = toolTip,
-             .undoText = InspectorRows::tr("Change weather")},
-            u" °C"_s,
-            [member](auto& scenario, const std::string&) { return &member(scenario.weather); },
-            limits::kTemperature_degC, InspectorRows::tr("not known"));
+        return optionalRow({.key = key,
+                            .label = label,
+                            .toolTip = toolTip,
+                            .undoText = InspectorRows::tr("Change weather")},
+                           u" °C"_s, ofScenario(member), limits::kTemperature_degC,
+                           InspectorRows::tr("not known"));
     };
     std::vector<InspectorRow> rows{
         asSpeed(optionalRow(
@@ -197,16 +160,16 @@ std::vector<InspectorRow> surroundingsRows()
              .toolTip = InspectorRows::tr("Speed of the gusts, compared with the "
                                           "limits of the UAVs."),
              .undoText = InspectorRows::tr("Change weather")},
-            {}, [](auto& scenario, const std::string&) { return &scenario.weather.gust_mps; },
+            {}, ofScenario([](auto& scenario) -> auto& { return scenario.weather.gust_mps; }),
             limits::kWindSpeed_mps, InspectorRows::tr("not known"))),
         degrees(
             u"scenarioTemperature"_s, InspectorRows::tr("Temperature"),
             InspectorRows::tr("Of the air at the sea."),
-            [](auto& weather) -> auto& { return weather.temperature_degC; }),
+            [](auto& scenario) -> auto& { return scenario.weather.temperature_degC; }),
         degrees(
             u"scenarioDewPoint"_s, InspectorRows::tr("Dew point"),
             InspectorRows::tr("With the temperature it tells whether ice may form."),
-            [](auto& weather) -> auto& { return weather.dewPoint_degC; })};
+            [](auto& scenario) -> auto& { return scenario.weather.dewPoint_degC; })};
     append(rows, stationRows());
     return rows;
 }

@@ -92,52 +92,13 @@ std::array<TextWords, kOperationTexts.size()> textWords()
           InspectorRows::tr("One line for each item, printed with a box to tick."), true}}};
 }
 
-QString keyOf(std::string_view name)
+RowWords rowWords(std::string_view name, const QString& label, const QString& toolTip)
 {
-    return u"operation_"_s + QLatin1StringView(name.data(), qsizetype(name.size()));
-}
-
-NumberRow numberRow(const OperationNumber& number, const NumberWords& words)
-{
-    return {.words = {.key = keyOf(number.name),
-                      .label = words.label,
-                      .toolTip = words.toolTip,
-                      .undoText = InspectorRows::tr("Change operation"),
-                      .isShown = hasOperation},
-            .unit = words.unit,
-            .decimals = {.least = 0, .most = 3},
-            .read =
-                [member = number.member](const Scenario& scenario, const std::string&) {
-                    return scenario.operation ? (*scenario.operation).*member : 0;
-                },
-            .write =
-                [member = number.member](Scenario& scenario, const std::string&, double value) {
-                    if (scenario.operation)
-                        (*scenario.operation).*member = value;
-                },
-            .range = always(number.limits)};
-}
-
-TextRow textRow(const OperationText& text, const TextWords& words)
-{
-    return {.words = {.key = keyOf(text.name),
-                      .label = words.label,
-                      .toolTip = words.toolTip,
-                      .undoText = InspectorRows::tr("Change operation"),
-                      .isShown = hasOperation},
-            .multiLine = words.isLong,
-            .placeholder = {},
-            .isAllowed = {},
-            .read =
-                [member = text.member](const Scenario& scenario, const std::string&) {
-                    return scenario.operation ? (*scenario.operation).*member : std::string();
-                },
-            .write =
-                [member = text.member](Scenario& scenario, const std::string&,
-                                       const std::string& value) {
-                    if (scenario.operation)
-                        (*scenario.operation).*member = value;
-                }};
+    return {.key = u"operation_"_s + QLatin1StringView(name.data(), qsizetype(name.size())),
+            .label = label,
+            .toolTip = toolTip,
+            .undoText = InspectorRows::tr("Change operation"),
+            .isShown = hasOperation};
 }
 
 /** What is only told of becomes what is kept out of, as far as the operation enters it. */
@@ -214,11 +175,22 @@ std::vector<InspectorRow> permitRows()
                              metres(volume.buffer_m), metres(volume.adjacent_m));
                 }}};
     const auto numbers = numberWords();
-    for (std::size_t i = 0; i < kOperationNumbers.size(); ++i)
-        rows.emplace_back(numberRow(kOperationNumbers[i], numbers[i]));
+    for (std::size_t i = 0; i < kOperationNumbers.size(); ++i) {
+        const auto& [name, member, limits] = kOperationNumbers[i];
+        NumberRow row =
+            numberRow(rowWords(name, numbers[i].label, numbers[i].toolTip), numbers[i].unit,
+                      ofPart(&Scenario::operation, member), always(limits));
+        row.decimals = {.least = 0, .most = 3};
+        rows.emplace_back(row);
+    }
     const auto texts = textWords();
-    for (std::size_t i = 0; i < kOperationTexts.size(); ++i)
-        rows.emplace_back(textRow(kOperationTexts[i], texts[i]));
+    for (std::size_t i = 0; i < kOperationTexts.size(); ++i) {
+        const auto& [name, member] = kOperationTexts[i];
+        TextRow row = textRow(rowWords(name, texts[i].label, texts[i].toolTip),
+                              ofPart(&Scenario::operation, member));
+        row.multiLine = texts[i].isLong;
+        rows.emplace_back(row);
+    }
     rows.emplace_back(
         InfoRow{.key = u"scenarioAirspace"_s,
                 .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {

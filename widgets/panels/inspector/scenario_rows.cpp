@@ -35,25 +35,27 @@ Limits windRange(const Scenario& scenario, double other_mps)
 
 std::vector<InspectorRow> windRows()
 {
-    const QString undoText = InspectorRows::tr("Change wind");
-    NumberRow east = scenarioRow(
-        {.key = u"scenarioWindEast"_s,
-         .label = InspectorRows::tr("Wind east"),
-         .toolTip = InspectorRows::tr("Towards the east; always slower than the UAV flies."),
-         .undoText = undoText},
-        {}, [](auto& scenario) -> auto& { return scenario.wind_mps.x(); },
-        [](const Scenario& scenario) { return windRange(scenario, scenario.wind_mps.y()); });
-    NumberRow north = scenarioRow(
-        {.key = u"scenarioWindNorth"_s,
-         .label = InspectorRows::tr("Wind north"),
-         .toolTip = InspectorRows::tr("Towards the north; always slower than the UAV flies."),
-         .undoText = undoText},
-        {}, [](auto& scenario) -> auto& { return scenario.wind_mps.y(); },
-        [](const Scenario& scenario) { return windRange(scenario, scenario.wind_mps.x()); });
-    east.step = north.step = kWindStep_mps;
+    const auto component = [](const QString& key, const QString& label, const QString& toolTip,
+                              int axis) {
+        NumberRow row = scenarioRow(
+            {.key = key,
+             .label = label,
+             .toolTip = toolTip,
+             .undoText = InspectorRows::tr("Change wind")},
+            {}, [axis](auto& scenario) -> auto& { return scenario.wind_mps[axis]; },
+            [axis](const Scenario& scenario) {
+                return windRange(scenario, scenario.wind_mps[1 - axis]);
+            });
+        row.step = kWindStep_mps;
+        return row;
+    };
     return velocityRows(
-        {.east = east,
-         .north = north,
+        {.east =
+             component(u"scenarioWindEast"_s, InspectorRows::tr("Wind east"),
+                       InspectorRows::tr("Towards the east; always slower than the UAV flies."), 0),
+         .north = component(
+             u"scenarioWindNorth"_s, InspectorRows::tr("Wind north"),
+             InspectorRows::tr("Towards the north; always slower than the UAV flies."), 1),
          .key = u"scenarioWind"_s,
          .speedLabel = InspectorRows::tr("Wind"),
          .speedToolTip = InspectorRows::tr("Always slower than the UAV flies."),
@@ -76,56 +78,51 @@ std::vector<InspectorRow> windRows()
 
 std::vector<InspectorRow> currentRows()
 {
-    const QString undoText = InspectorRows::tr("Change current");
-    NumberRow east = scenarioRow(
-        {.key = u"scenarioCurrentEast"_s,
-         .label = InspectorRows::tr("Current east"),
-         .toolTip = InspectorRows::tr("Carries every iceberg towards the east."),
-         .undoText = undoText},
-        {}, [](auto& scenario) -> auto& { return scenario.current_mps.x(); },
-        always(limits::kVelocity_mps));
-    NumberRow north = scenarioRow(
-        {.key = u"scenarioCurrentNorth"_s,
-         .label = InspectorRows::tr("Current north"),
-         .toolTip = InspectorRows::tr("Carries every iceberg towards the north."),
-         .undoText = undoText},
-        {}, [](auto& scenario) -> auto& { return scenario.current_mps.y(); },
-        always(limits::kVelocity_mps));
-    east.step = north.step = kVelocityStep_mps;
-    east.decimals = north.decimals = {.least = 2, .most = 3};
+    const auto component = [](const QString& key, const QString& label, const QString& toolTip,
+                              int axis) {
+        NumberRow row = scenarioRow(
+            {.key = key,
+             .label = label,
+             .toolTip = toolTip,
+             .undoText = InspectorRows::tr("Change current")},
+            {}, [axis](auto& scenario) -> auto& { return scenario.current_mps[axis]; },
+            always(limits::kVelocity_mps));
+        row.step = kVelocityStep_mps;
+        row.decimals = {.least = 2, .most = 3};
+        return row;
+    };
     return velocityRows(
-        {.east = east,
-         .north = north,
+        {.east = component(u"scenarioCurrentEast"_s, InspectorRows::tr("Current east"),
+                           InspectorRows::tr("Carries every iceberg towards the east."), 0),
+         .north = component(u"scenarioCurrentNorth"_s, InspectorRows::tr("Current north"),
+                            InspectorRows::tr("Carries every iceberg towards the north."), 1),
          .key = u"scenarioCurrent"_s,
          .speedLabel = InspectorRows::tr("Current"),
          .speedToolTip = InspectorRows::tr("Carries every iceberg."),
          .directionLabel = InspectorRows::tr("Current towards"),
          .directionToolTip = InspectorRows::tr("Where it flows to, clockwise from north."),
          .componentLimit_mps = kLargestVelocity_mps,
-         .speeds_mps = always(limits::kSpeed_mps),
-         .direction = {}});
+         .speeds_mps = always(limits::kSpeed_mps)});
 }
 
 std::vector<InspectorRow> runRows()
 {
-    NumberRow duration = scenarioRow(
-        {.key = u"scenarioDuration"_s,
-         .label = InspectorRows::tr("Duration"),
-         .toolTip = InspectorRows::tr("Length of the run, at most seven days."),
-         .undoText = InspectorRows::tr("Change duration")},
-        u" s"_s, [](auto& scenario) -> auto& { return scenario.duration_s; },
-        [](const Scenario& scenario) {
-            return Limits{.low = std::max(limits::kTimeStep_s.low, scenario.dt_s),
-                          .high = limits::kDuration_s.high};
-        });
+    NumberRow duration =
+        scenarioRow({.key = u"scenarioDuration"_s,
+                     .label = InspectorRows::tr("Duration"),
+                     .toolTip = InspectorRows::tr("Length of the run, at most seven days."),
+                     .undoText = InspectorRows::tr("Change duration")},
+                    u" s"_s, &Scenario::duration_s, [](const Scenario& scenario) {
+                        return Limits{.low = std::max(limits::kTimeStep_s.low, scenario.dt_s),
+                                      .high = limits::kDuration_s.high};
+                    });
     duration.step = 60;
     NumberRow timeStep = scenarioRow(
         {.key = u"scenarioTimeStep"_s,
          .label = InspectorRows::tr("Time step"),
          .toolTip = InspectorRows::tr("Step of the simulation; small is exact and slow."),
          .undoText = InspectorRows::tr("Change time step")},
-        u" s"_s, [](auto& scenario) -> auto& { return scenario.dt_s; },
-        [](const Scenario& scenario) {
+        u" s"_s, &Scenario::dt_s, [](const Scenario& scenario) {
             return Limits{.low = limits::kTimeStep_s.low,
                           .high = std::min({limits::kTimeStep_s.high, scenario.duration_s,
                                             scenario.observer.interval_s})};
@@ -143,14 +140,12 @@ std::vector<InspectorRow> runRows()
         .write = [](Scenario& scenario, const std::string&,
                     double value) { scenario.seed = std::llround(value); },
         .range = always({.low = 0, .high = static_cast<double>(kLargestSeed)})};
-    const FlagRow noise{
-        .words = {.key = u"scenarioNoise"_s,
-                  .label = InspectorRows::tr("Random drift"),
-                  .toolTip = InspectorRows::tr("Off: icebergs drift exactly as known."),
-                  .undoText = InspectorRows::tr("Change random drift")},
-        .read = [](const Scenario& scenario) { return scenario.noise; },
-        .write = [](Scenario& scenario, bool on) { scenario.noise = on; }};
-    return {duration, timeStep, seed, noise};
+    return {duration, timeStep, seed,
+            flagRow({.key = u"scenarioNoise"_s,
+                     .label = InspectorRows::tr("Random drift"),
+                     .toolTip = InspectorRows::tr("Off: icebergs drift exactly as known."),
+                     .undoText = InspectorRows::tr("Change random drift")},
+                    &Scenario::noise)};
 }
 
 NumberRow separationRow()
@@ -162,8 +157,7 @@ NumberRow separationRow()
                                       "altitudes are 30 m apart."),
          .undoText = InspectorRows::tr("Change separation"),
          .isShown = hasUavsToldApart},
-        {}, [](auto& scenario) -> auto& { return scenario.separation_m; },
-        always(limits::kLength_m));
+        {}, &Scenario::separation_m, always(limits::kLength_m));
     row.step = 50;
     row.lowestText = InspectorRows::tr("not kept apart");
     return asDistance(row);
@@ -194,58 +188,53 @@ std::vector<InspectorRow> placeRows()
         row.step = 0.1;
         return row;
     };
-    return {
-        degrees(
-            u"scenarioLatitude"_s, InspectorRows::tr("Latitude"),
-            InspectorRows::tr("Of the origin, north positive; everything moves along with it."),
-            [](auto& scenario) -> auto& { return scenario.origin.latitude_deg; },
-            limits::kLatitude_deg),
-        degrees(
-            u"scenarioLongitude"_s, InspectorRows::tr("Longitude"),
-            InspectorRows::tr("Of the origin, east positive; everything moves along with it."),
-            [](auto& scenario) -> auto& { return scenario.origin.longitude_deg; },
-            limits::kLongitude_deg),
-        InfoRow{.key = u"scenarioPlace"_s,
-                .text =
-                    [](const Scenario& scenario, const std::string&, const QLocale& locale) {
-                        return u"%1\n%2"_s.arg(
-                            latitudeText(scenario.origin.latitude_deg, 3, locale),
-                            longitudeText(scenario.origin.longitude_deg, 3, locale));
-                    }},
-        TextRow{
-            .words = {.key = u"scenarioStart"_s,
-                      .label = InspectorRows::tr("Start (UTC)"),
-                      .toolTip = InspectorRows::tr("Date and time of the start, such as "
-                                                   "2024-05-01T06:00:00Z; empty: times are "
-                                                   "relative."),
-                      .undoText = InspectorRows::tr("Change start")},
-            .placeholder = InspectorRows::tr("relative times"),
-            .isAllowed = [](const std::string& text) { return text.empty() || isUtcTime(text); },
-            .read = [](const Scenario& scenario, const std::string&) { return scenario.startUtc; },
-            .write = [](Scenario& scenario, const std::string&,
-                        const std::string& text) { scenario.startUtc = text; }}};
+    TextRow start = textRow({.key = u"scenarioStart"_s,
+                             .label = InspectorRows::tr("Start (UTC)"),
+                             .toolTip = InspectorRows::tr("Date and time of the start, such as "
+                                                          "2024-05-01T06:00:00Z; empty: times are "
+                                                          "relative."),
+                             .undoText = InspectorRows::tr("Change start")},
+                            ofScenario(&Scenario::startUtc));
+    start.placeholder = InspectorRows::tr("relative times");
+    start.isAllowed = [](const std::string& text) { return text.empty() || isUtcTime(text); };
+    return {degrees(
+                u"scenarioLatitude"_s, InspectorRows::tr("Latitude"),
+                InspectorRows::tr("Of the origin, north positive; everything moves along with it."),
+                [](auto& scenario) -> auto& { return scenario.origin.latitude_deg; },
+                limits::kLatitude_deg),
+            degrees(
+                u"scenarioLongitude"_s, InspectorRows::tr("Longitude"),
+                InspectorRows::tr("Of the origin, east positive; everything moves along with it."),
+                [](auto& scenario) -> auto& { return scenario.origin.longitude_deg; },
+                limits::kLongitude_deg),
+            InfoRow{.key = u"scenarioPlace"_s,
+                    .text =
+                        [](const Scenario& scenario, const std::string&, const QLocale& locale) {
+                            return u"%1\n%2"_s.arg(
+                                latitudeText(scenario.origin.latitude_deg, 3, locale),
+                                longitudeText(scenario.origin.longitude_deg, 3, locale));
+                        }},
+            start};
 }
 
 } // namespace
 
 std::vector<InspectorRow> scenarioRows()
 {
+    TextRow notes =
+        textRow({.key = u"scenarioNotes"_s,
+                 .label = InspectorRows::tr("Notes"),
+                 .toolTip = InspectorRows::tr("Anything worth knowing, kept in the file."),
+                 .undoText = InspectorRows::tr("Change notes")},
+                ofScenario(&Scenario::notes));
+    notes.multiLine = true;
     std::vector<InspectorRow> rows{
-        TextRow{.words = {.key = u"scenarioName"_s,
-                          .label = InspectorRows::tr("Name"),
-                          .toolTip = InspectorRows::tr("Title of the scenario, shown on the map."),
-                          .undoText = InspectorRows::tr("Change name")},
-                .read = [](const Scenario& scenario, const std::string&) { return scenario.name; },
-                .write = [](Scenario& scenario, const std::string&,
-                            const std::string& name) { scenario.name = name; }},
-        TextRow{.words = {.key = u"scenarioNotes"_s,
-                          .label = InspectorRows::tr("Notes"),
-                          .toolTip = InspectorRows::tr("Anything worth knowing, kept in the file."),
-                          .undoText = InspectorRows::tr("Change notes")},
-                .multiLine = true,
-                .read = [](const Scenario& scenario, const std::string&) { return scenario.notes; },
-                .write = [](Scenario& scenario, const std::string&,
-                            const std::string& notes) { scenario.notes = notes; }}};
+        textRow({.key = u"scenarioName"_s,
+                 .label = InspectorRows::tr("Name"),
+                 .toolTip = InspectorRows::tr("Title of the scenario, shown on the map."),
+                 .undoText = InspectorRows::tr("Change name")},
+                ofScenario(&Scenario::name)),
+        notes};
     append(rows, runRows());
     rows.emplace_back(separationRow());
     rows.emplace_back(layersRow());

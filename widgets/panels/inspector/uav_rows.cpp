@@ -7,13 +7,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-NumberRow uavRow(const RowWords& words, const QString& unit, double UavSpec::*member,
-                 const Limits& limits, double step = 1)
-{
-    return objectRow<Uav>(
-        words, unit, [member](auto& uav) -> auto& { return uav.spec.*member; }, limits, step);
-}
-
 NumberRow headingRow()
 {
     // Kept as the file has it; shown, and written when edited, within one turn.

@@ -65,7 +65,7 @@ PlanPanel::PlanPanel(QWidget* parent)
     , m_model(new PlanModel(locale(), this))
     , m_delegate(new PlanDelegate(this))
     , m_table(new QTableView(this))
-    , m_empty(new QLabel(m_table->viewport()))
+    , m_empty(newTableNote(*m_table, u"planEmpty"_s, kCellMargins_px))
     , m_summary(new QLabel(this))
 {
     setUpTable();
@@ -73,13 +73,6 @@ PlanPanel::PlanPanel(QWidget* parent)
     m_summary->setContentsMargins(kCellMargins_px, kSummaryMargin_px, kCellMargins_px,
                                   kSummaryMargin_px);
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // elided, never in the way
-    m_empty->setObjectName(u"planEmpty"_s);
-    m_empty->setAlignment(Qt::AlignCenter);
-    m_empty->setWordWrap(true);
-    m_empty->setMargin(kCellMargins_px);
-    auto* over = new QVBoxLayout(m_table->viewport());
-    over->setContentsMargins(0, 0, 0, 0);
-    over->addWidget(m_empty);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -128,14 +121,9 @@ void PlanPanel::setUpTable()
 void PlanPanel::setTheme(const Theme& theme)
 {
     m_delegate->setTheme(theme);
-    m_table->setFont(theme.body());
-    m_table->horizontalHeader()->setFont(theme.small());
-    QPalette colours = m_empty->palette();
-    colours.setColor(QPalette::WindowText, theme.mutedText);
-    m_empty->setPalette(colours);
-    m_summary->setPalette(colours);
+    setDockTableTheme(*m_table, theme);
+    m_summary->setPalette(m_empty->palette());
     m_summary->setFont(theme.small());
-    m_empty->setFont(theme.body());
     setColumnWidths();
     m_table->viewport()->update();
 }

@@ -54,13 +54,17 @@ Better betterOf(double reference, double other, Good good)
     return (other < reference) == (good == Good::Less) ? Better::Other : Better::Reference;
 }
 
-/** Builds rows of one quantity; without another run its columns stay empty. */
-class RowMaker
+/** Builds rows of one quantity at the common time; without another run its columns stay empty. */
+struct RowMaker
 {
-public:
-    RowMaker(const RunFigures& reference, const RunFigures* other)
-        : m_reference(reference), m_other(other)
+    RowMaker(const ComparedRun& referenceRun, const ComparedRun* otherRun)
     {
+        double until_s = referenceRun.flown_s;
+        if (otherRun != nullptr) {
+            until_s = std::min(until_s, otherRun->flown_s);
+            other = figuresAt(*otherRun, until_s);
+        }
+        reference = figuresAt(referenceRun, until_s);
     }
 
     /** `text` of a value, `difference` of value and reference. */
@@ -68,14 +72,10 @@ public:
     void add(const QString& label, const Value& value, Good good, const Text& text,
              const Difference& difference, const QString& toolTip)
     {
-        const auto a = static_cast<double>(value(m_reference));
-        ComparisonRow row{.label = label,
-                          .reference = text(a),
-                          .other = {},
-                          .difference = {},
-                          .toolTip = toolTip};
-        if (m_other != nullptr) {
-            const auto b = static_cast<double>(value(*m_other));
+        const auto a = static_cast<double>(value(reference));
+        ComparisonRow row{.label = label, .reference = text(a), .toolTip = toolTip};
+        if (other) {
+            const auto b = static_cast<double>(value(*other));
             row.other = text(b);
             row.difference = difference(b, a);
             row.better = betterOf(a, b, good);
@@ -83,11 +83,9 @@ public:
         rows.push_back(std::move(row));
     }
 
+    RunFigures reference;
+    std::optional<RunFigures> other;
     std::vector<ComparisonRow> rows;
-
-private:
-    const RunFigures& m_reference;
-    const RunFigures* m_other;
 };
 
 QString clockDifference(double other_s, double reference_s)
@@ -115,11 +113,6 @@ double longest_s(const RunFigures& figures)
                : figures.unseen[static_cast<std::size_t>(figures.longestUnseen)].longest_s;
 }
 
-double commonTime_s(const ComparedRun& reference, const ComparedRun* other)
-{
-    return other == nullptr ? reference.flown_s : std::min(reference.flown_s, other->flown_s);
-}
-
 } // namespace
 
 QString percentText(double value, double reference, const QLocale& locale)
@@ -132,10 +125,7 @@ QString percentText(double value, double reference, const QLocale& locale)
 std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const ComparedRun* other,
                                       const QLocale& locale)
 {
-    const double until_s = commonTime_s(reference, other);
-    const RunFigures a = figuresAt(reference, until_s);
-    const RunFigures b = other == nullptr ? RunFigures() : figuresAt(*other, until_s);
-    RowMaker maker(a, other == nullptr ? nullptr : &b);
+    RowMaker maker(reference, other);
     const auto percent = [&](double value, double of) { return percentText(value, of, locale); };
     const auto whole = [&](double value) { return fixedText(value, 0, locale); };
     const auto wholeDifference = [&](double value, double of) {
@@ -170,12 +160,12 @@ std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const Compar
         ComparisonText::tr("Unseen up to"), longest_s, Good::Less,
         [](double value) { return clockText(value); }, clockDifference,
         ComparisonText::tr("Longest time for which an iceberg was out of view."));
-    maker.rows.push_back({.label = ComparisonText::tr("which was"),
-                          .reference = icebergName(reference, a.longestUnseen),
-                          .other = other ? icebergName(*other, b.longestUnseen) : QString(),
-                          .difference = {},
-                          .toolTip = ComparisonText::tr("The iceberg that was out of view for the "
-                                                        "longest time.")});
+    maker.rows.push_back(
+        {.label = ComparisonText::tr("which was"),
+         .reference = icebergName(reference, maker.reference.longestUnseen),
+         .other = other ? icebergName(*other, maker.other->longestUnseen) : QString(),
+         .toolTip = ComparisonText::tr("The iceberg that was out of view for the "
+                                       "longest time.")});
     const std::vector<Uav>& uavs = reference.scenario.uavs;
     for (std::size_t i = 0; i < uavs.size(); ++i) {
         const QString name = nameInFleet(uavs, static_cast<int>(i));
@@ -197,17 +187,14 @@ std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const Compar
 std::vector<ComparisonRow> unseenRows(const ComparedRun& reference, const ComparedRun* other,
                                       const QLocale& locale)
 {
-    const double until_s = commonTime_s(reference, other);
-    const RunFigures a = figuresAt(reference, until_s);
-    const RunFigures b = other == nullptr ? RunFigures() : figuresAt(*other, until_s);
-    RowMaker maker(a, other == nullptr ? nullptr : &b);
-    for (std::size_t i = 0; i < a.unseen.size(); ++i)
+    RowMaker maker(reference, other);
+    for (std::size_t i = 0; i < maker.reference.unseen.size(); ++i)
         maker.add(
             icebergName(reference, static_cast<int>(i)),
             [i](const RunFigures& f) { return i < f.unseen.size() ? f.unseen[i].longest_s : 0; },
             Good::Less, [](double value) { return clockText(value); }, clockDifference,
             ComparisonText::tr("Unseen for %1 in all in A.")
-                .arg(durationText(std::round(a.unseen[i].total_s), locale)));
+                .arg(durationText(std::round(maker.reference.unseen[i].total_s), locale)));
     return maker.rows;
 }
 
@@ -237,8 +224,7 @@ ComparisonTable::ComparisonTable(const QString& name, const QString& title, QWid
 
 void ComparisonTable::setTheme(const Theme& theme)
 {
-    setFont(theme.body());
-    horizontalHeader()->setFont(theme.small());
+    setDockTableTheme(*this, theme);
     setColumnWidths();
 }
 

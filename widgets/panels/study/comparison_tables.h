@@ -23,8 +23,8 @@ struct ComparisonRow
 {
     QString label;
     QString reference;
-    QString other;
-    QString difference; ///< other less reference
+    QString other{};
+    QString difference{}; ///< other less reference
     Better better = Better::Neither;
     QString toolTip;
 };

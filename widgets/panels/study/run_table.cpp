@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -70,28 +69,16 @@ RunTable::RunTable(RunList& list, QWidget* parent)
             choose(row, RunOther);
     });
 
-    m_empty = new QLabel(tr("Runs you have flown come here. The button below flies this scenario "
-                            "along the shortest round tour beside your own settings."),
-                         viewport());
-    m_empty->setObjectName(u"comparisonEmpty"_s);
-    m_empty->setAlignment(Qt::AlignCenter);
-    m_empty->setWordWrap(true);
-    m_empty->setMargin(kCellMargins_px);
-    auto* over = new QVBoxLayout(viewport());
-    over->setContentsMargins(0, 0, 0, 0);
-    over->addWidget(m_empty);
+    m_empty = newTableNote(*this, u"comparisonEmpty"_s, kCellMargins_px);
+    m_empty->setText(tr("Runs you have flown come here. The button below flies this scenario "
+                        "along the shortest round tour beside your own settings."));
 }
 
 void RunTable::setTheme(const Theme& theme)
 {
     m_theme = theme;
     m_marks->setTheme(theme);
-    setFont(theme.body());
-    horizontalHeader()->setFont(theme.small());
-    m_empty->setFont(theme.body());
-    QPalette muted = m_empty->palette();
-    muted.setColor(QPalette::WindowText, theme.mutedText);
-    m_empty->setPalette(muted);
+    setDockTableTheme(*this, theme);
 }
 
 void RunTable::showRuns()

@@ -93,35 +93,27 @@ SolveTimePanel::SolveTimePanel(BenchmarkRunner& runner, QWidget* parent)
         m_second.start();
 }
 
-NumberField* SolveTimePanel::addNumber(QBoxLayout& row, const QString& name, const QString& label,
-                                       double value)
-{
-    auto* field = new NumberField;
-    field->setObjectName(name);
-    field->setAccessibleName(label);
-    field->setValue(value);
-    auto* caption = new CaptionLabel(label);
-    caption->setWordWrap(false);
-    caption->setBuddy(field);
-    auto* pair = new QVBoxLayout;
-    pair->setSpacing(1);
-    pair->addWidget(caption);
-    pair->addWidget(field);
-    row.addLayout(pair);
-    return field;
-}
-
 void SolveTimePanel::addSettings()
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(kGap_px);
     qobject_cast<QVBoxLayout*>(layout())->addLayout(row);
-    const auto number = [this, row](const QString& name, const QString& label, double low,
-                                    double high, double value, const QString& unit) {
-        NumberField* field = addNumber(*row, name, label, value);
+    const auto number = [row](const QString& name, const QString& label, double low, double high,
+                              double value, const QString& unit) {
+        auto* field = new NumberField;
+        field->setObjectName(name);
+        field->setAccessibleName(label);
         field->setRange(low, high);
         field->setNumberFormat({}, unit);
         field->showValue(value);
+        auto* caption = new CaptionLabel(label);
+        caption->setWordWrap(false);
+        caption->setBuddy(field);
+        auto* pair = new QVBoxLayout;
+        pair->setSpacing(1);
+        pair->addWidget(caption);
+        pair->addWidget(field);
+        row->addLayout(pair);
         return field;
     };
     m_largest = number(u"largestSize"_s, tr("Icebergs, up to"), kSizes.front(), kSizes.back(),

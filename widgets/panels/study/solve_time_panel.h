@@ -6,7 +6,6 @@
 #include <QTimer>
 #include <QWidget>
 
-class QBoxLayout;
 class QCheckBox;
 class QLabel;
 class QProgressBar;
@@ -14,7 +13,6 @@ class QPushButton;
 
 namespace berg {
 
-class CaptionLabel;
 class NumberField;
 class SolveTimeChart;
 
@@ -46,8 +44,6 @@ signals:
 private:
     void addSettings();
     void addRun();
-    NumberField* addNumber(QBoxLayout& row, const QString& name, const QString& label,
-                           double value);
     void startOrCancel();
     void showProgress(qulonglong done, qulonglong count);
     void showTimeLeft();

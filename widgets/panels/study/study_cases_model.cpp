@@ -7,7 +7,17 @@
 namespace berg {
 
 StudyCasesModel::StudyCasesModel(const QLocale& locale, QObject* parent)
-    : StudyTableModel(locale, parent)
+    : StudyTableModel(
+          locale,
+          {{tr("Case"), tr("Name of the scenario, or the seed it was drawn from.")},
+           {tr("Noise seed"),
+            tr("What the true drift was drawn from: the same for every setting.")},
+           {tr("ζ, m² s"), tr("Accumulated uncertainty of this flight: less is better.")},
+           {tr("vs reference"), tr("Compared with the flight of this case with the reference.")},
+           {tr("Best τ"), tr("The τ with the lowest ζ in this case, in hindsight.")},
+           {tr("Best of all"), tr("The setting with the lowest ζ in this case.")},
+           {tr("Stuck"), tr("Flies to two icebergs at most in the second half.")}},
+          parent)
 {
 }
 
@@ -22,11 +32,6 @@ void StudyCasesModel::setCases(StudyPointer result, std::optional<std::size_t> s
 std::size_t StudyCasesModel::caseAt(int row) const
 {
     return m_result->summary.cases[unsorted(row)];
-}
-
-int StudyCasesModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 const MissionOutcome& StudyCasesModel::outcome(std::size_t row, std::size_t setting) const
@@ -47,18 +52,17 @@ StudyTableModel::SortKey StudyCasesModel::sortKey(std::size_t row, int column) c
 {
     switch (column) {
     case Zeta:
-        return {.number = outcome(row, m_setting).metrics.zeta_m2s, .text = {}};
+        return {.number = outcome(row, m_setting).metrics.zeta_m2s};
     case Difference:
-        return {.number = difference(row), .text = {}};
+        return {.number = difference(row)};
     case BestTau:
-        return {.number = m_result->summary.bestTau ? m_result->summary.bestTau->byCase[row] : 0,
-                .text = {}};
+        return {.number = m_result->summary.bestTau ? m_result->summary.bestTau->byCase[row] : 0};
     case Best:
-        return {.number = static_cast<double>(m_result->bestByCase[row]), .text = {}};
+        return {.number = static_cast<double>(m_result->bestByCase[row])};
     case Stuck:
-        return {.number = outcome(row, m_setting).stuck ? 1.0 : 0.0, .text = {}};
+        return {.number = outcome(row, m_setting).stuck ? 1.0 : 0.0};
     default:
-        return {.number = static_cast<double>(row), .text = {}};
+        return {.number = static_cast<double>(row)};
     }
 }
 
@@ -87,43 +91,13 @@ QString StudyCasesModel::text(std::size_t row, int column) const
     }
 }
 
-QVariant StudyCasesModel::data(const QModelIndex& index, int role) const
+QString StudyCasesModel::toolTip(std::size_t row) const
 {
-    if (!index.isValid() || !m_result)
-        return {};
-    const std::size_t row = unsorted(index.row());
-    const bool isText = index.column() == Case;
-    switch (role) {
-    case Qt::DisplayRole:
-        return text(row, index.column());
-    case Qt::ToolTipRole: {
-        const Metrics& metrics = outcome(row, m_setting).metrics;
-        return tr("%1 visits, %2 plans, %3 flown. Return or a double click opens this run.")
-            .arg(metrics.visits)
-            .arg(metrics.replans)
-            .arg(distanceText(metrics.flown_m, m_locale));
-    }
-    case Qt::TextAlignmentRole:
-        return QVariant((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-    default:
-        return {};
-    }
-}
-
-QVariant StudyCasesModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal)
-        return {};
-    const ColumnHeader headers[ColumnCount] = {
-        {tr("Case"), tr("Name of the scenario, or the seed it was drawn from.")},
-        {tr("Noise seed"), tr("What the true drift was drawn from: the same for every setting.")},
-        {tr("ζ, m² s"), tr("Accumulated uncertainty of this flight: less is better.")},
-        {tr("vs reference"), tr("Compared with the flight of this case with the reference.")},
-        {tr("Best τ"), tr("The τ with the lowest ζ in this case, in hindsight.")},
-        {tr("Best of all"), tr("The setting with the lowest ζ in this case.")},
-        {tr("Stuck"), tr("Flies to two icebergs at most in the second half.")},
-    };
-    return headerOf(headers[section], section == Case, role);
+    const Metrics& metrics = outcome(row, m_setting).metrics;
+    return tr("%1 visits, %2 plans, %3 flown. Return or a double click opens this run.")
+        .arg(metrics.visits)
+        .arg(metrics.replans)
+        .arg(distanceText(metrics.flown_m, m_locale));
 }
 
 } // namespace berg

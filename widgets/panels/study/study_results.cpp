@@ -206,10 +206,8 @@ void StudyResults::setTheme(const Theme& theme)
     m_chart->setTheme(theme);
     m_differences->setTheme(theme);
     m_settingsModel->setTheme(theme);
-    for (QTableView* table : {m_settingsTable, m_casesTable}) {
-        table->setFont(theme.body());
-        table->horizontalHeader()->setFont(theme.small());
-    }
+    for (QTableView* table : {m_settingsTable, m_casesTable})
+        setDockTableTheme(*table, theme);
 }
 
 void StudyResults::showResult()

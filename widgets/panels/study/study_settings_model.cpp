@@ -16,7 +16,22 @@ constexpr int kMark_px = 12;
 } // namespace
 
 StudySettingsModel::StudySettingsModel(const QLocale& locale, QObject* parent)
-    : StudyTableModel(locale, parent), m_theme(Theme::light())
+    : StudyTableModel(
+          locale,
+          {{tr("Setting"), tr("How the next iceberg is chosen.")},
+           {tr("Mean ζ"),
+            tr("Accumulated uncertainty in m² s, mean of all cases: less is better.")},
+           {tr("Median ζ"), tr("Half of the cases have less.")},
+           {tr("Quartiles"),
+            tr("A quarter of the cases has less than the first, a quarter more than "
+               "the second.")},
+           {tr("vs reference"), tr("Mean of the differences, case by case, in per cent of the "
+                                   "reference.")},
+           {tr("95 % interval"), tr("Of the mean difference: confidence interval by Student's t.")},
+           {tr("Best in"), tr("Cases in which no other setting has less ζ.")},
+           {tr("Stuck"), tr("Cases that fly to two icebergs at most in the second half.")}},
+          parent)
+    , m_theme(Theme::light())
 {
 }
 
@@ -47,16 +62,6 @@ std::optional<std::size_t> StudySettingsModel::settingAt(int row) const
     return setting < settings() ? std::optional(setting) : std::nullopt;
 }
 
-int StudySettingsModel::rowOf(std::size_t setting) const
-{
-    return sorted(setting);
-}
-
-int StudySettingsModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
 const Summary& StudySettingsModel::zetaOf(std::size_t row) const
 {
     const StudySummary& summary = m_result->summary;
@@ -74,19 +79,19 @@ StudyTableModel::SortKey StudySettingsModel::sortKey(std::size_t row, int column
     const bool isSetting = row < settings();
     switch (column) {
     case Mean:
-        return {.number = zetaOf(row).mean, .text = {}};
+        return {.number = zetaOf(row).mean};
     case Median:
-        return {.number = zetaOf(row).median, .text = {}};
+        return {.number = zetaOf(row).median};
     case Quartiles:
-        return {.number = zetaOf(row).quartile1, .text = {}};
+        return {.number = zetaOf(row).quartile1};
     case Difference:
-        return {.number = differenceOf(row).mean, .text = {}};
+        return {.number = differenceOf(row).mean};
     case Interval:
-        return {.number = differenceOf(row).low, .text = {}};
+        return {.number = differenceOf(row).low};
     case BestIn:
-        return {.number = isSetting ? static_cast<double>(m_result->bestIn[row]) : -1, .text = {}};
+        return {.number = isSetting ? static_cast<double>(m_result->bestIn[row]) : -1};
     case Stuck:
-        return {.number = isSetting ? m_result->summary.settings[row].stuckShare : -1, .text = {}};
+        return {.number = isSetting ? m_result->summary.settings[row].stuckShare : -1};
     default:
         break;
     }
@@ -159,43 +164,12 @@ QString StudySettingsModel::toolTip(std::size_t row) const
 
 QVariant StudySettingsModel::data(const QModelIndex& index, int role) const
 {
-    if (!index.isValid() || !m_result)
-        return {};
-    const std::size_t row = unsorted(index.row());
-    switch (role) {
-    case Qt::DisplayRole:
-        return text(row, index.column());
-    case Qt::ToolTipRole:
-        return toolTip(row);
-    case Qt::TextAlignmentRole:
-        return QVariant((index.column() == Setting ? Qt::AlignLeft : Qt::AlignRight) |
-                        Qt::AlignVCenter);
-    case Qt::DecorationRole:
-        if (index.column() == Setting && row < settings())
-            return policyMark(m_result->summary.settings[row].setting.policy, m_theme, kMark_px);
-        return {};
-    default:
-        return {};
-    }
-}
-
-QVariant StudySettingsModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal)
-        return {};
-    const ColumnHeader headers[ColumnCount] = {
-        {tr("Setting"), tr("How the next iceberg is chosen.")},
-        {tr("Mean ζ"), tr("Accumulated uncertainty in m² s, mean of all cases: less is better.")},
-        {tr("Median ζ"), tr("Half of the cases have less.")},
-        {tr("Quartiles"), tr("A quarter of the cases has less than the first, a quarter more than "
-                             "the second.")},
-        {tr("vs reference"), tr("Mean of the differences, case by case, in per cent of the "
-                                "reference.")},
-        {tr("95 % interval"), tr("Of the mean difference: confidence interval by Student's t.")},
-        {tr("Best in"), tr("Cases in which no other setting has less ζ.")},
-        {tr("Stuck"), tr("Cases that fly to two icebergs at most in the second half.")},
-    };
-    return headerOf(headers[section], section == Setting, role);
+    if (role != Qt::DecorationRole || index.column() != Setting || index.row() >= rowCount())
+        return StudyTableModel::data(index, role);
+    const std::optional<std::size_t> setting = settingAt(index.row());
+    return setting
+               ? policyMark(m_result->summary.settings[*setting].setting.policy, m_theme, kMark_px)
+               : QVariant();
 }
 
 } // namespace berg

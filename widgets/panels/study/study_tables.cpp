@@ -9,7 +9,7 @@ StudyCase studyCase(const StudySpec& spec, std::size_t caseIndex)
 {
     const auto runs = static_cast<std::size_t>(spec.runs);
     const std::size_t scenario = caseIndex / runs;
-    StudyCase out{.scenario = {}, .run = static_cast<int>(caseIndex % runs)};
+    StudyCase out{.run = static_cast<int>(caseIndex % runs)};
     if (scenario < spec.scenarios.size()) {
         out.scenario = QString::fromStdString(spec.scenarios[scenario].name);
         out.seed = seedOfRun(spec.scenarios[scenario].seed, out.run);
@@ -22,8 +22,9 @@ StudyCase studyCase(const StudySpec& spec, std::size_t caseIndex)
     return out;
 }
 
-StudyTableModel::StudyTableModel(const QLocale& locale, QObject* parent)
-    : QAbstractTableModel(parent), m_locale(locale)
+StudyTableModel::StudyTableModel(const QLocale& locale, std::vector<ColumnHeader> headers,
+                                 QObject* parent)
+    : QAbstractTableModel(parent), m_locale(locale), m_headers(std::move(headers))
 {
 }
 
@@ -32,7 +33,45 @@ int StudyTableModel::rowCount(const QModelIndex& parent) const
     return parent.isValid() ? 0 : static_cast<int>(m_order.size());
 }
 
-int StudyTableModel::sorted(std::size_t row) const
+int StudyTableModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_headers.size());
+}
+
+QVariant StudyTableModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid() || index.row() >= rowCount())
+        return {};
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(unsorted(index.row()), index.column());
+    case Qt::ToolTipRole:
+        return toolTip(unsorted(index.row()));
+    case Qt::TextAlignmentRole:
+        return headerData(index.column(), Qt::Horizontal, role);
+    default:
+        return {};
+    }
+}
+
+QVariant StudyTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    const ColumnHeader& header = m_headers.at(static_cast<std::size_t>(section));
+    switch (role) {
+    case Qt::DisplayRole:
+        return header.text;
+    case Qt::ToolTipRole:
+        return header.toolTip;
+    case Qt::TextAlignmentRole:
+        return QVariant((section == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    default:
+        return {};
+    }
+}
+
+int StudyTableModel::rowOf(std::size_t row) const
 {
     const auto found = std::find(m_order.begin(), m_order.end(), row);
     return found == m_order.end() ? -1 : static_cast<int>(found - m_order.begin());
@@ -58,20 +97,6 @@ std::vector<std::size_t> StudyTableModel::orderOf(std::size_t rows) const
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return isLess(b, a); });
     return order;
-}
-
-QVariant StudyTableModel::headerOf(const ColumnHeader& header, bool isText, int role)
-{
-    switch (role) {
-    case Qt::DisplayRole:
-        return header.text;
-    case Qt::ToolTipRole:
-        return header.toolTip;
-    case Qt::TextAlignmentRole:
-        return QVariant((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-    default:
-        return {};
-    }
 }
 
 void StudyTableModel::setRows(std::size_t rows)

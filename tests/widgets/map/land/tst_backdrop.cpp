@@ -26,7 +26,7 @@ LandRequest request(const MapShape& shape, double opacity = 1)
             .view = MapViewTransform(Point::Zero(), QRectF(QPointF(), kSize).center(), 1e-3),
             .rect = QRectF(QPointF(), kSize),
             .look = kSea,
-            .backdrop = std::make_shared<const Backdrop>(Backdrop{shape}),
+            .backdrop = std::make_shared<const BackdropShapes>(BackdropShapes{shape}),
             .backdropOpacity = opacity,
             .backdropLook = {.ink = Qt::white, .ground = Qt::black, .font = {}}};
 }

@@ -1,6 +1,5 @@
 #include "tests/support/approx.h"
 #include "tests/support/fleet_maps.h"
-#include "widgets/map/paint/legend_uavs.h"
 #include "widgets/map/paint/map_legend_rows.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_painter.h"

@@ -64,7 +64,7 @@ private slots:
     {
         QFETCH(int, layer);
         MapLayers all;
-        all.backdrop = std::make_shared<const Backdrop>(Backdrop{
+        all.backdrop = std::make_shared<const BackdropShapes>(BackdropShapes{
             {.kind = MapShape::Kind::Polygon, .parts = {{{46, -49}, {46, -47}, {48, -48}}}}});
         MapLayers faint = all;
         faint.set(static_cast<MapLayer>(layer), 0.3);

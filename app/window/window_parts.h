@@ -1,0 +1,63 @@
+#pragma once
+
+#include "app/window/appearance_choice.h"
+#include "app/window/backdrop_file.h"
+#include "app/window/checks_view.h"
+#include "app/window/comparison_view.h"
+#include "app/window/context_menus.h"
+#include "app/window/docks.h"
+#include "app/window/flight_controls.h"
+#include "app/window/flight_panels.h"
+#include "app/window/flight_view.h"
+#include "app/window/manual_help.h"
+#include "app/window/map_links.h"
+#include "app/window/menus.h"
+#include "app/window/planner_view.h"
+#include "app/window/preference_menus.h"
+#include "app/window/result_files.h"
+#include "app/window/run_end.h"
+#include "app/window/scenario_dialogs.h"
+#include "app/window/scenario_files.h"
+#include "app/window/sightings_import.h"
+#include "app/window/solve_time_desk.h"
+#include "app/window/start_guide.h"
+#include "app/window/status_line.h"
+#include "app/window/study_desk.h"
+#include "app/window/study_flights.h"
+#include "app/window/work_safety.h"
+
+namespace berg {
+
+/** The parts of a window, in the order of what they use. */
+struct WindowParts
+{
+    explicit WindowParts(WindowContext& context);
+
+    StatusLine status;
+    Docks docks;
+    ScenarioFiles files;
+    ResultFiles results;
+    StartGuide start;
+    SightingsImport sightings;
+    ScenarioDialogs dialogs;
+    StudyDesk study;
+    SolveTimeDesk solveTimes;
+    StudyFlights studyFlights;
+    WorkSafety safety;
+    ChecksView checks;
+    ComparisonView comparison;
+    PlannerView planner;
+    FlightPanels flightPanels;
+    FlightView flightView;
+    FlightControls flight;
+    RunEnd runEnd;
+    MapLinks mapLinks;
+    BackdropFile backdrop;
+    AppearanceChoice appearance;
+    PreferenceMenus preferences;
+    ManualHelp manual;
+    Menus menus;
+    ContextMenus contextMenus;
+};
+
+} // namespace berg
