@@ -87,6 +87,12 @@ EndsAtOnce::~EndsAtOnce()
     --interrupts().readers;
 }
 
+UsageError wrongOptions(const std::string& options, const IssueReason& reason)
+{
+    return UsageError(Sentence{.english = options + ": " + englishText(reason),
+                               .said = options + ": " + said(reason)});
+}
+
 std::stop_token interruptToken()
 {
     // Signals are taken by one waiting thread: a stop request runs callbacks that a signal handler
@@ -239,7 +245,10 @@ std::string rowLabel(const std::string& name)
 {
     constexpr std::size_t kWidth = 10;
     constexpr std::size_t kBetween = 2;
-    return word(name) + std::string(std::max(kWidth, name.size() + kBetween) - name.size(), ' ');
+    const std::string shownName = word(name);
+    const auto width = static_cast<std::size_t>(std::ranges::count_if(
+        shownName, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+    return shownName + std::string(std::max(kWidth, width + kBetween) - width, ' ');
 }
 
 std::vector<std::string> split(const std::string& text, char separator)

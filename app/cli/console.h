@@ -41,6 +41,8 @@ struct UsageError
     }
     Sentence message;
 };
+/** For options, "--policy, --backend", that the reason is about. */
+[[nodiscard]] UsageError wrongOptions(const std::string& options, const IssueReason& reason);
 
 /**
  * Makes Ctrl-C and termination a stop request, and lets a second one end the program at once. To be

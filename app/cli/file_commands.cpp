@@ -8,6 +8,7 @@
 #include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 namespace berg::cli {
@@ -36,6 +37,8 @@ std::vector<Issue> findings(const std::string& file)
 
 int validateFiles(const std::vector<std::string>& files, bool json, const std::stop_token& stop)
 {
+    if (std::ranges::count(files, "/dev/stdin") > 1)
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 excludes %2"), {"-", "-"});
     std::vector<FileFindings> all;
     bool bad = false;
     for (const std::string& file : files) {

@@ -336,6 +336,9 @@ int importAirspaceFile(const ImportArguments& arguments)
 
 int importFile(const ImportArguments& arguments, const std::stop_token& /*stop*/)
 {
+    if (arguments.file == "/dev/stdin" && arguments.intoFile == arguments.file)
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 excludes %2"),
+                         {"FILE -", "--into -"});
     if (arguments.format == kAirspaceFormat)
         return importAirspaceFile(arguments);
     if (arguments.format != "auto" && findImportFormat(arguments.format) == nullptr)

@@ -244,9 +244,13 @@ void checkProblem(const PlanReport& report, const SolveArguments& arguments)
     const bool certifies = !arguments.certificateFile.empty();
     if (report.outcome.status == SolveStatus::None || (!certifies && !arguments.verify))
         return;
-    if (!isFleetPlan(report.problem, report.outcome.plan) ||
-        (certifies && report.problem.icebergCount() == 0))
-        throw Error(ErrorCode::Unsupported, arguments.file, {IssueId::NoProblemSolved});
+    if (isFleetPlan(report.problem, report.outcome.plan) &&
+        (!certifies || report.problem.icebergCount() > 0))
+        return;
+    if (arguments.policy)
+        throw wrongOptions(arguments.verify ? "--policy, --verify" : "--policy, --certificate",
+                           {IssueId::NoProblemSolved});
+    throw Error(ErrorCode::Unsupported, arguments.file, {IssueId::NoProblemSolved});
 }
 
 int conclude(PlanReport& report, const SolveArguments& arguments, const SolveOptions& options)
@@ -300,12 +304,11 @@ int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
 /** What is wrong by the file alone is a fault of the file. */
 void checkChoices(const SolveArguments& arguments, const PlannerSettings& planner)
 {
-    const IssueReason reason{IssueId::CbcLatency};
-    const std::string options = "--policy, --backend: ";
     if ((arguments.policy || arguments.backend) && planner.policy == PolicyKind::Latency &&
         planner.backend == Backend::Cbc)
-        throw UsageError(
-            Sentence{.english = options + englishText(reason), .said = options + said(reason)});
+        throw wrongOptions("--policy, --backend", {IssueId::CbcLatency});
+    if (arguments.verify && arguments.formulation && planner.policy == PolicyKind::Latency)
+        throw wrongOptions("--verify, --formulation", {IssueId::CbcLatency});
 }
 
 int planScenario(const SolveArguments& arguments, const std::stop_token& stop)

@@ -73,6 +73,8 @@ Flown flyScenario(const SimulateArguments& arguments, const std::string& text,
     if ((arguments.dt_s || arguments.duration_s) && scenario.dt_s > scenario.duration_s)
         throw UsageError(QT_TRANSLATE_NOOP(
             "CommandLine", "--dt, --duration: the time step is longer than the duration"));
+    if (arguments.policy == PolicyKind::Latency && scenario.planner.backend == Backend::Cbc)
+        throw wrongOptions("--policy", {IssueId::CbcLatency});
     printWarnings(arguments.file, validate(scenario));
     MissionOptions options;
     options.record = !arguments.outputFolder.empty();

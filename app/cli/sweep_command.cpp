@@ -97,7 +97,8 @@ Shard shardOf(const std::string& text)
         return {};
     Shard shard{.index = 0};
     char rest = 0;
-    if (std::sscanf(text.c_str(), "%9d/%9d%c", &shard.index, &shard.count, &rest) != 2 ||
+    if (text.find_first_not_of("0123456789/") != std::string::npos ||
+        std::sscanf(text.c_str(), "%9d/%9d%c", &shard.index, &shard.count, &rest) != 2 ||
         shard.index < 1 || shard.index > shard.count)
         throw UsageError(
             QT_TRANSLATE_NOOP("CommandLine", "--shard: %1 is not I/N with 1 <= I <= N"), {text});

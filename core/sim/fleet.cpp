@@ -269,10 +269,11 @@ void Fleet::setReached(int uav)
 
 bool Fleet::takeOffWhenDue(int uav)
 {
+    constexpr double kRounding = 1e-3; // of a step: what counting it down leaves of whole steps
     Autopilot& me = m_autopilots[toIndex(uav)];
     const World& world = m_observer.world();
     if (!me.isOnGround() || me.order() != FlightOrder::None ||
-        me.guard().sortie().ground_s >= world.dt_s() / 2 || !world.isWholeSecond() ||
+        me.guard().sortie().ground_s > kRounding * world.dt_s() || !world.isWholeSecond() ||
         (nearestAvailable(uav) < 0 && !hasSomethingToSearch(uav)) ||
         !m_separation.hasRoom(uav, me.pose().position_m) || !me.takeOff(m_observer))
         return false;
@@ -364,9 +365,11 @@ void Fleet::watchSeparation()
             if (!m_separation.shareLayer(a, b) || first.isOnGround() || second.isOnGround())
                 continue;
             const double distance_m = (first.pose().position_m - second.pose().position_m).norm();
-            m_closest_m = std::min(m_closest_m.value_or(distance_m), distance_m);
+            // At the end of the last step, or at the start.
+            const double before_m = (first.before_m() - second.before_m()).norm();
+            m_closest_m = std::min({m_closest_m.value_or(distance_m), before_m, distance_m});
             const bool wasApart = isJustAloft(first, world) || isJustAloft(second, world) ||
-                                  (first.before_m() - second.before_m()).norm() >= m_separation_m;
+                                  before_m >= m_separation_m;
             if (wasApart && distance_m < m_separation_m)
                 m_report.add(
                     {.kind = EventKind::Close, .uav = a, .otherUav = b, .distance_m = distance_m});

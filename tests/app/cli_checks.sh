@@ -260,7 +260,8 @@ if [ "$with_cbc" = ON ]; then
     check "fleet: --verify" exits 0 "$cli" plan "$fleet" --verify --json
     check "fleet: --verify: by cbc" json 'd["verify"]["backend"] == "cbc" and d["verify"]["formulation"] is None and d["verify"]["agrees"] is not False'
 fi
-check "fleet: coverage is nothing to verify" exits 3 "$cli" plan "$fleet" --policy coverage --verify
+check "fleet: coverage is nothing to verify" exits 2 "$cli" plan "$fleet" --policy coverage --verify
+check "fleet: coverage is nothing to verify: options" grep -q -- "--policy, --verify: this plan solves" stderr.txt
 check "fleet: curve" exits 0 "$cli" curve "$fleet" --json --output fleet-curve.csv --certificate fleet-curve-proof.json
 check "fleet: curve: proven" json 'd["complete"] and all(i["proven"] for i in d["intervals"])'
 check "fleet: curve: orders by UAV" json 'all([u["id"] for u in i["uavs"]] == ["uav-1", "uav-2"] and sum((u["order"] for u in i["uavs"]), []) == i["order"] for i in d["intervals"])'
@@ -378,8 +379,8 @@ check "a study is no scenario" exits 3 "$cli" simulate whole.bergstudy
 check "a scenario is no study" exits 3 "$cli" study "$default"
 check "shard without a file" exits 2 "$cli" sweep "${small[@]}" --shard 1/3
 check "shard with a table" exits 2 "$cli" sweep "${small[@]}" --shard 1/3 --study x.bergstudy --output x.csv
-for shard in 0/3 4/3 1 1/3x a/b; do
-    check "shard $shard" exits 2 "$cli" sweep "${small[@]}" --shard $shard --study x.bergstudy
+for shard in 0/3 4/3 1 1/3x a/b " +1/ 3" "1/ 3"; do
+    check "shard $shard" exits 2 "$cli" sweep "${small[@]}" --shard "$shard" --study x.bergstudy
 done
 check "wrong shards leave no file" test ! -e x.bergstudy
 check "faulty studies leave no file" exits 3 "$cli" sweep "$default" --tau 1 --policies latency --study x.bergstudy --random 1000000 --runs 2

@@ -13,6 +13,7 @@ printf 'id,y,x\na,62.4S,54W\n' >columns.csv
 echo '{"format": "bergwatch-problem", "version": 1, "sigma": [0, 1], "position_m": [[0, 0], [1, 0]], "toa": 2}' >unknown.json
 printf 'id,latitude,longitude,length\na,62S,54W,"1,200"\n' >lengths.csv
 sed 's/"sigma0_m2": [0-9.]*/"sigma0_m2": -1/' four.berg >negative.berg
+sed 's/"policy": "visitation"/"backend": "cbc", &/' four.berg >cbc.berg
 
 # --- mistakes --------------------------------------------------------------------------------
 # tests/data/golden/mistakes.txt is a transcript: each command in it is run again, and must say the
@@ -26,11 +27,16 @@ done >mistakes.txt
 check "mistakes: what is said" diff "$golden" mistakes.txt
 check "mistakes: twenty at least" test "$(grep -c '^\[[1-9]' mistakes.txt)" -ge 20
 
+# --- names in front of rows ------------------------------------------------------------------
+sed 's/"uav-2"/"uav-ø"/g' "$source_dir/resources/scenarios/svalbard-two-uavs.berg" >wide.berg
+check "plan: an id that is not ASCII" exits 0 "$cli" plan wide.berg
+check "plan: its order is in line" grep -q '^uav-ø      [^ ]' stdout.txt
+
 # --- interventions of a run ------------------------------------------------------------------
 python3 - <<'PY'
 import json
 run = json.load(open("run/run.bergrun"))
-for name, later in (("gone", {"seen": "berg-1"}), ("assigned", {"assigned": {"iceberg": "berg-1", "uav": "uav-1"}}), ("hint", {"taux": 2})):
+for name, later in (("gone", {"seen": "berg-1"}), ("assigned", {"assigned": {"iceberg": "berg-1", "uav": "uav-1"}}), ("hint", {"taux": 2, "asset": {"position_m": [0, 0], "flag": "NO"}})):
     run["interventions"] = [{"time_s": 10, "removed": "berg-1"}, {"time_s": 20, **later}]
     json.dump(run, open(name + ".bergrun", "w"))
 PY
@@ -39,6 +45,7 @@ check "validate: names run and intervention" grep -q '^gone.bergrun: interventio
 check "validate: assigned after it was removed" exits 3 "$cli" validate assigned.bergrun
 check "validate: unknown member of an intervention" exits 0 "$cli" validate hint.bergrun
 check "validate: hint names it" grep -q 'hint: interventions\[1\]: .*"taux"' stderr.txt
+check "validate: hint names one inside" grep -q 'hint: interventions\[1\].asset: .*"flag"' stderr.txt
 
 # --- standard input --------------------------------------------------------------------------
 printf 'id,latitude,longitude\na,69.1N,52W\n' >one.csv

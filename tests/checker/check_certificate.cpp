@@ -60,6 +60,14 @@ std::vector<double> numbersOf(const Json& json, Index size, double least)
     return values;
 }
 
+/** Whole and not below 0; nlohmann would cut the rest of others off. */
+std::vector<Index> indicesOf(const Json& json)
+{
+    for (const Json& entry : json)
+        expect(entry.is_number_unsigned(), "a number that is not whole");
+    return json.get<std::vector<Index>>();
+}
+
 struct Problem
 {
     std::vector<std::vector<std::vector<double>>> distance; ///< by UAV, from, to
@@ -74,6 +82,9 @@ struct Problem
         , latency(json.at("criterion") == "latency")
         , closed(json.at("route") == "closed" && !latency)
     {
+        expect(json.at("version") == 1, "an unknown version");
+        expect(latency || json.at("criterion") == "visitation", "an unknown criterion");
+        expect(json.at("route") == "closed" || json.at("route") == "open", "an unknown route");
         expect(!sigma.empty() && sigma.size() <= 128 && sigma[0] == 0, "sigma has a wrong size");
         for (const Json& matrix : json.at("distance_m")) {
             expect(matrix.size() == sigma.size(), "distance_m has a wrong size");
@@ -198,8 +209,11 @@ struct Step
             sets.emplace_back();
             for (const Json& text : band) {
                 Set& set = sets.back().emplace_back(0); // any set is sound
-                for (const char digit : text.get<std::string>())
-                    set = set * 16 + std::string_view("0123456789abcdef").find(digit);
+                for (const char digit : text.get<std::string>()) {
+                    const Index value = std::string_view("0123456789abcdef").find(digit);
+                    expect(value < 16, "a set that is no hexadecimal number");
+                    set = set * 16 + value;
+                }
             }
         }
     }
@@ -360,7 +374,7 @@ Low boundOf(const Problem& problem, const Json& proof, double claimed)
     expect(!steps.empty(), "a relaxation without multipliers");
     if (problem.distance.size() > 1)
         return boundOfFleet(problem, steps.back());
-    Relaxation relaxation(problem, proof.value("rises", std::vector<Index>()), claimed);
+    Relaxation relaxation(problem, indicesOf(proof.value("rises", Json::array())), claimed);
     for (const Step& step : steps)
         relaxation.follow(step, false);
     relaxation.follow(steps.back(), true);
@@ -371,12 +385,19 @@ void check(const char* name, const Json& proof, Problem& problem)
 {
     problem.mu = numbersOf(Json::array({proof.at("mu")}), 1, 0)[0];
     const double bound = proof.at("bound").get<double>();
-    const double cost = costOf(problem, proof.at("orders").get<std::vector<std::vector<Index>>>());
+    std::vector<std::vector<Index>> orders;
+    for (const Json& order : proof.at("orders"))
+        orders.push_back(indicesOf(order));
+    const double cost = costOf(problem, orders);
     expect(cost <= proof.at("cost").get<double>() * (1 + 1e-12), "the orders cost more than said");
     expect(bound <= cost, "the bound is above the cost");
     const Low known = bound > 0 ? boundOf(problem, proof, bound) : Low{}; // no cost is negative
     expect(known.value >= bound, "a plan costs no more than " + std::to_string(known.value));
     const double gap = cost > 0 ? (cost - bound) / cost : 0;
+    constexpr double kOptimal = 1.001e-8; // 1e-8 is claimed of a cost that was rounded
+    const bool saysWithin =
+        proof.at("claim").get<std::string>().starts_with("the orders are within ");
+    expect(saysWithin || gap <= kOptimal, "the orders are not known to be optimal");
     std::printf("%s: %.10g <= optimum <= %.10g, gap %.2g %%\n", name, bound, cost, 100 * gap);
 }
 

@@ -429,10 +429,19 @@ RunFile runFromJson(std::string_view text, const std::string& subject, const std
 std::vector<Issue> validate(const RunFile& run)
 {
     std::vector<Issue> issues = validate(run.scenario);
-    for (std::size_t i = 0; i < run.interventions.size(); ++i)
-        if (std::optional<Issue> hint =
-                unknownMembers(entryPath("interventions", i), run.interventions[i].extraJson))
+    const auto addHint = [&issues](const std::string& path, const std::string& extraJson) {
+        if (std::optional<Issue> hint = unknownMembers(path, extraJson))
             issues.push_back(std::move(*hint));
+    };
+    for (std::size_t i = 0; i < run.interventions.size(); ++i) {
+        const Intervention& change = run.interventions[i];
+        const std::string path = entryPath("interventions", i);
+        addHint(path, change.extraJson);
+        if (change.asset)
+            addHint(path + ".asset", change.asset->extraJson);
+        if (change.appears)
+            addHint(path + ".appears", change.appears->extraJson);
+    }
     return issues;
 }
 

@@ -136,8 +136,7 @@ void addFindings(const Scenario& scenario, ObjectReader& object, ScenarioUse use
 Scenario readScenario(ObjectReader& object, ScenarioUse use)
 {
     Scenario scenario;
-    (void)object.find("format");
-    (void)object.find("version");
+    checkFormat(object, kFormat);
     MemberReader io(object);
     addMembers(io, scenario);
     scenario.extraJson = object.unknown();

@@ -15,6 +15,14 @@ namespace berg {
 
 namespace {
 
+/** Nothing can be taken back of what a pipe or a device was sent. */
+bool canBePutBack(const std::string& path)
+{
+    std::error_code none;
+    return !isOpenDescriptor(path) &&
+           (!std::filesystem::exists(path, none) || std::filesystem::is_regular_file(path, none));
+}
+
 /**
  * What is there, to put it back. It stays open: where a new file takes its place, the old one is
  * there to be read as long as that. One that may be written over is copied before, in memory.
@@ -23,12 +31,14 @@ class Before
 {
 public:
     explicit Before(const std::string& path)
-        : m_path(path), m_file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))
+        : m_path(path)
+        , m_isKept(canBePutBack(path))
+        , m_file(m_isKept ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK) : -1)
     {
+        if (m_isKept && !m_file.isOpen() && errno != ENOENT)
+            fail();
         struct stat found = {};
         m_isThere = m_file.isOpen() && ::fstat(m_file.get(), &found) == 0 && S_ISREG(found.st_mode);
-        if (!m_file.isOpen() && errno != ENOENT)
-            fail();
     }
 
     void copy()
@@ -40,6 +50,8 @@ public:
 
     void putBack() const
     {
+        if (!m_isKept)
+            return;
         std::error_code ignored; // the first fault is the one to be told
         if (!m_isThere) {
             if (std::filesystem::is_regular_file(m_path, ignored))
@@ -83,19 +95,12 @@ private:
     }
 
     std::string m_path;
+    bool m_isKept;
     Descriptor m_file;
     bool m_isThere = false;
     bool m_isCopied = false;
     std::string m_copy;
 };
-
-/** Nothing can be taken back of what a pipe or a device was sent. */
-bool canBePutBack(const std::string& path)
-{
-    std::error_code none;
-    return !isOpenDescriptor(path) &&
-           (!std::filesystem::exists(path, none) || std::filesystem::is_regular_file(path, none));
-}
 
 } // namespace
 

@@ -25,6 +25,25 @@ std::optional<std::int64_t> exactWhole(const Json& value)
     return whole > kLargestWhole || whole < -kLargestWhole ? std::nullopt : std::optional(whole);
 }
 
+std::optional<IssueReason> formatFault(const Json* given, const std::string& wanted)
+{
+    if (given == nullptr || !given->is_string())
+        return IssueReason{IssueId::NotFormat, {wanted}};
+    const auto& text = given->get_ref<const std::string&>();
+    if (text == wanted)
+        return std::nullopt;
+    return IssueReason{IssueId::OtherFormat, {wanted, printable(text)}};
+}
+
+std::optional<IssueReason> versionFault(const Json& given)
+{
+    if (!given.is_number())
+        return IssueReason{IssueId::WrongType, {ValueKind::Number, kindOf(given)}};
+    if (given.get<double>() == 1)
+        return std::nullopt;
+    return IssueReason{IssueId::UnknownVersion, {given.get<double>(), 1}};
+}
+
 } // namespace
 
 void Faults::add(std::string field, IssueReason reason)
@@ -58,22 +77,31 @@ void requireFormat(ParsedJson& file, std::string_view format, const std::string&
         throw Error(ErrorCode::WrongFormat, subject,
                     {IssueId::NoSuchFormat, {wanted, ValueKind::Object, kindOf(file.root)}});
     const auto given = file.root.find("format");
-    const bool isText = given != file.root.end() && given->is_string();
-    if (!isText || given->get_ref<const std::string&>() != wanted)
+    if (auto fault = formatFault(given == file.root.end() ? nullptr : &*given, wanted))
         throw Error(ErrorCode::WrongFormat, subject,
-                    {{Severity::Error, "format",
-                      isText ? IssueReason{IssueId::OtherFormat,
-                                           {wanted, printable(given->get<std::string>())}}
-                             : IssueReason{IssueId::NotFormat, {wanted}}}});
+                    {{Severity::Error, "format", std::move(*fault)}});
     const auto version = file.root.find("version");
-    if (version == file.root.end())
+    if (version == file.root.end()) {
         file.faults.add("version", {IssueId::Missing});
-    else if (!version->is_number())
-        file.faults.add("version", {IssueId::WrongType, {ValueKind::Number, kindOf(*version)}});
-    else if (version->get<double>() != 1)
-        throw Error(
-            ErrorCode::UnsupportedVersion, subject,
-            {{Severity::Error, "version", {IssueId::UnknownVersion, {version->get<double>(), 1}}}});
+    } else if (auto fault = versionFault(*version)) {
+        if (version->is_number())
+            throw Error(ErrorCode::UnsupportedVersion, subject,
+                        {{Severity::Error, "version", std::move(*fault)}});
+        file.faults.add("version", std::move(*fault));
+    }
+}
+
+void checkFormat(ObjectReader& object, std::string_view format)
+{
+    const auto note = [&object](const char* member, std::optional<IssueReason> fault) {
+        std::string path = object.path(member);
+        if (fault && !object.faults().has(path))
+            object.faults().add(std::move(path), std::move(*fault));
+    };
+    if (const Json* given = object.find("format"))
+        note("format", formatFault(given, std::string(format)));
+    if (const Json* version = object.find("version"))
+        note("version", versionFault(*version));
 }
 
 std::string memberPath(const std::string& object, const std::string& member)

@@ -186,6 +186,10 @@ private:
     std::set<std::string, std::less<>> m_read;
 };
 
+/** As `requireFormat`, of an object inside a file, which may lack both: what is wrong is a fault.
+ */
+void checkFormat(ObjectReader& object, std::string_view format);
+
 /** What `read` makes of each entry of a list, given the entry and its path; none without one. */
 template <class Read>
 [[nodiscard]] auto readEach(ObjectReader& object, const char* member, const Read& read)

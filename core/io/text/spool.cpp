@@ -84,6 +84,8 @@ std::size_t Spool::read(std::size_t at, std::span<char> into) const
                     std::min(into.size() - got, m_inFile - at - got), static_cast<off_t>(at + got));
         if (piece < 0 && errno == EINTR)
             continue;
+        if (piece == 0)
+            errno = EIO; // shorter than was written
         if (piece <= 0)
             fail();
         got += static_cast<std::size_t>(piece);

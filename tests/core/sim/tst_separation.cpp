@@ -195,6 +195,21 @@ private slots:
         QVERIFY(close.front().distance_m < 200 && close.front().distance_m > 195);
         QVERIFY(simulation.fleet().closest_m().value() < 195);
     }
+
+    /** They fly apart from the start on. */
+    void theStartCountsAsClosest()
+    {
+        Scenario s = pairOf({0, 1}, 225);
+        s.uavs[0].position_m = {0, 0};
+        s.uavs[0].heading_deg = 45;
+        Simulation simulation(s);
+        for (int step = 0; step < 10; ++step) {
+            for (const int uav : {0, 1})
+                simulation.setTarget(uav, uav);
+            simulation.advanceStep();
+        }
+        QCOMPARE(simulation.fleet().closest_m().value(), 1.0);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestSeparation)

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace berg;
 
@@ -215,6 +216,21 @@ private slots:
                                        [&](const PlanEvent& p) { return p.time_s > landed_s[0]; });
         QCOMPARE(plan->reason, PlanReason::TakeOff);
         QVERIFY(std::abs(plan->time_s - tookOff_s[0]) < 1e-6);
+    }
+
+    /** On whole seconds it takes off later, not earlier, than steps of a second allow. */
+    void theTurnAroundIsNotCutShort()
+    {
+        for (const double turnaround_s : {0.3, 100.3, 100.7}) {
+            Scenario s = enduring(3);
+            s.dt_s = 1;
+            s.uavs[0].turnaround_s = turnaround_s;
+            const Mission mission = flownWithin(s);
+            const std::vector<double> landed_s = timesOf(mission, EventKind::Landed);
+            const std::vector<double> tookOff_s = timesOf(mission, EventKind::TookOff);
+            QVERIFY(!landed_s.empty() && !tookOff_s.empty());
+            QCOMPARE(tookOff_s[0] - landed_s[0], std::ceil(turnaround_s));
+        }
     }
 
     /** Its camera is off: even what drifts over home is not seen, and zeta goes on. */

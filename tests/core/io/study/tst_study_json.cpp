@@ -137,6 +137,8 @@ private slots:
         row("regime", R"("unknown-velocity")", R"("stormy")",
             "field.regime: must be one of published, measured, unknown-velocity, fitted-drift");
         row("scenario", R"("dt_s": 0.1)", R"("dt_s": 0)", "scenarios[0].dt_s: must be");
+        row("scenario's format", R"("bergwatch-scenario")", R"("bergwatch-run")",
+            R"(scenarios[0].format: must be "bergwatch-scenario", not "bergwatch-run")");
         row("cases", "\n  null,", "", "outcomes: must hold 4 entries, not 3");
         row("settings", "],[", "],null,[", "outcomes[0]: must hold 3 entries, not 4");
         row("numbers", ",0,7,", ",0,", "outcomes[0][0]: must hold 5 entries, not 4");

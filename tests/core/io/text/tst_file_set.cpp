@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -35,6 +36,23 @@ private slots:
         QCOMPARE(readFile(second), std::string("2"));
         writeFileSet(std::vector<NewFile>{{first, "3"}});
         QCOMPARE(readFile(first), std::string("3"));
+    }
+
+    /** What nothing can be taken back of is not opened for reading, which a socket refuses. */
+    void besideASocket()
+    {
+        const QTemporaryDir folder;
+        const std::string first = folder.filePath(u"a.plan"_s).toStdString();
+        std::array<int, 2> ends{};
+        QCOMPARE(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()), 0);
+        const std::string socket = "/dev/fd/" + std::to_string(ends[0]);
+        writeFileSet(std::vector<NewFile>{{first, "1"}, {socket, "2"}});
+        char got = 0;
+        QCOMPARE(::read(ends[1], &got, 1), ssize_t{1});
+        QCOMPARE(got, '2');
+        QCOMPARE(readFile(first), std::string("1"));
+        ::close(ends[0]);
+        ::close(ends[1]);
     }
 
     /** Writers of two sets, one after the other; each instant leaves all files of one of them. */

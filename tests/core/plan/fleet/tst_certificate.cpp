@@ -1,5 +1,6 @@
 #include "core/io/files/certificate_json.h"
 #include "core/plan/fleet/fleet_solver.h"
+#include "core/plan/solve/layered_graph.h"
 #include "core/plan/solve/order_moves.h"
 #include "tests/support/fleet_problems.h"
 #include "tests/support/hard_problems.h"
@@ -153,6 +154,45 @@ private slots:
         QVERIFY2(code == 1 && output.contains(reason.toLatin1()), output.constData());
     }
 
+    /** In the text of a certificate that is right. */
+    void changedWordsAreRefused_data()
+    {
+        QTest::addColumn<QString>("what");
+        QTest::addColumn<QString>("by");
+        QTest::addColumn<QString>("reason");
+        const auto row = [](const char* name, const char* what, const char* by,
+                            const char* reason) { QTest::newRow(name) << what << by << reason; };
+        row("version", R"("version": 1)", R"("version": 2)", "an unknown version");
+        row("criterion", R"("visitation")", R"("visits")", "an unknown criterion");
+        row("route", R"("open")", R"("round")", "an unknown route");
+        row("order", R"("orders": [[)", R"("orders": [[0.5,)", "a number that is not whole");
+        row("order below 0", R"("orders": [[)", R"("orders": [[-1,)", "a number that is not whole");
+        row("claim", "the orders are within", "the orders are optimal:", "not known to be optimal");
+        row("set", R"("sets": [)", R"("sets": [["x"],)", "a set that is no hexadecimal number");
+    }
+    void changedWordsAreRefused()
+    {
+        QFETCH(const QString, what);
+        QFETCH(const QString, by);
+        QFETCH(const QString, reason);
+        const TvpProblem problem = test::randomProblem(7, 20, 1, Route::Open);
+        Certificate certificate = certificateOf(problem, solved(problem));
+        Proof& proof = certificate.proofs.back();
+        proof.bound = 0.99 * proof.cost;
+        proof.steps.back().sets = std::make_shared<const NgSets>(20);
+        write(0, certificate);
+        const auto [code, output] = check(1);
+        QVERIFY2(code == 0, output.constData());
+        QFile file(fileName(0));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(file.readAll());
+        QVERIFY(text.contains(what));
+        write(0, QString(text).replace(what, by).toStdString());
+        const auto [changedCode, changedOutput] = check(1);
+        QVERIFY2(changedCode == 1 && changedOutput.contains(reason.toLatin1()),
+                 changedOutput.constData());
+    }
+
 private:
     static Certificate made(const QString& kind, int k)
     {
@@ -184,9 +224,13 @@ private:
     }
     void write(int k, const Certificate& certificate) const
     {
+        write(k, certificateJson(certificate));
+    }
+    void write(int k, const std::string& text) const
+    {
         QFile file(fileName(k));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        QVERIFY(file.write(certificateJson(certificate).c_str()) > 0);
+        QVERIFY(file.write(text.c_str()) > 0);
     }
     /** Exit code and output of the checker. */
     [[nodiscard]] std::pair<int, QByteArray> check(int count) const
