@@ -458,6 +458,9 @@ void Menus::showAbout()
 void Menus::refreshIcons() const
 {
     m_maker.refreshIcons(theme());
+    // Qt's own drawing is near black in every appearance.
+    if (auto* more = window().findChild<QToolButton*>(u"qt_toolbar_ext_button"_s))
+        more->setIcon(icon(IconName::More, theme()));
 }
 
 } // namespace berg

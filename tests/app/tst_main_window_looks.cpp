@@ -16,6 +16,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QStatusBar>
+#include <QToolButton>
 
 #include <utility>
 
@@ -319,6 +320,25 @@ private slots:
         QVERIFY(w.scenario() == scenario);
         QCOMPARE(w.workspace.selection().ids(), std::vector<std::string>{"berg-2"});
         QVERIFY(w.workspace.inFlight());
+    }
+
+    /** Where the tool bar has no room for all of it. */
+    void toolBarsMoreIsInTheInkOfTheTheme()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const auto& more = test::child<QToolButton>(w.window(), u"qt_toolbar_ext_button"_s);
+        const auto ink = [&more] {
+            const QImage image = more.icon().pixmap(48, 48).toImage();
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    if (const QColor colour = image.pixelColor(x, y); colour.alpha() == 255)
+                        return colour.rgb();
+            return QRgb{};
+        };
+        w.trigger(u"view/appearance-2"_s);
+        QTRY_COMPARE(ink(), Theme::dark().text.rgb());
+        w.trigger(u"view/appearance-1"_s);
+        QTRY_COMPARE(ink(), Theme::light().text.rgb());
     }
 
     void appearanceIsChosenAndKept()

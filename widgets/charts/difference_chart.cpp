@@ -91,7 +91,7 @@ std::vector<std::string> DifferenceChart::readout(std::size_t setting) const
         return utf8(lines << tr("the reference"));
     const auto share = [this](double value) { return changeText(value, locale()); };
     const auto cases = static_cast<double>(summary().cases.size());
-    lines << tr("%1 to %2").arg(share(of.relative.mean), nameOfReference());
+    lines << tr("%1 vs %2").arg(share(of.relative.mean), nameOfReference());
     if (hasSpread())
         lines << tr("95 %: %1 to %2").arg(share(of.relative.low), share(of.relative.high))
               << tr("less in %1 of %2 cases")

@@ -12,6 +12,7 @@ constexpr double kPlan_px = 3.6;
 constexpr double kPresent_px = 7;
 constexpr int kRoomForEnds_px = 310; ///< to name the ends of the front
 constexpr double kEndGap_px = 12;    ///< between a name and its end
+constexpr double kTopGap_px = 15;    ///< between the upper end and the middle of its name
 
 PlotPoint placeOf(const CurveInterval& interval)
 {
@@ -49,9 +50,10 @@ Figure ParetoChart::figure() const
     Figure figure{.name = utf8(tr("Distance against uncertainty reward"))};
     figure.title = figure.name;
     const std::vector<CurveInterval>& plans = m_curve.intervals;
+    const std::string computing =
+        m_curve.complete ? std::string() : utf8(tr("Computing the plans for every τ"));
     if (plans.empty()) {
-        figure.emptyText = utf8(m_curve.complete ? tr("No icebergs to plan for")
-                                                 : tr("Computing the plans for every τ"));
+        figure.emptyText = m_curve.complete ? utf8(tr("No icebergs to plan for")) : computing;
         return figure;
     }
     // Along the curve both go down.
@@ -65,7 +67,9 @@ Figure ParetoChart::figure() const
     figure.y = {
         .least = least.y, .largest = largest.y, .spacing_px = 34, .text = numberText(locale())};
     figure.leftTitles = {utf8(tr("Uncertainty reward, m²")), utf8(tr("Reward, m²"))};
+    figure.rightTitles = {computing};
     figure.rightInk = {};
+    figure.description = computing;
     addPlans(figure);
     addEnds(figure);
     return figure;
@@ -73,7 +77,8 @@ Figure ParetoChart::figure() const
 
 void ParetoChart::addPlans(Figure& figure) const
 {
-    const int present = presentInterval(m_curve, m_tau);
+    // The plans of an unfinished curve are not yet those that are flown.
+    const int present = m_curve.complete ? presentInterval(m_curve, m_tau) : -1;
     PlotLine front{.points = {}, .ink = {.of = InkOf::Plan, .strength = 0.6}, .width_px = 1.2};
     for (const CurveInterval& plan : m_curve.intervals) {
         const std::size_t id = figure.items.size();
@@ -96,7 +101,7 @@ void ParetoChart::addPlans(Figure& figure) const
     figure.lines.push_back(std::move(front));
 }
 
-/** What the two ends of the front are; below and right of it there is room. */
+/** What the two ends of the front are; above and right of it there is room. */
 void ParetoChart::addEnds(Figure& figure) const
 {
     if (m_curve.intervals.size() < 2 || width() < kRoomForEnds_px)
@@ -110,7 +115,8 @@ void ParetoChart::addEnds(Figure& figure) const
     };
     PlotPoint top = placeOf(m_curve.intervals.front());
     PlotPoint foot = placeOf(m_curve.intervals.back());
-    top.dy_px = 1.5 * kEndGap_px;
+    top.dy_px = -kTopGap_px;
+    figure.y.reserve_px = 1.5 * kTopGap_px;
     foot.dx_px = kEndGap_px;
     add(tr("Most uncertain first"), top, LabelPlace::Left);
     add(tr("Shortest path"), foot, LabelPlace::Right);

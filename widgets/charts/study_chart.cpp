@@ -219,7 +219,7 @@ std::vector<std::string> StudyChart::readout(std::size_t setting) const
                      .arg(number(of.zeta_m2s.quartile1), number(of.zeta_m2s.quartile3));
     }
     if (setting != summary().reference)
-        lines << tr("%1 to %2")
+        lines << tr("%1 vs %2")
                      .arg(changeText(summary().differences[setting].relative.mean, locale()),
                           nameOfReference());
     if (of.stuckShare > 0) {

@@ -202,6 +202,8 @@ void TimeChart::setAxes()
     set(*m_left, m_figure.drawing.y);
     set(*m_right, m_figure.drawing.right);
     set(*m_time, m_figure.drawing.x);
+    for (QValueAxis* axis : {m_left, m_time})
+        axis->setGridLineVisible(m_figure.figure.emptyText.empty());
 }
 
 void TimeChart::showPoints()

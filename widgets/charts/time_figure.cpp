@@ -279,19 +279,15 @@ TimeFigure timeFigure(const TimeChartContent& content, const TimeFigureStyle& st
     if (style.hasLines || !areMany)
         for (std::size_t i = 0; i < time.drawn.size(); ++i)
             addLine(time.figure, content.lines[i], time.drawn[i], content.sigmaFull_m2, crowded);
-    const bool isEmpty = !hasPoints(content);
-    if (!isEmpty) {
+    if (hasPoints(content)) {
         if (style.hasNames)
             addNames(time, content);
         addMarks(time, content);
+    } else {
+        time.figure.emptyText = utf8(content.emptyText);
     }
     time.drawing = layOutPlot(time.figure, {style.size_px.width(), style.size_px.height()},
                               figureFonts(style.theme));
-    if (isEmpty)
-        time.drawing.texts.push_back({.text = utf8(content.emptyText),
-                                      .rect = time.drawing.plot,
-                                      .font = FigureFont::Body,
-                                      .align = TextAlign::Centre});
     return time;
 }
 

@@ -71,6 +71,7 @@ constexpr std::array<std::pair<IconName, const char16_t*>, kIconCount> kDrawings
                        "M 8 11 L 8 8 C 8 5.5 9.7 3.5 12 3.5 C 14.3 3.5 16 5.5 16 8 L 16 11"},
     {IconName::Pin, u"M 8 3 L 16 3 M 9.5 3 L 9.5 10 L 6 14.5 L 18 14.5 L 14.5 10 L 14.5 3 "
                     "M 12 14.5 L 12 21.5"},
+    {IconName::More, u"M 3 3 L 12 12 L 3 21 M 12 3 L 21 12 L 12 21"},
 }};
 
 /** The drawing of that icon; a fault in its path data is a bug. */

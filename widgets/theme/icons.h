@@ -34,9 +34,10 @@ enum class IconName
     Fault, ///< a cross in an octagon: nothing goes on before it is fixed
     Hint,  ///< an i in a circle
     Locked,
-    Pin
+    Pin,
+    More ///< what there is no room for
 };
-inline constexpr int kIconCount = static_cast<int>(IconName::Pin) + 1;
+inline constexpr int kIconCount = static_cast<int>(IconName::More) + 1;
 
 /**
  * Line icon on a grid of 24 px in the theme's text colour, fainter when disabled; drawn anew, so

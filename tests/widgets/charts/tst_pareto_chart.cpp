@@ -158,6 +158,56 @@ private slots:
         QTRY_COMPARE(f.chart.accessibleDescription(), present);
     }
 
+    /** Its plan for the present tau is not yet the one that is flown. */
+    void anUnfinishedCurveTellsOfNoPresentPlan()
+    {
+        ParetoChartFixture f;
+        const std::string figures = f.chart.drawing().rightTitle;
+        const QString whole = f.chart.accessibleDescription();
+        QVERIFY(!figures.empty());
+        TauCurve curve = test::curveThrough({0.5, 0.6, 2, 5});
+        curve.complete = false;
+        f.chart.setCurve({});
+        const QString computing = f.chart.accessibleDescription();
+        f.chart.setCurve(curve);
+        QCOMPARE(f.chart.accessibleDescription(), computing);
+        QCOMPARE(QString::fromStdString(f.chart.drawing().rightTitle), computing);
+        const double radius_px = f.chart.drawing().marks[0].of.radius_px;
+        for (const DrawnMark& mark : f.chart.drawing().marks)
+            QCOMPARE(mark.of.radius_px, radius_px);
+        curve.complete = true;
+        f.chart.setCurve(curve);
+        QCOMPARE(f.chart.drawing().rightTitle, figures);
+        QCOMPARE(f.chart.accessibleDescription(), whole);
+    }
+
+    void nameOfTheUpperEndIsClearOfTheFront_data()
+    {
+        QTest::addColumn<TauCurve>("curve");
+        QTest::newRow("straight") << test::curveThrough({1, 5});
+        QTest::newRow("bent") << test::curveThrough({0.5, 0.6, 2, 5});
+        QTest::newRow("flat at first") << test::curveThrough({0.5, 0.6, 0.7, 0.8, 1, 2, 3, 4, 5});
+    }
+
+    void nameOfTheUpperEndIsClearOfTheFront()
+    {
+        QFETCH(TauCurve, curve);
+        ParetoChartFixture f;
+        f.chart.setCurve(curve);
+        const Drawing& drawing = f.chart.drawing();
+        QCOMPARE(drawing.labels.size(), std::size_t{2});
+        QCOMPARE(drawing.labels[0].text, std::string("Most uncertain first"));
+        const QRectF rect = toQt(drawing.labels[0].rect);
+        QVERIFY(QRectF(f.chart.rect()).contains(rect));
+        QVERIFY(rect.top() >= drawing.plot.top - 2); // below the titles
+        const std::vector<Pixel>& front = drawing.lines[0].points;
+        for (std::size_t i = 1; i < front.size(); ++i) {
+            const QLineF part(toQt(front[i - 1]), toQt(front[i]));
+            for (int k = 0; k <= 100; ++k)
+                QVERIFY(!rect.contains(part.pointAt(k / 100.0)));
+        }
+    }
+
     void emptyChartsSayWhy()
     {
         ParetoChartFixture f;

@@ -129,10 +129,11 @@ private slots:
         QCOMPARE(
             readoutOf(f.chart, 0),
             (QStringList{u"τ 0.00"_s, u"mean 127.5, median 110.0"_s, u"quartiles 97.50 to 140.0"_s,
-                         u"+16.2 % to τ 1.00"_s, u"stuck in 1 of 4 cases"_s}));
+                         u"+16.2 % vs τ 1.00"_s, u"stuck in 1 of 4 cases"_s}));
         QCOMPARE(readoutOf(f.chart, 1).size(), 4); // the reference is not compared with itself
         const Shown<DifferenceChart> d;
         QCOMPARE(readoutOf(d.chart, 1).back(), u"the reference"_s);
+        QVERIFY(readoutOf(d.chart, 0).contains(u"+16.2 % vs τ 1.00"_s));
         QVERIFY(readoutOf(d.chart, 3).contains(u"less in 1 of 4 cases"_s));
     }
 

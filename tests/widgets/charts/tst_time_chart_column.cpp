@@ -1,4 +1,5 @@
 #include "tests/support/chart_panel_fixture.h"
+#include "widgets/charts/figure_painter.h"
 
 #include <QtTest>
 
@@ -7,7 +8,7 @@ using namespace Qt::StringLiterals;
 using test::child;
 using test::Shown;
 
-/** Names and values of lines beside the plot of a chart over time. */
+/** What stands beside the plot of a chart over time, or in its place. */
 class TestTimeChartColumn : public QObject
 {
     Q_OBJECT
@@ -63,6 +64,38 @@ private slots:
         const ChartReadout readout = child<TimeChart>(panel, u"timeChart"_s).readout();
         QVERIFY(readout.more > 0);
         QCOMPARE(readout.flags.size() + readout.more, std::size_t{60});
+    }
+
+    void emptyTextHasTheWholeChart_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("smallest") << QSize(120, 80);
+        QTest::newRow("usual") << QSize(600, 300);
+    }
+
+    /** The plot of a low chart is too low for it, and axes of nothing say nothing. */
+    void emptyTextHasTheWholeChart()
+    {
+        QFETCH(QSize, size);
+        TimeChartContent content;
+        content.leftTitle = u"ζ, m² s"_s;
+        content.lines = {{.label = u"ζ"_s, .points = {}}};
+        content.emptyText = u"Nothing flown yet"_s;
+        TimeChart chart(Theme::light());
+        chart.resize(size);
+        chart.show();
+        chart.setContent(content);
+        const Drawing& drawing = chart.drawing();
+        QCOMPARE(drawing.texts.size(), std::size_t{1});
+        QCOMPARE(drawing.texts[0].text, std::string("Nothing flown yet"));
+        QCOMPARE(toQt(drawing.texts[0].rect), QRectF(QPointF(0, 0), chart.viewport()->size()));
+        const QImage image = chart.grab().toImage();
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                QVERIFY(image.pixel(x, y) != Theme::light().chartGrid.rgb());
+        content.lines[0].points = {{0, 0}, {1000, 80}};
+        chart.setContent(content);
+        QVERIFY(!chart.drawing().grid.empty());
     }
 };
 

@@ -116,13 +116,9 @@ double gapBetween(const QRectF& rect, const LabelDisk& disk)
     return std::max(0.0, QLineF(near, disk.centre_px).length() - disk.radius_px);
 }
 
-/** The place of the frame before for a text that may have grown: its side at the anchor stays. */
 Candidate stayingCandidate(const LabelRequest& request, const Neighbourhood& near)
 {
-    const QRectF before = request.previous->rect;
-    QRectF rect(before.topLeft(), request.size_px);
-    if (before.center().x() < request.anchor.centre_px.x())
-        rect.moveRight(before.right());
+    const QRectF rect = stayingRect(request);
     const double faults = near.faults(rect);
     const bool isFree = faults == 0 && !request.previous->apart;
     const double cost = faults + near.crossings(rect) +
@@ -156,6 +152,15 @@ std::vector<Candidate> candidatesOf(const LabelRequest& request,
 }
 
 } // namespace
+
+QRectF stayingRect(const LabelRequest& request)
+{
+    const QRectF before = request.previous->rect;
+    QRectF rect(before.topLeft(), request.size_px);
+    if (before.center().x() < request.anchor.centre_px.x())
+        rect.moveRight(before.right());
+    return rect;
+}
 
 bool overlaps(const QRectF& rect, const LabelDisk& disk)
 {

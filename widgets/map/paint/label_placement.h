@@ -51,6 +51,9 @@ struct LabelSurroundings
 [[nodiscard]] std::vector<PlacedLabel> placeLabels(std::span<const LabelRequest> requests,
                                                    const LabelSurroundings& surroundings);
 
+/** The place of the frame before for a text that may have grown: its side at the anchor stays. */
+[[nodiscard]] QRectF stayingRect(const LabelRequest& request);
+
 /** True when the disk and the rectangle have a point in common. */
 [[nodiscard]] bool overlaps(const QRectF& rect, const LabelDisk& disk);
 

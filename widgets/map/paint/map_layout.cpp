@@ -4,7 +4,7 @@
 #include "widgets/map/paint/map_drift.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_symbols.h"
-#include "widgets/map/paint/wind_panel.h"
+#include "widgets/map/paint/overlay_places.h"
 #include "widgets/map/picture/footprint.h"
 #include "widgets/map/picture/map_content.h"
 #include "widgets/theme/quantity_text.h"
@@ -28,129 +28,10 @@ struct MapLayoutText
     Q_DECLARE_TR_FUNCTIONS(MapLayoutText)
 };
 
-constexpr double kMargin_px = 12;     // of overlays from the edge and from each other
 constexpr double kRingAtFull_px = 12; // ring of the largest sigma beyond its symbol
 constexpr double kLabelHeight_px = 19;
 constexpr double kUavClearance_px = 17;
 constexpr std::size_t kTrackProbes = 240;
-
-// Overlays may take this share of the width and height before they are left out.
-constexpr double kWidestShare = 0.45;
-constexpr double kTallestShare = 0.62;
-constexpr double kLargestShare = 0.16; // of the area
-constexpr double kLargestCalmShare = 0.05;
-constexpr double kFolded_px = 26;
-constexpr double kPanelPart_px = 17;
-constexpr double kLowMap_px = 600; // whose legend is compact
-
-bool fits(const QSizeF& size, const QRectF& rect)
-{
-    return !size.isEmpty() && size.width() <= kWidestShare * rect.width() &&
-           size.height() <= kTallestShare * rect.height() &&
-           size.width() * size.height() <= kLargestShare * rect.width() * rect.height();
-}
-
-template <class Layout>
-auto& panelOf(Layout& layout, MapPanel which)
-{
-    switch (which) {
-    case MapPanel::Legend:
-        return layout.legend;
-    case MapPanel::ScaleBar:
-        return layout.scaleBar;
-    case MapPanel::North:
-        return layout.north;
-    case MapPanel::Wind:
-        return layout.wind;
-    case MapPanel::Title:
-        break;
-    }
-    return layout.title;
-}
-
-/** As the user wants it: hidden, an icon in the same corner, or elsewhere; on the map. */
-void rearrange(MapLayout& layout, const MapPanelStates& states)
-{
-    const QRectF inner = layout.rect.adjusted(kMargin_px, kMargin_px, -kMargin_px, -kMargin_px);
-    for (std::size_t i = 0; i < kMapPanels; ++i) {
-        const MapPanelState& state = states[i];
-        QRectF& rect = panelOf(layout, static_cast<MapPanel>(i));
-        layout.icons[i] = {};
-        layout.moved_px[i] = {};
-        if (rect.isNull() || state == MapPanelState{})
-            continue;
-        QRectF wanted = rect;
-        if (state.isFolded) {
-            const bool isRight = rect.center().x() > inner.center().x();
-            const bool isLow = rect.center().y() > inner.center().y();
-            wanted.setSize({kFolded_px, kFolded_px});
-            wanted.moveTo(isRight ? rect.right() - kFolded_px : rect.left(),
-                          isLow ? rect.bottom() - kFolded_px : rect.top());
-        }
-        const QPointF own = wanted.topLeft();
-        wanted.translate(state.moved_px);
-        wanted.moveLeft(
-            std::max(inner.left(), std::min(wanted.left(), inner.right() - wanted.width())));
-        wanted.moveTop(
-            std::max(inner.top(), std::min(wanted.top(), inner.bottom() - wanted.height())));
-        layout.moved_px[i] = wanted.topLeft() - own;
-        rect = state.isHidden || state.isFolded ? QRectF() : wanted;
-        if (state.isFolded && !state.isHidden)
-            layout.icons[i] = wanted;
-    }
-}
-
-/** Beside the north arrow. */
-void placeWind(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
-{
-    const QSizeF size = windPanelSize(picture.air, style);
-    if (layout.north.isNull() || !fits(size, layout.rect))
-        return;
-    const bool isCalm = picture.air.wind_mps.isZero(0) && picture.air.current_mps.isZero(0);
-    if (isCalm && size.width() * size.height() >
-                      kLargestCalmShare * layout.rect.width() * layout.rect.height())
-        return;
-    const QRectF rect(QPointF(layout.north.left() - kMargin_px - size.width(), layout.north.top()),
-                      size);
-    const auto isClearOf = [&rect](const QRectF& other) {
-        return other.isNull() ||
-               !other.adjusted(-kMargin_px, -kMargin_px, kMargin_px, kMargin_px).intersects(rect);
-    };
-    if (isClearOf(layout.title) && isClearOf(layout.legend) && isClearOf(layout.scaleBar))
-        layout.wind = rect;
-}
-
-/** Overlays into their corners: title top left, legend bottom left, the others on the right. */
-void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
-{
-    layout.title = layout.legend = layout.scaleBar = layout.north = layout.wind = layout.inset = {};
-    const QRectF inner = layout.rect.adjusted(kMargin_px, kMargin_px, -kMargin_px, -kMargin_px);
-    const QSizeF title = titleSize(picture, style, 0.6 * layout.rect.width());
-    if (!title.isEmpty() && title.width() >= 120 && title.height() <= 0.4 * layout.rect.height())
-        layout.title = QRectF(inner.topLeft(), title);
-    layout.isLegendCompact = layout.rect.height() < kLowMap_px;
-    QSizeF legend = legendSize(picture, style, layout.symbols, layout.isLegendCompact);
-    if (!legend.isEmpty())
-        legend = legend.expandedTo(layout.leastLegend_px);
-    const bool roomBelowTitle =
-        layout.title.bottom() + kMargin_px <= inner.bottom() - legend.height();
-    if (fits(legend, layout.rect) && roomBelowTitle)
-        layout.legend = QRectF(QPointF(inner.left(), inner.bottom() - legend.height()), legend);
-    const QSizeF bar = scaleBarSize(layout.view, style);
-    if (fits(bar, layout.rect))
-        layout.scaleBar = QRectF(inner.bottomRight() - QPointF(bar.width(), bar.height()), bar);
-    const QSizeF north = northArrowSize();
-    if (fits(north, layout.rect))
-        layout.north = QRectF(inner.topRight() - QPointF(north.width(), 0), north);
-    placeWind(layout, picture, style);
-    const double ceiling = std::max(layout.north.bottom(), layout.wind.bottom());
-    const QRectF inset(QPointF(inner.right() - style.inset_px.width(), ceiling + kMargin_px),
-                       style.inset_px);
-    const double floor = layout.scaleBar.isNull() ? inner.bottom() : layout.scaleBar.top();
-    if (fits(style.inset_px, layout.rect) && inset.bottom() + kMargin_px <= floor)
-        layout.inset = inset;
-    rearrange(layout, style.panels);
-}
 
 SymbolScale symbolScale(const MapPicture& picture, const MapStyle& style,
                         const MapViewTransform& view)
@@ -274,8 +155,10 @@ MapViewTransform bestView(MapLayout layout, const MapPicture& picture, const QRe
     const WorldBounds bounds =
         boundsOf(contentPoints(picture, layout.symbols.driftTime_s, layout.view.scale_pxpm()));
     const std::array<double, 3> lefts = {0, layout.title.width(), layout.legend.width()};
-    const double besideNorth_px = layout.wind.isNull() ? 0 : layout.wind.width() + kMargin_px;
-    const std::array<double, 2> rights = {0, layout.north.width() + besideNorth_px};
+    const double besideNorth_px = layout.wind.isNull() ? 0 : layout.wind.width() + kOverlayGap_px;
+    const bool isLegendRight = layout.legend.center().x() > layout.rect.center().x();
+    const std::array<double, 2> rights = {0, std::max(layout.north.width() + besideNorth_px,
+                                                      isLegendRight ? layout.legend.width() : 0)};
     const std::array<double, 2> tops = {0, layout.title.height()};
     const std::array<double, 3> bottoms = {0, layout.scaleBar.height(), layout.legend.height()};
     MapViewTransform best = layout.view;
@@ -355,6 +238,17 @@ LabelSurroundings surroundingsOf(const MapLayout& layout, const MapPicture& pict
     return around;
 }
 
+/** What its number, its name and the numbers of its later visits need. */
+QSizeF labelSize_px(const MapIceberg& iceberg, const MapStop& stop, const QFontMetricsF& metrics)
+{
+    double width_px = std::ceil(metrics.horizontalAdvance(labelText(iceberg))) + 2;
+    if (stop.order > 0)
+        width_px += 2 * kOrderDisk_px + kOrderGap_px;
+    width_px += static_cast<double>(std::min(stop.later.size(), kMostLater)) *
+                (2 * kLaterDisk_px + kLaterGap_px);
+    return {width_px, kLabelHeight_px};
+}
+
 /** Labels of the icebergs in sight. */
 std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& picture,
                                   const MapStyle& style, const MapContinuity& continuity)
@@ -368,34 +262,27 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
         const LabelDisk& anchor = layout.icebergs[i];
         if (layout.density.marks[i] != IcebergMark::Symbol || !overlaps(layout.rect, anchor))
             continue;
-        LabelRequest request{.anchor = anchor, .size_px = {}};
-        const auto before = continuity.labels.find(picture.icebergs[i].id);
+        PlacedLabel previous = continuity.labels.value(picture.icebergs[i].id);
         const bool mayLook =
             !continuity.turn ||
             (i >= continuity.turn->first && i - continuity.turn->first < continuity.turn->count);
-        if (before != continuity.labels.end()) {
-            PlacedLabel previous = before.value();
-            if (!previous.rect.isNull()) {
-                previous.rect.translate(anchor.centre_px);
-                request.previous = previous;
-            }
-            if (!mayLook) {
-                labels[i] = previous;
-                if (request.previous)
-                    around.solids.push_back(previous.rect);
-                continue;
-            }
-        }
-        if (!mayLook)
+        if (!mayLook && previous.rect.isNull())
             continue;
-        double width_px = std::ceil(metrics.horizontalAdvance(labelText(picture.icebergs[i]))) + 2;
-        if (layout.stops[i].order > 0)
-            width_px += 2 * kOrderDisk_px + kOrderGap_px;
-        width_px += static_cast<double>(std::min(layout.stops[i].later.size(), kMostLater)) *
-                    (2 * kLaterDisk_px + kLaterGap_px);
-        request.size_px = QSizeF(width_px, kLabelHeight_px);
-        requests.push_back(request);
-        asking.push_back(i);
+        LabelRequest request{.anchor = anchor,
+                             .size_px =
+                                 labelSize_px(picture.icebergs[i], layout.stops[i], metrics)};
+        if (!previous.rect.isNull()) {
+            previous.rect.translate(anchor.centre_px);
+            request.previous = previous;
+        }
+        if (mayLook) {
+            requests.push_back(request);
+            asking.push_back(i);
+            continue;
+        }
+        previous.rect = stayingRect(request); // a plan since then has given it a number
+        labels[i] = previous;
+        around.solids.push_back(previous.rect);
     }
     const std::vector<PlacedLabel> placed = placeLabels(requests, around);
     for (std::size_t k = 0; k < placed.size(); ++k)
@@ -404,33 +291,6 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
 }
 
 } // namespace
-
-std::vector<QRectF> MapLayout::overlays() const
-{
-    std::vector<QRectF> shown;
-    for (const QRectF& overlay : {title, legend, scaleBar, north, wind, inset})
-        if (!overlay.isNull())
-            shown.push_back(overlay);
-    for (const QRectF& icon : icons)
-        if (!icon.isNull())
-            shown.push_back(icon);
-    return shown;
-}
-
-const QRectF& MapLayout::panel(MapPanel which) const
-{
-    return panelOf(*this, which);
-}
-
-QRectF foldButtonOf(const QRectF& panel)
-{
-    return {panel.right() - kPanelPart_px - 3, panel.top() + 3, kPanelPart_px, kPanelPart_px};
-}
-
-QRectF panelGripOf(const QRectF& panel)
-{
-    return foldButtonOf(panel).translated(-kPanelPart_px - 2, 0);
-}
 
 QFont labelFont(const Theme& theme)
 {

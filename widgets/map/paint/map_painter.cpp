@@ -165,7 +165,9 @@ void paintLabel(const MapPaint& p, std::size_t i)
         drawHaloText(painter, box, Qt::AlignLeft | Qt::AlignVCenter, text, p.theme.text,
                      p.theme.sea);
     };
-    QString key = u"label %1 %2 %3 "_s.arg(stop.order).arg(ground.rgb()).arg(opacity) + text;
+    QString key =
+        u"label %1 %2 %3 %4 "_s.arg(stop.order).arg(ground.rgb()).arg(opacity).arg(size.width()) +
+        text;
     for (const int later : stop.later)
         key += u" %1"_s.arg(later);
     paintKept(p, key, QRectF(QPointF(-3, -3), size + QSizeF(8, 6)), label.rect.topLeft(), draw);

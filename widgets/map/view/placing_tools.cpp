@@ -320,7 +320,7 @@ void AssetTool::release(const MapPointer& pointer)
         return;
     move(pointer);
     end(!pointer.isInside);
-    if (context().document.scenario().asset)
+    if (pointer.isInside)
         context().selection.set({kAssetKey});
 }
 

@@ -195,6 +195,49 @@ private slots:
         QVERIFY(low.legend.width() < 1.2 * high.legend.width());
     }
 
+    /** As beside open checks, where the title leaves no room for it on the left. */
+    void legendOfAVeryLowMapGoesElsewhere()
+    {
+        const MapLayout layout = layoutOf(test::randomPicture(12), {960, 280});
+        QVERIFY(!layout.title.isNull() && !layout.legend.isNull());
+        QVERIFY(layout.title.bottom() + layout.legend.height() > layout.rect.height() - 36);
+        const std::vector<QRectF> overlays = layout.overlays();
+        for (std::size_t i = 0; i < overlays.size(); ++i) {
+            QVERIFY(layout.rect.contains(overlays[i]));
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY(!overlays[i].intersects(overlays[j]));
+        }
+    }
+
+    void labelsThatWaitHaveRoomForTheirNumbers_data()
+    {
+        QTest::addColumn<bool>("comes");
+        QTest::newRow("a plan comes") << true;
+        QTest::newRow("a plan goes") << false;
+    }
+
+    /** Names may not look for a place in every frame; what they say may change meanwhile. */
+    void labelsThatWaitHaveRoomForTheirNumbers()
+    {
+        QFETCH(bool, comes);
+        const MapPicture planned = test::randomPicture(12);
+        MapPicture unplanned = planned;
+        unplanned.routes[0].plan.clear();
+        const MapPicture& first = comes ? unplanned : planned;
+        const MapPicture& then = comes ? planned : unplanned;
+        const Theme theme = Theme::light();
+        const MapStyle style{.theme = theme, .locale = kLocale};
+        const MapLayout before = layoutOf(first, {1280, 800});
+        MapContinuity continuity = continuityOf(first, before);
+        continuity.turn = LabelTurn{};
+        const MapLayout waiting = arrangeMap(then, style, before.rect, before.view, continuity);
+        const MapLayout anew = arrangeMap(then, style, before.rect, before.view);
+        for (std::size_t i = 0; i < waiting.labels.size(); ++i) {
+            QVERIFY(!waiting.labels[i].rect.isNull());
+            COMPARE_NEAR(waiting.labels[i].rect.width(), anew.labels[i].rect.width(), 1e-9);
+        }
+    }
+
     void symbolsAreLargeEnoughAndGrowBySize()
     {
         double last_px = 0;

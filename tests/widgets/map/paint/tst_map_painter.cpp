@@ -4,6 +4,7 @@
 #include "tests/support/map_layouts.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_painter.h"
+#include "widgets/map/paint/map_sprites.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/map/picture/footprint.h"
 
@@ -103,6 +104,37 @@ private slots:
         const MapStyle style{.theme = theme, .locale = kLocale};
         const MapPicture picture = test::randomPicture(12);
         QCOMPARE(mapImage(picture, style, {800, 500}, 1), mapImage(picture, style, {800, 500}, 1));
+    }
+
+    /** A kept drawing that was cut serves no label that has more room. */
+    void keptLabelsHaveTheirOwnSize()
+    {
+        const Theme theme = Theme::light();
+        const MapStyle style{.theme = theme, .locale = kLocale};
+        MapPicture picture = test::randomPicture(0);
+        picture.icebergs = {{.id = u"berg-168"_s, .position_m = {4000, 3000}, .sigma_m2 = 18}};
+        const QSize size(640, 480);
+        MapLayout layout = layoutOf(picture, size);
+        const auto painted = [&](MapSprites* sprites) {
+            QImage image(size, QImage::Format_RGB32);
+            image.fill(theme.sea);
+            QPainter painter(&image);
+            const Graticule none;
+            paintMapLabels(painter, {.picture = picture,
+                                     .style = style,
+                                     .layout = layout,
+                                     .graticule = none,
+                                     .sprites = sprites});
+            return image;
+        };
+        MapSprites other;
+        const QImage whole = painted(&other);
+        MapSprites sprites;
+        const double width_px = layout.labels[0].rect.width();
+        layout.labels[0].rect.setWidth(width_px - 22);
+        QVERIFY(painted(&sprites) != whole);
+        layout.labels[0].rect.setWidth(width_px);
+        QCOMPARE(painted(&sprites), whole);
     }
 
     void icebergShowsItsColourOfSigma()

@@ -112,8 +112,10 @@ private slots:
         QTest::keyClick(&map.view, Qt::Key_Escape);
         map.release(there);
         QVERIFY(map.scenario() == moved);
+        map.selection.set({"berg-1"});
         map.drag(there, {-20, 200}); // dropped outside
         QVERIFY(map.scenario() == moved);
+        QCOMPARE(map.selection.ids(), (Ids{"berg-1"}));
         map.click(there); // on it: selects
         QVERIFY(map.scenario() == moved);
         QCOMPARE(map.undoCount(), 1);

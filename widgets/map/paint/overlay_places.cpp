@@ -1,0 +1,180 @@
+#include "widgets/map/paint/overlay_places.h"
+
+#include "widgets/map/paint/wind_panel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace berg {
+namespace {
+
+// Overlays may take this share of the width and height before they are left out.
+constexpr double kWidestShare = 0.45;
+constexpr double kTallestShare = 0.62;
+constexpr double kLargestShare = 0.16; // of the area
+constexpr double kLargestCalmShare = 0.05;
+constexpr double kFolded_px = 26;
+constexpr double kPanelPart_px = 17;
+
+bool fits(const QSizeF& size, const QRectF& rect)
+{
+    return !size.isEmpty() && size.width() <= kWidestShare * rect.width() &&
+           size.height() <= kTallestShare * rect.height() &&
+           size.width() * size.height() <= kLargestShare * rect.width() * rect.height();
+}
+
+template <class Layout>
+auto& panelOf(Layout& layout, MapPanel which)
+{
+    switch (which) {
+    case MapPanel::Legend:
+        return layout.legend;
+    case MapPanel::ScaleBar:
+        return layout.scaleBar;
+    case MapPanel::North:
+        return layout.north;
+    case MapPanel::Wind:
+        return layout.wind;
+    case MapPanel::Title:
+        break;
+    }
+    return layout.title;
+}
+
+/** As the user wants it: hidden, an icon in the same corner, or elsewhere; on the map. */
+void rearrange(MapLayout& layout, const MapPanelStates& states)
+{
+    const QRectF inner =
+        layout.rect.adjusted(kOverlayGap_px, kOverlayGap_px, -kOverlayGap_px, -kOverlayGap_px);
+    for (std::size_t i = 0; i < kMapPanels; ++i) {
+        const MapPanelState& state = states[i];
+        QRectF& rect = panelOf(layout, static_cast<MapPanel>(i));
+        layout.moved_px[i] = {};
+        if (rect.isNull() || state == MapPanelState{})
+            continue;
+        QRectF wanted = rect;
+        if (state.isFolded) {
+            const bool isRight = rect.center().x() > inner.center().x();
+            const bool isLow = rect.center().y() > inner.center().y();
+            wanted.setSize({kFolded_px, kFolded_px});
+            wanted.moveTo(isRight ? rect.right() - kFolded_px : rect.left(),
+                          isLow ? rect.bottom() - kFolded_px : rect.top());
+        }
+        const QPointF own = wanted.topLeft();
+        wanted.translate(state.moved_px);
+        wanted.moveLeft(
+            std::max(inner.left(), std::min(wanted.left(), inner.right() - wanted.width())));
+        wanted.moveTop(
+            std::max(inner.top(), std::min(wanted.top(), inner.bottom() - wanted.height())));
+        layout.moved_px[i] = wanted.topLeft() - own;
+        rect = state.isHidden || state.isFolded ? QRectF() : wanted;
+        if (state.isFolded && !state.isHidden)
+            layout.icons[i] = wanted;
+    }
+}
+
+bool isClear(const MapLayout& layout, const QRectF& rect)
+{
+    constexpr double kAway_px = kOverlayGap_px - 1; // sums of just the margin are not exact
+    return std::ranges::none_of(layout.overlays(), [&rect](const QRectF& other) {
+        return other.adjusted(-kAway_px, -kAway_px, kAway_px, kAway_px).intersects(rect);
+    });
+}
+
+/** Beside the north arrow. */
+void placeWind(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
+{
+    const QSizeF size = windPanelSize(picture.air, style);
+    if (layout.north.isNull() || !fits(size, layout.rect))
+        return;
+    const bool isCalm = picture.air.wind_mps.isZero(0) && picture.air.current_mps.isZero(0);
+    if (isCalm && size.width() * size.height() >
+                      kLargestCalmShare * layout.rect.width() * layout.rect.height())
+        return;
+    const QRectF rect(
+        QPointF(layout.north.left() - kOverlayGap_px - size.width(), layout.north.top()), size);
+    if (isClear(layout, rect))
+        layout.wind = rect;
+}
+
+/** In a corner on the right that the others leave, or beside them; null: nowhere. */
+QRectF freePlace(const MapLayout& layout, const QRectF& inner, const QSizeF& size)
+{
+    const double right = inner.right() - size.width();
+    const double bottom = inner.bottom() - size.height();
+    const double belowNorth = std::max(layout.north.bottom(), inner.top()) + kOverlayGap_px;
+    const double aboveBar = layout.scaleBar.top() - kOverlayGap_px - size.height();
+    const double besideBar = layout.scaleBar.left() - kOverlayGap_px - size.width();
+    const double besideTitle = layout.title.right() + kOverlayGap_px;
+    for (const QPointF& corner : {QPointF(right, bottom), QPointF(right, aboveBar),
+                                  QPointF(besideBar, bottom), QPointF(right, belowNorth),
+                                  QPointF(besideTitle, bottom), QPointF(besideTitle, inner.top())})
+        if (const QRectF rect(corner, size); layout.rect.contains(rect) && isClear(layout, rect))
+            return rect;
+    return {};
+}
+
+} // namespace
+
+void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
+{
+    layout.title = layout.legend = layout.scaleBar = layout.north = layout.wind = layout.inset = {};
+    layout.icons = {};
+    const QRectF inner =
+        layout.rect.adjusted(kOverlayGap_px, kOverlayGap_px, -kOverlayGap_px, -kOverlayGap_px);
+    const QSizeF title = titleSize(picture, style, 0.6 * layout.rect.width());
+    if (!title.isEmpty() && title.width() >= 120 && title.height() <= 0.4 * layout.rect.height())
+        layout.title = QRectF(inner.topLeft(), title);
+    layout.isLegendCompact = layout.rect.height() < kLowMap_px;
+    QSizeF legend = legendSize(picture, style, layout.symbols, layout.isLegendCompact);
+    if (!legend.isEmpty())
+        legend = legend.expandedTo(layout.leastLegend_px);
+    const QRectF usual(QPointF(inner.left(), inner.bottom() - legend.height()), legend);
+    if (fits(legend, layout.rect) && isClear(layout, usual))
+        layout.legend = usual;
+    const QSizeF bar = scaleBarSize(layout.view, style);
+    if (fits(bar, layout.rect))
+        layout.scaleBar = QRectF(inner.bottomRight() - QPointF(bar.width(), bar.height()), bar);
+    const QSizeF north = northArrowSize();
+    if (fits(north, layout.rect))
+        layout.north = QRectF(inner.topRight() - QPointF(north.width(), 0), north);
+    placeWind(layout, picture, style);
+    const double ceiling = std::max(layout.north.bottom(), layout.wind.bottom());
+    const QRectF inset(QPointF(inner.right() - style.inset_px.width(), ceiling + kOverlayGap_px),
+                       style.inset_px);
+    const double floor = layout.scaleBar.isNull() ? inner.bottom() : layout.scaleBar.top();
+    if (fits(style.inset_px, layout.rect) && inset.bottom() + kOverlayGap_px <= floor)
+        layout.inset = inset;
+    if (layout.legend.isNull() && fits(legend, layout.rect))
+        layout.legend = freePlace(layout, inner, legend);
+    rearrange(layout, style.panels);
+}
+
+std::vector<QRectF> MapLayout::overlays() const
+{
+    std::vector<QRectF> shown;
+    for (const QRectF& overlay : {title, legend, scaleBar, north, wind, inset})
+        if (!overlay.isNull())
+            shown.push_back(overlay);
+    for (const QRectF& icon : icons)
+        if (!icon.isNull())
+            shown.push_back(icon);
+    return shown;
+}
+
+const QRectF& MapLayout::panel(MapPanel which) const
+{
+    return panelOf(*this, which);
+}
+
+QRectF foldButtonOf(const QRectF& panel)
+{
+    return {panel.right() - kPanelPart_px - 3, panel.top() + 3, kPanelPart_px, kPanelPart_px};
+}
+
+QRectF panelGripOf(const QRectF& panel)
+{
+    return foldButtonOf(panel).translated(-kPanelPart_px - 2, 0);
+}
+
+} // namespace berg
