@@ -2230,6 +2230,14 @@
         <source>Copy</source>
         <translation>Kopiér</translation>
     </message>
+    <message>
+        <source>Feature</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Packet</source>
+        <translation>Pakke</translation>
+    </message>
 </context>
 <context>
     <name>ImportWords</name>
@@ -3891,7 +3899,7 @@
     </message>
     <message>
         <source>Command link</source>
-        <translation>Kommandoforbindelse</translation>
+        <translation>Kommandolink</translation>
     </message>
     <message>
         <source>How the UAVs are commanded, and what they do without it.</source>
@@ -5189,6 +5197,14 @@ Tilstødende område %4</translation>
         <source>must not be earlier than %1</source>
         <translation>må ikke være tidligere end %1</translation>
     </message>
+    <message>
+        <source>feature %1</source>
+        <translation>objekt %1</translation>
+    </message>
+    <message>
+        <source>packet %1</source>
+        <translation>pakke %1</translation>
+    </message>
 </context>
 <context>
     <name>LogText</name>
@@ -6259,7 +6275,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Command link</source>
-        <translation>Kommandoforbindelse</translation>
+        <translation>Kommandolink</translation>
     </message>
     <message>
         <source>Date and signatures</source>
@@ -8051,10 +8067,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>referencen</translation>
     </message>
     <message>
-        <source>%1 to %2</source>
-        <translation>%1 til %2</translation>
-    </message>
-    <message>
         <source>95 %: %1 to %2</source>
         <translation>95 %: %1 til %2</translation>
     </message>
@@ -8065,6 +8077,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>worst %1</source>
         <translation>værst %1</translation>
+    </message>
+    <message>
+        <source>%1 vs %2</source>
+        <translation>%1 mod %2</translation>
     </message>
 </context>
 <context>
@@ -11128,16 +11144,16 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <translation>kvartiler %1 til %2</translation>
     </message>
     <message>
-        <source>%1 to %2</source>
-        <translation>%1 til %2</translation>
-    </message>
-    <message>
         <source>stuck in %1 of %2 cases</source>
         <translation>fastlåst i %1 af %2 tilfælde</translation>
     </message>
     <message>
         <source>stuck: flies to two icebergs at most in the second half</source>
         <translation>fastlåst: flyver til højst to isbjerge i anden halvdel</translation>
+    </message>
+    <message>
+        <source>%1 vs %2</source>
+        <translation>%1 mod %2</translation>
     </message>
 </context>
 <context>

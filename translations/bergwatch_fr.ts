@@ -2230,6 +2230,14 @@
         <source>Copy</source>
         <translation>Copier</translation>
     </message>
+    <message>
+        <source>Feature</source>
+        <translation>Entité</translation>
+    </message>
+    <message>
+        <source>Packet</source>
+        <translation>Paquet</translation>
+    </message>
 </context>
 <context>
     <name>ImportWords</name>
@@ -5189,6 +5197,14 @@ Zone adjacente %4</translation>
         <source>must not be earlier than %1</source>
         <translation>ne doit pas être antérieur à %1</translation>
     </message>
+    <message>
+        <source>feature %1</source>
+        <translation>entité %1</translation>
+    </message>
+    <message>
+        <source>packet %1</source>
+        <translation>paquet %1</translation>
+    </message>
 </context>
 <context>
     <name>LogText</name>
@@ -8051,10 +8067,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>la référence</translation>
     </message>
     <message>
-        <source>%1 to %2</source>
-        <translation>%1 à %2</translation>
-    </message>
-    <message>
         <source>95 %: %1 to %2</source>
         <translation>95 % : %1 à %2</translation>
     </message>
@@ -8065,6 +8077,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>worst %1</source>
         <translation>pire %1</translation>
+    </message>
+    <message>
+        <source>%1 vs %2</source>
+        <translation>%1 contre %2</translation>
     </message>
 </context>
 <context>
@@ -11128,16 +11144,16 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <translation>quartiles %1 à %2</translation>
     </message>
     <message>
-        <source>%1 to %2</source>
-        <translation>%1 à %2</translation>
-    </message>
-    <message>
         <source>stuck in %1 of %2 cases</source>
         <translation>bloqué dans %1 cas sur %2</translation>
     </message>
     <message>
         <source>stuck: flies to two icebergs at most in the second half</source>
         <translation>bloqué : va vers deux icebergs au plus dans la seconde moitié</translation>
+    </message>
+    <message>
+        <source>%1 vs %2</source>
+        <translation>%1 contre %2</translation>
     </message>
 </context>
 <context>

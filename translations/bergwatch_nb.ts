@@ -2230,6 +2230,14 @@
         <source>Copy</source>
         <translation>Kopier</translation>
     </message>
+    <message>
+        <source>Feature</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Packet</source>
+        <translation>Pakke</translation>
+    </message>
 </context>
 <context>
     <name>ImportWords</name>
@@ -5189,6 +5197,14 @@ Tilstøtende område %4</translation>
         <source>must not be earlier than %1</source>
         <translation>må ikke være tidligere enn %1</translation>
     </message>
+    <message>
+        <source>feature %1</source>
+        <translation>objekt %1</translation>
+    </message>
+    <message>
+        <source>packet %1</source>
+        <translation>pakke %1</translation>
+    </message>
 </context>
 <context>
     <name>LogText</name>
@@ -8051,10 +8067,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>referansen</translation>
     </message>
     <message>
-        <source>%1 to %2</source>
-        <translation>%1 til %2</translation>
-    </message>
-    <message>
         <source>95 %: %1 to %2</source>
         <translation>95 %: %1 til %2</translation>
     </message>
@@ -8065,6 +8077,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>worst %1</source>
         <translation>verst %1</translation>
+    </message>
+    <message>
+        <source>%1 vs %2</source>
+        <translation>%1 mot %2</translation>
     </message>
 </context>
 <context>
@@ -11128,16 +11144,16 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <translation>kvartiler %1 til %2</translation>
     </message>
     <message>
-        <source>%1 to %2</source>
-        <translation>%1 til %2</translation>
-    </message>
-    <message>
         <source>stuck in %1 of %2 cases</source>
         <translation>står fast i %1 av %2 tilfeller</translation>
     </message>
     <message>
         <source>stuck: flies to two icebergs at most in the second half</source>
         <translation>står fast: flyr til høyst to isfjell i andre halvdel</translation>
+    </message>
+    <message>
+        <source>%1 vs %2</source>
+        <translation>%1 mot %2</translation>
     </message>
 </context>
 <context>

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int kMargin_px = 28;
 constexpr int kGap_px = 14;
-constexpr int kCommands_px = 300;
-constexpr int kWidest_px = 1500; ///< beyond, the page stays in the middle of the window
+constexpr int kCommands_px = 300; ///< at least
+constexpr int kWidest_px = 1500;  ///< beyond, the page stays in the middle of the window
 constexpr int kMostCardColumns = 4;
 
 } // namespace
@@ -60,7 +60,6 @@ QPushButton* StartPage::addCommand(QVBoxLayout& column, const char* name, const 
 QWidget* StartPage::makeCommands(const QString& continued, bool showAtStart, bool offersTour)
 {
     auto* commands = new QWidget;
-    commands->setFixedWidth(kCommands_px);
     auto* column = new QVBoxLayout(commands);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGap_px / 2);
@@ -103,6 +102,7 @@ QWidget* StartPage::makeCommands(const QString& continued, bool showAtStart, boo
     again->setChecked(showAtStart);
     connect(again, &QCheckBox::toggled, this, &StartPage::showAtStartEdited);
     column->addWidget(again);
+    commands->setFixedWidth(std::max(kCommands_px, commands->sizeHint().width()));
     return commands;
 }
 

@@ -48,8 +48,14 @@ void ChecksView::showCulprit(const Issue& issue)
     const auto centreOn = [&](const Point& p_m) {
         panels().map->centreOn(LocalFrame(scenario.origin).toGeographic(p_m));
     };
-    const int iceberg = issueIndex(issue, "icebergs");
-    const int uav = issueIndex(issue, "uavs");
+    // The list may be older than the scenario.
+    const auto placeIn = [&issue](const auto& list, const char* name) {
+        const int place = issueIndex(issue, name);
+        return place < static_cast<int>(list.size()) ? place : -1;
+    };
+    const int iceberg = placeIn(scenario.icebergs, "icebergs");
+    const int uav = placeIn(scenario.uavs, "uavs");
+    const int area = placeIn(scenario.noFly, "no_fly");
     if (iceberg >= 0) {
         const std::string id = scenario.icebergs[static_cast<std::size_t>(iceberg)].id;
         workspace().selection().set({id});
@@ -61,8 +67,7 @@ void ChecksView::showCulprit(const Issue& issue)
     } else if (issue.field.starts_with("asset") && scenario.asset) {
         workspace().selection().set({kAssetKey});
         centreOn(scenario.asset->position_m);
-    } else if (const int area = issueIndex(issue, "no_fly");
-               area >= 0 && area < static_cast<int>(scenario.noFly.size())) {
+    } else if (area >= 0) {
         const std::string key = noFlyKey(static_cast<std::size_t>(area));
         workspace().selection().set({key});
         centreOn(scenario.noFly[static_cast<std::size_t>(area)].corners_m.front());

@@ -28,9 +28,24 @@ namespace {
 /** Files that hold sightings rather than a scenario or a run, by their endings. */
 const QStringList& sightingEndings()
 {
-    static const QStringList kEndings{u"csv"_s,  u"geojson"_s, u"json"_s, u"kml"_s,      u"kmz"_s,
-                                      u"czml"_s, u"gpx"_s,     u"plan"_s, u"waypoints"_s};
+    static const QStringList kEndings{u"csv"_s, u"txt"_s,  u"geojson"_s, u"json"_s, u"kml"_s,
+                                      u"kmz"_s, u"czml"_s, u"gpx"_s,     u"plan"_s, u"waypoints"_s};
     return kEndings;
+}
+
+bool isAirspaceEnding(const QString& ending)
+{
+    return ending == u"openair"_s || ending == u"air"_s;
+}
+
+/** By its start. */
+bool holdsOpenAir(const QString& path)
+{
+    constexpr qint64 kStart = 65'536;
+    QFile file(path);
+    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
+        return false; // whoever reads it says why
+    return isOpenAir(file.read(kStart).toStdString());
 }
 
 /** A line each; the start of a long list. */
@@ -40,8 +55,7 @@ QString reasonsOf(const Rejections& rejected)
     QStringList lines;
     const std::span<const RejectedRow> first(rejected.first);
     for (const RejectedRow& row : first.first(std::min(first.size(), kMostLines)))
-        lines << placedIssueText(
-            {Severity::Error, "line " + std::to_string(row.line), reasonOf(row)});
+        lines << placedIssueText({Severity::Error, placeOf(rejected, row.line), reasonOf(row)});
     if (rejected.count > kMostLines)
         lines << u"…"_s;
     return lines.join(u'\n');
@@ -166,6 +180,10 @@ void SightingsImport::tellLeftOut(const AirspaceResult& result, const QString& s
 
 void SightingsImport::importSightings(const QString& path)
 {
+    if (holdsOpenAir(path)) {
+        readAirspace(path);
+        return;
+    }
     if (!mayImport())
         return;
     panels().finishTyping();
@@ -199,8 +217,11 @@ void SightingsImport::acceptImport(const ImportChoice& choice, const QString& fi
 
 void SightingsImport::openDropped(const QString& path)
 {
-    if (sightingEndings().contains(QFileInfo(path).suffix().toLower()))
-        importSightings(path);
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (isAirspaceEnding(ending))
+        readAirspace(path);
+    else if (sightingEndings().contains(ending))
+        importSightings(path); // a .txt may be either
     else
         m_files.openFile(path);
 }

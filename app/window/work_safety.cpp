@@ -7,6 +7,7 @@
 #include "app/window/solve_time_desk.h"
 #include "app/window/status_line.h"
 #include "app/window/study_desk.h"
+#include "widgets/model/work_failure.h"
 #include "widgets/model/workspace.h"
 
 #include <QApplication>
@@ -148,8 +149,13 @@ bool WorkSafety::offerRecoveries()
 {
     workspace().studyKeeper().lookForAbandoned();
     FoundRecoveries found;
+    std::optional<WorkFailure> failure; // such as memory for a huge run
     awaited(interaction(), &window(), tr("Reading unsaved work"),
-            [&] { found = workspace().autosaver().abandoned(); });
+            [&] { failure = failureOf([&] { found = workspace().autosaver().abandoned(); }); });
+    if (failure) {
+        interaction().showError(&window(), failure->report);
+        return true;
+    }
     for (const QString& path : found.damaged)
         showDamaged(path);
     std::vector<FoundRecovery>& left = found.usable;

@@ -113,7 +113,7 @@ def unnamed(value, node, path):
         return [name for entry in value for name in unnamed(entry, node["items"], path + "[]")]
     if not isinstance(value, dict):
         return []
-    named = node["properties"] | (scenario["properties"] if not path else {})
+    named = node["properties"]
     return [name for member, inner in value.items()
             for name in (unnamed(inner, named[member], f"{path}.{member}") if member in named else [f"{path}.{member}"])]
 

@@ -80,6 +80,18 @@ private slots:
         QVERIFY(test::child<QWidget>(w.window(), u"checksEmpty"_s).isVisibleTo(&w.window()));
     }
 
+    /** The list may be older than the scenario. */
+    void aFindingOfWhatIsGoneSelectsNothing()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        auto* panel = w.window().findChild<CheckPanel*>();
+        for (const char* field : {"icebergs[99].sigma0_m2", "uavs[99].position_m", "no_fly[99]"}) {
+            w.workspace.selection().set({"berg-1"});
+            emit panel->chosen(Issue{Severity::Error, field, {IssueId::NotFinite}});
+            QVERIFY(w.workspace.selection().ids().empty());
+        }
+    }
+
     void whyNothingIsPlanned()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

@@ -241,7 +241,7 @@ private slots:
     {
         QTest::addColumn<QString>("ending");
         for (const char* ending :
-             {"csv", "geojson", "json", "kml", "gpx", "plan", "waypoints", "CSV"})
+             {"csv", "txt", "geojson", "json", "kml", "gpx", "plan", "waypoints", "CSV"})
             QTest::newRow(ending) << QString::fromLatin1(ending);
     }
 
@@ -256,6 +256,32 @@ private slots:
         QVERIFY(w.until([&] { return w.scenario().icebergs.size() == 2; }));
         QCOMPARE(w.interaction.importOffers.front().path, path);
         QVERIFY(w.interaction.unsavedNames.isEmpty());
+    }
+
+    void airspaceFindsItsWay_data()
+    {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<bool>("isDropped");
+        for (const char* ending : {"openair", "air", "txt", "TXT"})
+            QTest::addRow("%s dropped", ending) << QString::fromLatin1(ending) << true;
+        QTest::newRow("given as sightings") << u"txt"_s << false;
+    }
+
+    void airspaceFindsItsWay()
+    {
+        QFETCH(QString, ending);
+        QFETCH(bool, isDropped);
+        WindowFixture w(test::openSea());
+        const QString path = written(w.file(u"zones."_s + ending), zoneAt(w.scenario().origin));
+        if (isDropped) {
+            drop(w.window(), path);
+        } else {
+            w.interaction.path = path;
+            w.trigger(u"importAction"_s);
+        }
+        QVERIFY(w.until([&] { return w.scenario().airspace.size() == 1; }));
+        QVERIFY(w.interaction.importOffers.empty());
+        QVERIFY(w.interaction.errors.isEmpty());
     }
 
     /** From the start page a new scenario is the first choice. */

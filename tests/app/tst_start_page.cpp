@@ -7,6 +7,7 @@
 #include "tests/support/file_texts.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/view/map_view.h"
+#include "widgets/theme/language.h"
 
 #include <QCheckBox>
 #include <QDir>
@@ -64,6 +65,28 @@ private slots:
         QVERIFY(w.until([&] { return page.width() == w.window().width(); }));
         w.trigger(u"startPageAction"_s); // there is one already
         QCOMPARE(w.window().findChildren<StartPage*>().size(), 1);
+    }
+
+    void commandsHaveRoomForTheirTexts_data()
+    {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"en", "nb", "da", "fr"})
+            QTest::newRow(language) << QString::fromLatin1(language);
+    }
+
+    void commandsHaveRoomForTheirTexts()
+    {
+        QFETCH(QString, language);
+        installLanguage(language);
+        const auto back = qScopeGuard([] { installLanguage(u"en"_s); });
+        QWidget window;
+        window.resize(1200, 800);
+        StartPage page(u"a scenario"_s, true, true, &window);
+        page.setTheme(Theme::light());
+        page.setTop(0);
+        window.show();
+        for (const QPushButton* button : page.findChildren<QPushButton*>())
+            QVERIFY2(button->width() >= button->sizeHint().width(), qPrintable(button->text()));
     }
 
     void goesOnWithWhatIsBelow_data()

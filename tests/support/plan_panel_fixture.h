@@ -78,6 +78,17 @@ inline MissionSnapshot twoIcebergs(const Scenario& scenario)
     return now;
 }
 
+/** Its icebergs where they are, without drift. */
+inline MissionSnapshot standing(MissionSnapshot now)
+{
+    for (Track& track : now.world.tracks) {
+        track.anchor_m = track.estimate_m(now.time_s);
+        track.anchor_s = now.time_s;
+        track.velocity_mps = Point::Zero();
+    }
+    return now;
+}
+
 inline Scenario twoIcebergScenario()
 {
     Scenario scenario = emptySea();

@@ -81,13 +81,19 @@ void takeRows(ImportPreview& preview)
     result.icebergs = {};
 }
 
+/** Readers find some faults only when all rows are read. */
+void sortByLine(Rejections& rejected)
+{
+    std::ranges::stable_sort(rejected.first, {}, &RejectedRow::line);
+}
+
 /** The first rows of a text if it may be a table, whether it can be imported or not. */
 TableHead tableHead(std::string_view bytes)
 {
     TableHead head;
     if (!mayBeTable(bytes))
         return head;
-    CsvReader reader(bytes, csvSeparator(bytes));
+    CsvReader reader = tableReader(bytes);
     CsvRow row;
     bool first = true;
     while (head.rows.size() < kHeadRows && reader.next(row)) {
@@ -150,11 +156,13 @@ std::optional<ImportPreview> ImportLoader::preview(const ImportRequest& request,
         }
         preview.head = m_head;
         readTable(request, stop);
+        sortByLine(m_table.rejected);
         preview.result.rejected = m_table.rejected; // told even if no row is left
         requireSightings(m_table, QFileInfo(request.path).fileName().toStdString());
         m_table.oneIceberg = request.oneIceberg.value_or(m_suggestsOne);
         preview.file = summaryOf(m_table);
         preview.result = importSightings(*request.base, m_table, request.options, stop);
+        sortByLine(preview.result.rejected);
         takeRows(preview);
     });
     if (stop.stop_requested())

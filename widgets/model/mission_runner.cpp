@@ -179,9 +179,9 @@ void MissionRunner::stepBy(double seconds)
     postToFlight([seconds](MissionWorker& worker) { worker.stepBy(seconds); });
 }
 
-void MissionRunner::flyOnFrom(double time_s)
+void MissionRunner::flyOnFrom(const FlyOn& request)
 {
-    postToFlight([time_s](MissionWorker& worker) { worker.flyOnFrom(time_s); });
+    postToFlight([request](MissionWorker& worker) { worker.flyOnFrom(request); });
 }
 
 void MissionRunner::requestInstant(double time_s)

@@ -20,6 +20,13 @@ struct FlightHandover
     bool bringsBack = false;  ///< the flight that was kept
 };
 
+/** Another way from an instant of the flight. */
+struct FlyOn
+{
+    double time_s = 0;
+    double seenUntil_s = 0; ///< as far as the flight was known to who asks
+};
+
 /** What the worker is to fly next. */
 struct MissionRequest
 {
@@ -79,10 +86,10 @@ public:
     /** Takes up the flight that was kept last, of this scenario; the one of now is kept for it. */
     void bringBack(const Scenario& scenario, bool keepsFlight);
     /**
-     * Pauses and goes back to `time_s` of the flight to fly on from there in another way: what
+     * Pauses and goes back to that time of the flight to fly on from there in another way: what
      * came after is given up, and kept to be brought back.
      */
-    void flyOnFrom(double time_s);
+    void flyOnFrom(const FlyOn& request);
     /** Asks for the mission as it was at `time_s`: `instantUpdated` follows; the newest wins. */
     void requestInstant(double time_s);
     /** Applies the change at the present instant of a flight that has begun. */

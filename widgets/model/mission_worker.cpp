@@ -219,13 +219,17 @@ void MissionWorker::intervene()
     publish();
 }
 
-void MissionWorker::flyOnFrom(double time_s)
+void MissionWorker::flyOnFrom(const FlyOn& request)
 {
     if (!m_mission || m_phase == RunPhase::Failed)
         return;
+    // Asked twice before the first was answered: the flight that was seen is the one given up.
+    constexpr double kRounding_s = 1e-6;
+    if (m_mission->simulation().time_s() < request.seenUntil_s - kRounding_s)
+        return;
     m_timer.stop();
     RunFile run = runOf(*m_mission);
-    run.flownUntil_s = std::clamp(time_s, 0.0, run.flownUntil_s);
+    run.flownUntil_s = std::clamp(request.time_s, 0.0, run.flownUntil_s);
     std::erase_if(run.interventions,
                   [&run](const Intervention& change) { return change.time_s > run.flownUntil_s; });
     m_mission->setIncumbentListener(nullptr);

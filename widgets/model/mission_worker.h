@@ -36,8 +36,8 @@ public:
     void stepBy(double seconds);
     /** Applies the interventions that wait, here and now. */
     void intervene();
-    /** Flies the same way again until `time_s`, and pauses there. */
-    void flyOnFrom(double time_s);
+    /** Flies the same way again until that time, and pauses there. */
+    void flyOnFrom(const FlyOn& request);
     void sendInstant();
     void sendRun(const QString& path);
     void sendNote();

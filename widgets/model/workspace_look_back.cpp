@@ -102,7 +102,7 @@ void Workspace::flyOnFromHere()
         return;
     m_runs.add(m_record); // what is given up can still be compared
     setGivenUp(presentFlight());
-    m_runner.flyOnFrom(*m_lookedAt_s);
+    m_runner.flyOnFrom({.time_s = *m_lookedAt_s, .seenUntil_s = m_record.now.time_s});
     seekLatest();
 }
 

@@ -216,9 +216,12 @@ QString importErrorReport(const Error& error)
 {
     if (const QStringList lines = optionIssueLines(error, "import"); !lines.empty())
         return lines.join(u'\n');
-    QString report =
-        u"%1: %2"_s.arg(QString::fromStdString(error.subject()), errorSentence(error.code()));
-    return report + u'\n' + issueLines(error).join(u'\n');
+    QStringList report{
+        u"%1: %2"_s.arg(QString::fromStdString(error.subject()), errorSentence(error.code()))};
+    for (const Issue& issue : error.issues())
+        if (issue.reason.id != IssueId::UnknownFormat) // the sentence says it
+            report << placedIssueText(issue);
+    return report.join(u'\n');
 }
 
 QString utcTimeText(UtcTime time)
@@ -230,10 +233,11 @@ QString utcTimeText(UtcTime time)
 QString ageText(double age_s, const QLocale& locale)
 {
     const double minutes = std::round(age_s / 60);
+    const double whole_s = 60 * minutes; // 24 h of it are a day
     const auto whole = [&](double value) { return fixedText(std::floor(value), 0, locale); };
-    if (age_s >= kDay_s)
+    if (whole_s >= kDay_s)
         return ImportWords::tr("%1 d %2 h")
-            .arg(whole(age_s / kDay_s), whole(std::fmod(age_s, kDay_s) / kHour_s));
+            .arg(whole(whole_s / kDay_s), whole(std::fmod(whole_s, kDay_s) / kHour_s));
     if (minutes >= 60)
         return ImportWords::tr("%1 h %2 min")
             .arg(whole(minutes / 60), whole(std::fmod(minutes, 60)));

@@ -268,10 +268,15 @@ QString issueWords(IssueId id)
 
 QString placedIssueText(const Issue& issue)
 {
-    constexpr std::string_view kLine = "line ";
     QString place = QString::fromStdString(issue.field);
-    if (issue.field.starts_with(kLine))
-        place = IssueText::tr("line %1").arg(place.sliced(kLine.size()));
+    for (const auto& [start, text] :
+         {std::pair("line ", QT_TRANSLATE_NOOP("IssueText", "line %1")),
+          std::pair("feature ", QT_TRANSLATE_NOOP("IssueText", "feature %1")),
+          std::pair("packet ", QT_TRANSLATE_NOOP("IssueText", "packet %1"))})
+        if (issue.field.starts_with(start)) {
+            place = IssueText::tr(text).arg(place.section(u' ', 1));
+            break;
+        }
     const QString text = issueText(issue);
     return place.isEmpty() || text.startsWith(place) ? text : u"%1: %2"_s.arg(place, text);
 }

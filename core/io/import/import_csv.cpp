@@ -94,7 +94,7 @@ TableText tableOf(std::string_view text)
 /** The first row with anything in it; no cells when there is none. */
 CsvRow firstRow(std::string_view text)
 {
-    CsvReader reader = tableOf(text).reader();
+    CsvReader reader = tableReader(text);
     CsvRow row;
     while (reader.next(row))
         if (!isBlank(row))
@@ -381,6 +381,11 @@ std::optional<IssueId> finishIip(Sighting& sighting, const CsvRow& row)
 }
 
 } // namespace
+
+CsvReader tableReader(std::string_view text)
+{
+    return tableOf(text).reader();
+}
 
 bool isAnyCsv(std::string_view text)
 {

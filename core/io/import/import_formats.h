@@ -11,6 +11,8 @@
 
 namespace berg {
 
+class CsvReader;
+
 /** What holds for all rows of a file. */
 struct RowRules
 {
@@ -57,6 +59,9 @@ struct ReadOptions
 /** What is not UTF-8 taken as ISO 8859-1; empty: it is UTF-8. Throws `Error{WrongFormat}` for what
  * is no text. */
 [[nodiscard]] std::string textOfBytes(std::string_view bytes, const std::string& subject);
+
+/** The rows of a table from its header on: without a separator (`sep=;`) and comments above it. */
+[[nodiscard]] CsvReader tableReader(std::string_view text);
 
 /**
  * Sightings of a file's bytes; rows that cannot be used are rejected one by one. Text that is not

@@ -255,6 +255,22 @@ private slots:
         QCOMPARE(f.record().history.samples.size(), std::size_t{301});
     }
 
+    /** The first one is meant: the flight that it gave up is there to be brought back. */
+    void flownOnTwiceBeforeTheAnswer()
+    {
+        Flight f;
+        f.workspace.seek(100);
+        QVERIFY(f.untilShown(100));
+        f.workspace.flyOnFromHere();
+        f.workspace.seek(50);
+        f.workspace.flyOnFromHere(); // nothing has come of the first yet
+        QVERIFY(f.until([&] { return std::abs(f.record().now.time_s - 100) < 1e-6; }));
+        QCOMPARE(f.workspace.givenUp_s(), std::optional(300.0));
+        f.workspace.bringBackFlight();
+        QVERIFY(f.until([&] { return std::abs(f.record().now.time_s - 300) < 1e-6; }));
+        QCOMPARE(f.record().history.samples.size(), std::size_t{301});
+    }
+
     void resetForgetsTheInstant()
     {
         Flight f;

@@ -244,7 +244,7 @@ private slots:
         runner.stepBy(50);
         QVERIFY(follow(runner, record, [](const FlightRecord& r) { return r.now.time_s >= 50; }));
         const QSignalSpy updated(&runner, &MissionRunner::updated);
-        runner.flyOnFrom(20);
+        runner.flyOnFrom({.time_s = 20, .seenUntil_s = 50});
         QTRY_COMPARE_WITH_TIMEOUT(updated.count(), 1, kPatience_ms);
         runner.restart(true);
         QVERIFY(inPhase(runner, record, RunPhase::Ready));

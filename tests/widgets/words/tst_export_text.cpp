@@ -106,6 +106,29 @@ private slots:
         QCOMPARE(importErrorReport(error), u"Not after: must not be before \"Not before\"\n"
                                            "North must be from 50° to 90°, not 40°."_s);
     }
+
+    void unknownFormatIsToldOnce()
+    {
+        const QString report = importErrorReport(
+            Error(ErrorCode::WrongFormat, "prose.txt", {IssueId::UnknownFormat, {"csv, kml"}}));
+        QVERIFY(report.startsWith(u"prose.txt: This is no file of sightings"_s));
+        QVERIFY2(!report.contains(u'\n'), qPrintable(report));
+        const QString empty =
+            importErrorReport(Error(ErrorCode::WrongFormat, "a.csv", {IssueId::FileEmpty}));
+        QCOMPARE(empty.count(u'\n'), 1); // that tells more
+    }
+
+    void agesAreRoundedOnce()
+    {
+        const auto text = [](double age_s) { return ageText(age_s, QLocale::c()); };
+        QCOMPARE(text(29), u"0 min"_s);
+        QCOMPARE(text(3569), u"59 min"_s);
+        QCOMPARE(text(3570), u"1 h 0 min"_s);
+        QCOMPARE(text(86'369), u"23 h 59 min"_s);
+        QCOMPARE(text(86'370), u"1 d 0 h"_s);
+        QCOMPARE(text(86'400), u"1 d 0 h"_s);
+        QCOMPARE(text(187'200), u"2 d 4 h"_s);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestExportText)

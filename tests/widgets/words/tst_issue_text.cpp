@@ -203,6 +203,16 @@ private slots:
         QCOMPARE(full, u"kan ikke åpnes: disken er full"_s);
     }
 
+    /** Readers count what their files have. */
+    void placesInFilesAreNamed()
+    {
+        const auto text = [](const char* place) {
+            return placedIssueText({Severity::Error, place, {IssueId::FileEmpty}});
+        };
+        for (const char* place : {"line 3", "feature 3", "packet 3"})
+            QVERIFY2(text(place).startsWith(QString::fromLatin1(place) + u": "_s), place);
+    }
+
     /** Every broken file there is: what is wrong with it has an id, and is told in Norwegian. */
     void brokenFilesAreToldInNorwegian()
     {

@@ -179,7 +179,11 @@ CellSheet rejectedSheet(const PreviewPointer& preview, const QLocale& locale)
     const auto rowOf = [preview](int row) -> const RejectedRow& {
         return preview->result.rejected.first[static_cast<std::size_t>(row)];
     };
-    return {.titles = {ImportCells::tr("Line"), ImportCells::tr("Reason"), ImportCells::tr("Text")},
+    const std::string_view counted = preview->result.rejected.place;
+    const QString place = counted == "feature"  ? ImportCells::tr("Feature")
+                          : counted == "packet" ? ImportCells::tr("Packet")
+                                                : ImportCells::tr("Line");
+    return {.titles = {place, ImportCells::tr("Reason"), ImportCells::tr("Text")},
             .rows = static_cast<int>(preview->result.rejected.first.size()),
             .text = [rowOf, locale](int row, int column) -> QString {
                 const RejectedRow& rejected = rowOf(row);

@@ -41,6 +41,7 @@ void NumberField::setLowestText(const QString& text)
 {
     m_lowestText = text;
     setSpecialValueText(m_mixed ? QString() : text);
+    updateGeometry();
 }
 
 void NumberField::limit(double low, double high)
@@ -180,7 +181,8 @@ QSize NumberField::sizeHint() const
 {
     // The range says nothing about the numbers in use: it may reach to 10^12.
     const QFontMetrics metrics = fontMetrics();
-    const int text_px = metrics.horizontalAdvance(u"-100000.0"_s + m_unit);
+    const int text_px = std::max(metrics.horizontalAdvance(u"-100000.0"_s + m_unit),
+                                 metrics.horizontalAdvance(m_lowestText));
     QStyleOptionSpinBox option;
     initStyleOption(&option);
     const QSize content(text_px + 2 * metrics.averageCharWidth(),

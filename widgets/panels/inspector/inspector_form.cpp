@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -26,6 +27,7 @@ namespace {
 constexpr int kNotesLines = 3;
 constexpr int kRowGap_px = 4;
 constexpr int kColumnGap_px = 8;
+constexpr int kLabels_px = 90; ///< longer labels take several lines, as all fields stand beside
 
 /** A page of text that tells when the focus leaves it. */
 class NotesEdit final : public QPlainTextEdit
@@ -54,6 +56,21 @@ private:
     std::function<void()> m_finished;
 };
 
+QLabel* newLabel(const QString& text, QWidget* input)
+{
+    auto* label = new QLabel(text);
+    label->setBuddy(input);
+    label->setWordWrap(true);
+    int widest_px = kLabels_px;
+    for (const QString& part : text.split(u' '))
+        widest_px = std::max(widest_px, label->fontMetrics().horizontalAdvance(part));
+    // By itself it would take several lines sooner, and the layout asks for the column's width.
+    const int width_px = std::min(widest_px, label->fontMetrics().horizontalAdvance(text)) + 1;
+    label->setFixedWidth(width_px);
+    label->setMinimumHeight(label->heightForWidth(width_px));
+    return label;
+}
+
 /** Numbers that were reckoned from others may differ by their rounding. */
 bool isAlike(double a, double b)
 {
@@ -77,7 +94,7 @@ InspectorForm::InspectorForm(ScenarioDocument& document, const std::vector<Inspe
     m_form->setVerticalSpacing(kRowGap_px);
     m_form->setHorizontalSpacing(kColumnGap_px);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    m_form->setRowWrapPolicy(QFormLayout::DontWrapRows);
     m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     for (const InspectorRow& row : rows)
         std::visit([this](const auto& one) { add(one); }, row);
@@ -86,7 +103,7 @@ InspectorForm::InspectorForm(ScenarioDocument& document, const std::vector<Inspe
 void InspectorForm::addOnTop(const QString& label, QWidget* input)
 {
     m_top = input;
-    m_form->insertRow(0, label, input);
+    m_form->insertRow(0, newLabel(label, input), input);
     for (int row = 1; row < m_form->rowCount(); ++row) {
         QWidget* next = m_form->itemAt(row, QFormLayout::FieldRole)->widget();
         setTabOrder(input, next);
@@ -105,7 +122,7 @@ void InspectorForm::addInput(const RowWords& words, QWidget* input)
     input->setObjectName(words.key);
     input->setAccessibleName(words.label);
     input->setToolTip(words.toolTip);
-    m_form->addRow(words.label, input); // which makes the label its buddy
+    m_form->addRow(newLabel(words.label, input), input);
     showWhere(words, input);
     if (m_first == nullptr)
         m_first = input;
@@ -248,7 +265,7 @@ void InspectorForm::add(const EntryRow& row)
     auto* field = new EntryField(
         {.key = row.words.key, .label = row.words.label, .toolTip = row.words.toolTip},
         EntryField::Says::WhenFinished, whyNot);
-    m_form->addRow(row.words.label, field);
+    m_form->addRow(newLabel(row.words.label, field), field);
     showWhere(row.words, field);
     connect(field, &EntryField::edited, this, [this, row](const QString& text) {
         m_document.endGesture();
@@ -334,7 +351,7 @@ void InspectorForm::add(const PartRow& row)
     button->setAccessibleName(row.words.undoText);
     line->addWidget(text, 1);
     line->addWidget(button);
-    m_form->addRow(row.words.label, part);
+    m_form->addRow(newLabel(row.words.label, part), part);
     connect(button, &QPushButton::clicked, this, [this, row] {
         edit(row.words, row.remove);
         m_document.endGesture();

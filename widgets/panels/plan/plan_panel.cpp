@@ -104,6 +104,7 @@ void PlanPanel::setUpTable()
     m_table->setModel(m_model);
     m_table->setItemDelegate(m_delegate);
     setUpDockTable(*m_table, kRow_px);
+    m_table->setTextElideMode(Qt::ElideMiddle); // ids differ at their ends
     m_table->setMouseTracking(true);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_table->setDragDropMode(QAbstractItemView::DragDrop); // the model says what can be dragged
@@ -155,7 +156,20 @@ void PlanPanel::setColumnWidths()
     chooseColumns();
 }
 
-/** Sigma now is there when the names have room beside it; the chance of being in view, when an
+/** That tells all names apart, beside the scroll bar where there is one; long ones are cut. */
+int PlanPanel::nameRoom_px() const
+{
+    const QFontMetrics metrics(m_table->font());
+    int widest_px = 0;
+    for (const PlanSection& section : m_sections)
+        for (const PlanRow& row : section.rows)
+            widest_px = std::max(widest_px, metrics.horizontalAdvance(row.name));
+    const bool scrolls = m_model->rowCount() * kRow_px > m_table->viewport()->height();
+    const int bar_px = scrolls ? m_table->verticalScrollBar()->sizeHint().width() : 0;
+    return std::min(kNameRoom_px, widest_px + kCellMargins_px + bar_px);
+}
+
+/** Both sigmas are there when the names have room beside them; the chance of being in view, when an
  * iceberg may be missed, in the place of sigma at arrival where there is no other. Their values are
  * in tool tips too. */
 void PlanPanel::chooseColumns()
@@ -172,7 +186,8 @@ void PlanPanel::chooseColumns()
         m_table->setColumnHidden(column, false);
     m_table->setColumnHidden(PlanModel::Chance, !mayMiss);
     m_table->setColumnHidden(PlanModel::Sigma, room_px() < kNameRoom_px);
-    m_table->setColumnHidden(PlanModel::ArrivalSigma, mayMiss && room_px() < kNameRoom_px);
+    m_table->setColumnHidden(PlanModel::ArrivalSigma,
+                             room_px() < (mayMiss ? kNameRoom_px : nameRoom_px()));
 }
 
 void PlanPanel::updateSummary()
@@ -357,8 +372,7 @@ void PlanPanel::showPlan(std::vector<PlanSection> sections)
         const QScopedValueRollback selecting(m_isSelecting, true);
         m_model->setPlan(m_sections);
     }
-    if (m_model->mayMiss() == m_table->isColumnHidden(PlanModel::Chance))
-        chooseColumns();
+    chooseColumns();
     updateSpans();
     updateEmpty();
     updateSummary();

@@ -60,6 +60,7 @@ private:
     void setUpTable();
     void setColumnWidths();
     void chooseColumns();
+    [[nodiscard]] int nameRoom_px() const;
     void updateSummary();
     [[nodiscard]] QStringList summaryLines() const;
     [[nodiscard]] QString summaryToolTip() const;

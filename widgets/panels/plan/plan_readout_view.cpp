@@ -50,7 +50,6 @@ PlanReadoutView::PlanReadoutView(QWidget* parent) : QWidget(parent)
     m_state = new QLabel(this);
     m_state->setObjectName(u"planState"_s);
     m_state->setWordWrap(true);
-    m_state->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     connect(m_state, &QLabel::linkActivated, this, &PlanReadoutView::checksRequested);
     stateRow->addWidget(m_mark, 0, Qt::AlignTop);
     stateRow->addWidget(m_state, 1);
@@ -151,7 +150,11 @@ void PlanReadoutView::showPlan(const PlanReadout& readout, PolicyKind policy)
     });
 
     const PlanState state = planState(readout, locale());
-    if (state.verdict == PlanVerdict::Fault)
+    const bool hasLink = state.verdict == PlanVerdict::Fault;
+    m_state->setTextInteractionFlags( // without a link there is nothing to tab to
+        hasLink ? Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard
+                : Qt::TextInteractionFlags(Qt::NoTextInteraction));
+    if (hasLink)
         m_state->setText(u"%1 <a href=\"checks\">%2</a>"_s.arg(state.text.toHtmlEscaped(),
                                                                tr("Show the checks")));
     else

@@ -52,17 +52,49 @@ std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecas
     return rows;
 }
 
+void leaveUnseen(PlanRow& row)
+{
+    row.isSeen = false;
+    row.leg_m = row.arrival_s = row.arrivalSigma_m2 = 0;
+    row.chance.reset();
+}
+
 /** What comes after the way home has no times yet. */
 void leaveForNextSortie(std::vector<PlanRow>& rows, const PlanEvent& plan)
 {
     const int flown = plan.thisSortie.value_or(static_cast<int>(rows.size()));
-    for (PlanRow& row : rows) {
-        if (row.number <= flown)
+    for (PlanRow& row : rows)
+        if (row.number > flown)
+            leaveUnseen(row);
+}
+
+/**
+ * The run ends in `left_s`. Of hundreds of icebergs the last are met, in thought, days later and
+ * far away, as they drift on: to add up such legs tells nothing.
+ */
+void endWithRun(PlanSection& section, double left_s)
+{
+    double before_s = 0;
+    const auto takeUnfinished = [&](double leg_m, double arrival_s) {
+        section.unfinished = {.leg_m = leg_m * (left_s - before_s) / (arrival_s - before_s),
+                              .arrival_s = left_s};
+    };
+    for (PlanRow& row : section.rows) {
+        if (!row.isSeen)
             continue;
-        row.isSeen = false;
-        row.leg_m = row.arrival_s = row.arrivalSigma_m2 = 0;
-        row.chance.reset();
+        if (row.arrival_s <= left_s) {
+            before_s = row.arrival_s;
+            continue;
+        }
+        if (!section.unfinished)
+            takeUnfinished(row.leg_m, row.arrival_s);
+        leaveUnseen(row);
     }
+    if (!section.returns || section.returns->arrival_s <= left_s)
+        return;
+    if (!section.unfinished)
+        takeUnfinished(section.returns->leg_m, section.returns->arrival_s);
+    section.returns.reset();
 }
 
 /** A row for each lost iceberg that the plan searches for, which is in no order until it is found.
@@ -212,6 +244,8 @@ std::optional<PlanOutlook> predictedOutlook(const FlightRecord& record)
 double PlanSection::length_m() const
 {
     double length_m = returns ? returns->leg_m : 0;
+    if (unfinished)
+        length_m += unfinished->leg_m;
     for (const PlanRow& row : rows)
         length_m += row.leg_m;
     return length_m;
@@ -220,6 +254,8 @@ double PlanSection::length_m() const
 double PlanSection::lastArrival_s() const
 {
     double last_s = returns ? returns->arrival_s : 0;
+    if (unfinished)
+        last_s = unfinished->arrival_s;
     for (const PlanRow& row : rows)
         last_s = std::max(last_s, row.arrival_s); // 0 of those that are not seen
     return last_s;
@@ -249,8 +285,10 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
                 : straightRows(now, forecast.uavs[u],
                                {.fov_m = scenario.uavs[u].fov_m, .shape = scenario.fovShape});
         leaveForNextSortie(section.rows, *plan);
-        if (!plan->outlook)
-            section.returns = returnOf(now, scenario.uavs[u], *plan);
+        if (plan->outlook)
+            continue; // it ends with the run
+        section.returns = returnOf(now, scenario.uavs[u], *plan);
+        endWithRun(section, scenario.duration_s - now.time_s);
     }
     return sections;
 }

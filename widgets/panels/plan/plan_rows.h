@@ -21,12 +21,12 @@ struct PlanRow
     std::optional<double> chance = {}; ///< of being in view on arrival; none: depends on the aim
     std::vector<PlannedSearch> searches = {}; ///< places where the lost iceberg is looked for
     int number = 0;          ///< in the order, from 1; 0: as the rows are; -1: searched for
-    bool isSeen = true;      ///< false: the plan ends before, legs and arrivals are not known
+    bool isSeen = true;      ///< false: plan or run end before, legs and arrivals are not known
     bool isAssigned = false; ///< of several UAVs this one alone is to visit it
     bool operator==(const PlanRow&) const = default;
 };
 
-/** Back home, or to the start of a closed route. */
+/** A leg that ends at none of the rows. */
 struct ReturnLeg
 {
     double leg_m = 0;
@@ -43,9 +43,11 @@ struct PlanSection
     bool isPlanned = true;              ///< not on its way home, on the ground or holding
     FlightMode mode = FlightMode::Idle; ///< then which of them
     std::vector<PlanRow> rows;
-    std::optional<ReturnLeg> returns; ///< after the rows that are seen
+    /** After the rows that are seen: back home, or to the start of a closed route. */
+    std::optional<ReturnLeg> returns;
+    std::optional<ReturnLeg> unfinished; ///< in their place: what the run leaves of a leg
 
-    /** Of all legs that are known, the return among them. */
+    /** Of all legs that are known, the return among them, until the end of the run. */
     [[nodiscard]] double length_m() const;
     /** At the end of what is known, from now; 0 without any. */
     [[nodiscard]] double lastArrival_s() const;

@@ -9,6 +9,7 @@
 
 #include <QAbstractItemView>
 #include <QPainter>
+#include <QStyleOptionComboBox>
 
 #include <algorithm>
 #include <cmath>
@@ -353,6 +354,17 @@ void PolicyCombo::updateOffers()
                 spoken << part;
         setItemData(row, spoken.join(u", "_s), Qt::AccessibleTextRole);
     }
+}
+
+/** Styles cut what is too long without a sign of it. */
+void PolicyCombo::initStyleOption(QStyleOptionComboBox* option) const
+{
+    constexpr int kMargins_px = 2; // of the text in the room for it
+    QComboBox::initStyleOption(option);
+    const QRect room =
+        style()->subControlRect(QStyle::CC_ComboBox, option, QStyle::SC_ComboBoxEditField, this);
+    option->currentText =
+        fontMetrics().elidedText(option->currentText, Qt::ElideRight, room.width() - kMargins_px);
 }
 
 /** Wider than the panel when the texts are: Qt keeps the list on the screen. */

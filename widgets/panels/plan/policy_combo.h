@@ -65,6 +65,9 @@ public:
 
     void showPopup() override;
 
+protected:
+    void initStyleOption(QStyleOptionComboBox* option) const override;
+
 private:
     [[nodiscard]] PolicyKind shownPolicy() const;
     [[nodiscard]] const PolicyForecast* forecastOf(PolicyKind policy) const;

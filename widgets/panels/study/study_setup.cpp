@@ -83,7 +83,9 @@ NumberField* StudySetup::addNumber(QBoxLayout& row, const NumberSpec& spec)
     pair->addWidget(caption);
     pair->addWidget(field);
     row.addLayout(pair, 1);
-    connect(field, &NumberField::edited, this, [this] {
+    connect(field, &NumberField::edited, this, [this, field] {
+        if (field == m_from || field == m_to || field == m_step)
+            m_listed.clear();
         updateEnabled();
         emit edited();
     });
@@ -203,9 +205,10 @@ void StudySetup::setScenario(const Scenario& scenario)
 
 std::vector<double> StudySetup::taus() const
 {
-    return m_policies.front().second->isChecked()
-               ? tausBetween(m_from->value(), m_to->value(), m_step->value())
-               : std::vector<double>();
+    if (!m_policies.front().second->isChecked())
+        return {};
+    return m_listed.empty() ? tausBetween(m_from->value(), m_to->value(), m_step->value())
+                            : m_listed;
 }
 
 StudySpec StudySetup::spec() const
@@ -243,6 +246,8 @@ void StudySetup::showSpec(const StudySpec& spec)
         if (spec.taus.size() > 1)
             m_step->showValue(spec.taus[1] - spec.taus[0]);
     }
+    const bool isEven = tausBetween(m_from->value(), m_to->value(), m_step->value()) == spec.taus;
+    m_listed = isEven ? std::vector<double>() : spec.taus;
     for (const auto& [policy, box] : m_policies)
         box->setChecked(std::find(spec.policies.begin(), spec.policies.end(), policy) !=
                         spec.policies.end());
@@ -255,7 +260,8 @@ QString StudySetup::fault() const
     const StudySpec wanted = spec();
     if (m_this->isChecked() && m_scenario.icebergs.empty())
         return tr("This scenario has no icebergs.");
-    if (m_policies.front().second->isChecked() && m_to->value() < m_from->value())
+    if (m_policies.front().second->isChecked() && m_listed.empty() &&
+        m_to->value() < m_from->value())
         return tr("The largest τ is below the smallest.");
     if (wanted.taus.size() > static_cast<std::size_t>(kMostTaus))
         return tr("These are too many values of τ. Take a larger step.");

@@ -74,6 +74,8 @@ private:
     NumberField* m_from = nullptr;
     NumberField* m_to = nullptr;
     NumberField* m_step = nullptr;
+    std::vector<double>
+        m_listed; ///< values of tau that the fields cannot say, until they are edited
     std::vector<std::pair<PolicyKind, QCheckBox*>> m_policies;
 };
 

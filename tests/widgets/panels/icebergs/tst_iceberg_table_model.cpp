@@ -113,9 +113,12 @@ private slots:
                 ++planned;
         }
         const std::vector<PlanSection> sections = planSections(shown, record.scenario);
-        for (const PlanRow& plan : sections.front().rows)
-            QCOMPARE(*f.model.rowAt(f.model.rowOf(plan.id)).value(IcebergColumn::Arrival),
-                     plan.arrival_s);
+        for (const PlanRow& plan : sections.front().rows) {
+            const std::optional<double> arrival_s =
+                f.model.rowAt(f.model.rowOf(plan.id)).value(IcebergColumn::Arrival);
+            QCOMPARE(arrival_s.has_value(), plan.isSeen);
+            QCOMPARE(arrival_s.value_or(0), plan.arrival_s);
+        }
         const int target = shown.world.uavs.front().target;
         if (target >= 0 && !shown.world.tracks[static_cast<std::size_t>(target)].inView)
             QCOMPARE(f.cell(target, IcebergColumn::State), u"target"_s);

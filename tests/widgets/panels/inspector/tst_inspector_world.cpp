@@ -3,10 +3,15 @@
 #include "tests/support/panel_test.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/inspector/inspector_panel.h"
+#include "widgets/theme/language.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QStyleOptionComboBox>
 #include <QUndoStack>
 
 using namespace berg;
@@ -305,6 +310,48 @@ private slots:
                 f.scenario().asset->standoffCeiling_m == 90.0);
         f.undoAll();
         QCOMPARE(f.scenario(), test::fourIcebergs());
+    }
+
+    void allRowsStandBesideTheirLabels_data()
+    {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"en", "nb", "da", "fr"})
+            QTest::newRow(language) << QString::fromLatin1(language);
+    }
+
+    /** At the dock's usual width, with texts and choices whole. */
+    void allRowsStandBesideTheirLabels()
+    {
+        QFETCH(QString, language);
+        installLanguage(language);
+        const auto back = qScopeGuard([] { installLanguage(u"en"_s); });
+        WorldInspectorFixture f;
+        test::child<QCheckBox>(f.panel, u"scenarioOperation"_s).click();
+        for (const QLabel* label : f.panel.findChildren<QLabel*>()) {
+            const QWidget* field = label->buddy();
+            if (field == nullptr || !label->isVisible())
+                continue;
+            QVERIFY2(label->geometry().top() <= field->geometry().center().y() &&
+                         label->geometry().right() < field->geometry().left(),
+                     qPrintable(label->text()));
+            for (const QString& word : label->text().split(QRegularExpression(u"[ -]"_s)))
+                QVERIFY2(label->fontMetrics().horizontalAdvance(word) <= label->width(),
+                         qPrintable(word));
+            const QPoint end = field->mapTo(&f.panel, field->rect().bottomRight());
+            QVERIFY2(end.x() < f.panel.width(), qPrintable(label->text()));
+            QVERIFY2(field->width() >= field->minimumSizeHint().width(), qPrintable(label->text()));
+        }
+        for (const QComboBox* combo : f.panel.findChildren<QComboBox*>()) {
+            QStyleOptionComboBox option;
+            option.initFrom(combo);
+            const int room_px = combo->style()
+                                    ->subControlRect(QStyle::CC_ComboBox, &option,
+                                                     QStyle::SC_ComboBoxEditField, combo)
+                                    .width();
+            for (int i = 0; i < combo->count() && combo->isVisible(); ++i)
+                QVERIFY2(combo->fontMetrics().horizontalAdvance(combo->itemText(i)) <= room_px,
+                         qPrintable(combo->itemText(i)));
+        }
     }
 
     void severalAtOnce()

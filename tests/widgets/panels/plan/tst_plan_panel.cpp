@@ -12,21 +12,6 @@ using namespace berg;
 using namespace Qt::StringLiterals;
 using namespace berg::test;
 
-namespace {
-
-/** Its icebergs where they are, without drift. */
-MissionSnapshot standing(MissionSnapshot now)
-{
-    for (Track& track : now.world.tracks) {
-        track.anchor_m = track.estimate_m(now.time_s);
-        track.anchor_s = now.time_s;
-        track.velocity_mps = Point::Zero();
-    }
-    return now;
-}
-
-} // namespace
-
 class TestPlanPanel : public QObject
 {
     Q_OBJECT
@@ -252,6 +237,25 @@ private slots:
         QVERIFY(f.table.isColumnHidden(PlanModel::Sigma));
         f.panel.resize(500, 240);
         QVERIFY(!f.table.isColumnHidden(PlanModel::Sigma));
+    }
+
+    /** Hundreds of ids that differ at their ends alone, in a run of hours, beside a scroll bar. */
+    void idsAreToldApart()
+    {
+        PlanPanelFixture f;
+        std::vector<std::string> ids;
+        for (int i = 300; i < 340; ++i)
+            ids.push_back("berg-" + std::to_string(i));
+        std::vector<PlanRow> rows = rowsOf(ids);
+        rows.back().arrival_s = 5 * 3600.0;
+        f.panel.showPlan(planOf(rows));
+        constexpr int kMargins_px = 8;
+        const int room_px = f.table.columnWidth(PlanModel::Name) - kMargins_px;
+        const QFontMetrics metrics(f.table.font());
+        QSet<QString> shown;
+        for (const PlanRow& row : rows)
+            shown << metrics.elidedText(row.name, f.table.textElideMode(), room_px);
+        QCOMPARE(shown.size(), static_cast<qsizetype>(ids.size()));
     }
 
     /** The chance of being in view is there when an iceberg may be missed. */

@@ -1,11 +1,13 @@
 #include "tests/support/panel_test.h"
 #include "widgets/panels/plan/policy_combo.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
+#include "widgets/words/policy_words.h"
 
 #include <QAbstractItemView>
 #include <QLabel>
 #include <QScreen>
 #include <QSignalSpy>
+#include <QStyleOptionComboBox>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
@@ -237,6 +239,25 @@ private slots:
                     small.horizontalAdvance(f.remark(policy)));
         QVERIFY(f.panel.screen()->geometry().contains(popup.geometry()));
         f.combo.hidePopup();
+    }
+
+    void longNamesAreElided()
+    {
+        struct Combo : PolicyCombo
+        {
+            [[nodiscard]] QString drawnText(int width_px)
+            {
+                resize(width_px, 24);
+                QStyleOptionComboBox option;
+                initStyleOption(&option);
+                return option.currentText;
+            }
+        };
+        Combo combo;
+        combo.showPolicy(PolicyKind::Visitation);
+        QCOMPARE(combo.drawnText(900), policyName(PolicyKind::Visitation));
+        QVERIFY(combo.drawnText(80).endsWith(u'…'));
+        QCOMPARE(combo.currentText(), policyName(PolicyKind::Visitation)); // as it is spoken
     }
 
     void longTextsFitTheDock()

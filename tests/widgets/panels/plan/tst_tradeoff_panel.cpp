@@ -401,6 +401,21 @@ private slots:
         QVERIFY(fleet.objective_m2 == one.objective_m2);
     }
 
+    /** The keyboard stops at what it can use. */
+    void stateIsATabStopWithItsLinkAlone()
+    {
+        TradeoffFixture f;
+        const auto& state = test::child<QLabel>(f.panel, u"planState"_s);
+        const auto isTabStop = [&] { return (state.focusPolicy() & Qt::TabFocus) != 0; };
+        QVERIFY(!isTabStop());
+        f.panel.showPlan({.plan = provenPlan()});
+        QVERIFY(!isTabStop());
+        f.panel.showPlan({.plan = {}, .fault = u"No icebergs."_s});
+        QVERIFY(isTabStop());
+        f.panel.showPlan({.plan = provenPlan()});
+        QVERIFY(!isTabStop());
+    }
+
     void longTextsFitTheDock()
     {
         const test::LongerTexts longer;

@@ -155,6 +155,20 @@ private slots:
         QVERIFY(f.spec() == random);
     }
 
+    /** The fields cannot say them, so they are kept until the fields are used. */
+    void unevenTausAreKept()
+    {
+        StudyPanelFixture f;
+        StudySpec spec = figure4(test::quickScenario());
+        spec.taus = {0, 0.1, 4};
+        test::child<StudySetup>(f.panel, {}).showSpec(spec);
+        QCOMPARE(f.spec().taus, spec.taus);
+        f.setNumber(u"studyRuns"_s, u"3"_s);
+        QCOMPARE(f.spec().taus, spec.taus);
+        f.setNumber(u"studyTauStep"_s, u"2"_s);
+        QCOMPARE(f.spec().taus, (std::vector<double>{0, 2, 4}));
+    }
+
     void whatCannotBeFlownIsSaidBefore()
     {
         StudyPanelFixture f;

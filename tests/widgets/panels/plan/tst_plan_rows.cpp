@@ -1,0 +1,81 @@
+#include "tests/support/approx.h"
+#include "tests/support/plan_panel_fixture.h"
+
+#include <cmath>
+
+using namespace berg;
+using namespace berg::test;
+
+/** What the plan panel tells of a plan, of flights that end before it does. */
+class TestPlanRows : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    /** Legs that nobody flies are not told, nor the visits at their ends. */
+    void planEndsWithTheRun()
+    {
+        Scenario scenario = twoIcebergScenario();
+        const MissionSnapshot now = standing(twoIcebergs(scenario));
+        scenario.duration_s = now.time_s + 40; // the first is met after 25 s, the second after 55 s
+        const PlanSection section = planSections(now, scenario).front();
+        QCOMPARE(section.rows.size(), std::size_t{2});
+        QVERIFY(section.rows[0].isSeen && !section.rows[1].isSeen);
+        QCOMPARE(section.rows[1].arrival_s, 0.0);
+        QVERIFY(!section.rows[1].chance);
+        COMPARE_NEAR(section.length_m(), 40 * 20.0, 1e-9);
+        COMPARE_NEAR(section.lastArrival_s(), 40.0, 1e-9);
+
+        scenario.duration_s = now.time_s + 10;
+        const PlanSection brief = planSections(now, scenario).front();
+        QVERIFY(!brief.rows[0].isSeen && !brief.rows[1].isSeen);
+        COMPARE_NEAR(brief.length_m(), 10 * 20.0, 1e-9);
+    }
+
+    /** Time and drift feed each other: 500 icebergs took 213 h on paper. */
+    void manyDriftingIcebergs()
+    {
+        Scenario scenario = test::emptySea();
+        scenario.uavs.front().spec.airspeed_mps = 20;
+        MissionSnapshot now = twoIcebergs(scenario);
+        now.world.tracks.clear();
+        now.active.assign(500, true);
+        now.assigned.assign(500, -1);
+        now.plan->order.clear();
+        for (int i = 0; i < 500; ++i) {
+            const double side = i % 2 == 0 ? 1 : -1;
+            test::addIceberg(scenario, 0, 0);
+            now.world.tracks.push_back({.anchor_m = Point(side * 1000, 10.0 * i),
+                                        .anchor_s = now.time_s,
+                                        .velocity_mps = Point(side * 0.5, 0)});
+            now.plan->order.push_back(i);
+        }
+        now.icebergs = scenario.icebergs;
+        now.plans = {*now.plan};
+        const std::vector<PlanSection> sections = planSections(now, scenario);
+        const double left_s = scenario.duration_s - now.time_s;
+        COMPARE_NEAR(planLength_m(sections), 20 * left_s, 1e-6);
+        COMPARE_NEAR(sections.front().lastArrival_s(), left_s, 1e-9);
+    }
+
+    /** Home is not reached before the end. */
+    void returnEndsWithTheRun()
+    {
+        Scenario scenario = twoIcebergScenario();
+        scenario.planner.route = Route::Closed;
+        MissionSnapshot now = standing(twoIcebergs(scenario));
+        now.planner = scenario.planner;
+        scenario.duration_s = 1000;
+        const double whole_m = planSections(now, scenario).front().length_m();
+        COMPARE_NEAR(whole_m, 500 + 600 + std::hypot(300.0, 1000.0), 1e-9);
+        scenario.duration_s = now.time_s + 60; // the second is met after 55 s
+        const PlanSection section = planSections(now, scenario).front();
+        QVERIFY(section.rows[1].isSeen && !section.returns);
+        COMPARE_NEAR(section.length_m(), 60 * 20.0, 1e-9);
+    }
+};
+
+QTEST_MAIN(TestPlanRows)
+#include "tst_plan_rows.moc"
