@@ -15,6 +15,7 @@
 #include <QAction>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QSettings>
 
 using namespace Qt::StringLiterals;
 
