@@ -1,5 +1,4 @@
 #include "core/io/import/import_scenario.h"
-#include "core/io/import/import_scenario.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission.h"
 #include "tests/support/approx.h"
