@@ -96,7 +96,7 @@ void MapEdits::nudge(double east_m, double north_m)
         u"nudge"_s);
 }
 
-bool MapEdits::copySelected()
+bool MapEdits::copySelected() const
 {
     const std::vector<Iceberg> icebergs =
         icebergsOf(m_context.document.scenario(), m_context.selection.ids());

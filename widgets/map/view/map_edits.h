@@ -27,7 +27,7 @@ public:
     void nudge(double east_m, double north_m);
 
     /** The icebergs selected onto the clipboard; false when there are none. */
-    bool copySelected();
+    bool copySelected() const;
     void cutSelected();
     /** Icebergs of the clipboard round the cursor; beside where they were when it is elsewhere. */
     void paste();
