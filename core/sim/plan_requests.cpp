@@ -24,7 +24,7 @@ Eigen::MatrixXd distances_m(const Simulation& simulation, int uav, std::span<con
  * middle. */
 double chanceSeen(const Autopilot& me, const ObserverSpec& observer)
 {
-    const double half_s = me.sensor().fov_m.minCoeff() / 2 / me.motion().airspeed_mps;
+    const double half_s = surelySeen_m(me.sensor()) / me.motion().airspeed_mps;
     const double looks = half_s / observer.interval_s;
     return looks < 1 ? looks * observer.detection : 1 - std::pow(1 - observer.detection, looks);
 }
@@ -40,10 +40,10 @@ std::vector<SearchPlace> placesOf(const Simulation& simulation, int uav, int ice
     if (search == nullptr || !fleet.searchesByPlan() || !fleet.maySearch(uav, iceberg))
         return {};
     const Autopilot& me = fleet.autopilot(uav);
-    double view_m = me.sensor().fov_m.minCoeff();
+    double view_m = 2 * surelySeen_m(me.sensor());
     double seen = 1;
     for (const Autopilot& other : fleet.autopilots()) { // all have the same places: of the weakest
-        view_m = std::min(view_m, other.sensor().fov_m.minCoeff());
+        view_m = std::min(view_m, 2 * surelySeen_m(other.sensor()));
         seen = std::min(seen, chanceSeen(other, simulation.world().observer()));
     }
     std::vector<SearchPlace> places = search->path.likeliestPlaces(kHalf * view_m, kMost);

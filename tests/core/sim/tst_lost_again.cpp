@@ -348,6 +348,25 @@ private slots:
                 last_s = event.time_s;
         QVERIFY2(last_s > 10'000, qPrintable(QString::number(last_s))); // was 1770
     }
+
+    /** Its diameter is the first number, where places to search are planned too. */
+    void aDiskHasOneExtent()
+    {
+        Scenario s = randomScenario(1, {.icebergs = 6});
+        s.planner.policy = PolicyKind::Coverage;
+        s.observer.model = ObserverModel::Kalman;
+        s.fovShape = FovShape::Disk;
+        for (Iceberg& iceberg : s.icebergs)
+            iceberg.velocitySd_mps = 0.8;
+        s.uavs[0].fov_m = {300, 300};
+        Mission wide(s, {.workLimit = 20'000});
+        wide.advance(1000);
+        QVERIFY(countOf(wide, EventKind::Lost) > 0);
+        s.uavs[0].fov_m.y() = 60;
+        Mission narrow(s, {.workLimit = 20'000});
+        narrow.advance(1000);
+        QCOMPARE(narrow.simulation().zeta_m2s(), wide.simulation().zeta_m2s());
+    }
 };
 
 QTEST_APPLESS_MAIN(TestLostAgain)
