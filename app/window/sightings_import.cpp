@@ -180,12 +180,13 @@ void SightingsImport::tellLeftOut(const AirspaceResult& result, const QString& s
 
 void SightingsImport::importSightings(const QString& path)
 {
-    if (holdsOpenAir(path)) {
+    if (!mayImport())
+        return;
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if ((ending == u"txt"_s || !sightingEndings().contains(ending)) && holdsOpenAir(path)) {
         readAirspace(path);
         return;
     }
-    if (!mayImport())
-        return;
     panels().finishTyping();
     const Scenario& present = workspace().document().scenario();
     const std::optional<ImportChoice> choice = interaction().chooseImport(

@@ -109,7 +109,8 @@ QRectF freePlace(const MapLayout& layout, const QRectF& inner, const QSizeF& siz
     for (const QPointF& corner : {QPointF(right, bottom), QPointF(right, aboveBar),
                                   QPointF(besideBar, bottom), QPointF(right, belowNorth),
                                   QPointF(besideTitle, bottom), QPointF(besideTitle, inner.top())})
-        if (const QRectF rect(corner, size); layout.rect.contains(rect) && isClear(layout, rect))
+        if (const QRectF rect(corner, size);
+            inner.adjusted(-1, -1, 1, 1).contains(rect) && isClear(layout, rect))
             return rect;
     return {};
 }

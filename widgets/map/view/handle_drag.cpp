@@ -1,4 +1,4 @@
-// What dragging a handle of the map does to the scenario.
+// What dragging a handle of the map does to the scenario, or in flight to the flight.
 
 #include "widgets/map/paint/wind_panel.h"
 #include "widgets/map/view/drift_arrow.h"

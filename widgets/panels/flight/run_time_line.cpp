@@ -26,7 +26,7 @@ constexpr int kWidth_px = 160;
 constexpr double kMark_px = 6;
 constexpr double kNear_px = 5;
 
-/** Plans and sightings are too many. */
+/** Plans and sightings are too many; the way home is seen by its landing. */
 bool isMarked(EventKind kind)
 {
     return kind != EventKind::Planned && kind != EventKind::Sighted && kind != EventKind::HomeBound;

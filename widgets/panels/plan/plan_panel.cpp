@@ -182,12 +182,14 @@ void PlanPanel::chooseColumns()
         return left_px;
     };
     const bool mayMiss = m_model->mayMiss();
+    const int names_px = nameRoom_px();
+    m_columnsFor = {mayMiss, names_px};
     for (const PlanModel::Column column : {PlanModel::Sigma, PlanModel::ArrivalSigma})
         m_table->setColumnHidden(column, false);
     m_table->setColumnHidden(PlanModel::Chance, !mayMiss);
     m_table->setColumnHidden(PlanModel::Sigma, room_px() < kNameRoom_px);
     m_table->setColumnHidden(PlanModel::ArrivalSigma,
-                             room_px() < (mayMiss ? kNameRoom_px : nameRoom_px()));
+                             room_px() < (mayMiss ? kNameRoom_px : names_px));
 }
 
 void PlanPanel::updateSummary()
@@ -363,8 +365,6 @@ void PlanPanel::showPlan(std::vector<PlanSection> sections)
     }
     const double hours = (lastArrival_s(m_sections) + 0.5) / kHour_s;
     const int digits = hours < 1 ? 0 : 1 + static_cast<int>(std::log10(hours));
-    if (std::exchange(m_hourDigits, digits) != digits)
-        setColumnWidths();
     QScrollBar* bar = m_table->verticalScrollBar();
     const int scroll_px = bar->value();
     {
@@ -372,7 +372,10 @@ void PlanPanel::showPlan(std::vector<PlanSection> sections)
         const QScopedValueRollback selecting(m_isSelecting, true);
         m_model->setPlan(m_sections);
     }
-    chooseColumns();
+    if (std::exchange(m_hourDigits, digits) != digits)
+        setColumnWidths();
+    else if (m_columnsFor != std::pair(m_model->mayMiss(), nameRoom_px()))
+        chooseColumns();
     updateSpans();
     updateEmpty();
     updateSummary();

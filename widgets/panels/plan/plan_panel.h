@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <utility>
+
 class QContextMenuEvent;
 class QLabel;
 class QTableView;
@@ -89,7 +91,8 @@ private:
     std::vector<std::string> m_selected; ///< kept while it is not in the plan
     bool m_isSelecting = false;          ///< here, not by the user
     double m_sigmaFull_m2 = 0;
-    int m_hourDigits = 0; ///< of the last arrival
+    std::pair<bool, int> m_columnsFor; ///< what may be missed, and room for names, px
+    int m_hourDigits = 0;              ///< of the last arrival
 };
 
 } // namespace berg
