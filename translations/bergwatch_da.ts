@@ -5186,8 +5186,8 @@ Tilstødende område %4</translation>
         <translation>luftrum udeladt: en højde har ingen enhed</translation>
     </message>
     <message>
-        <source>members that this version does not know are kept, but not used: &quot;%1&quot;</source>
-        <translation>felter, som denne version ikke kender, bevares, men bruges ikke: »%1«</translation>
+        <source>members that this version does not know are not used: &quot;%1&quot;</source>
+        <translation>felter, som denne version ikke kender, bruges ikke: »%1«</translation>
     </message>
     <message>
         <source>The airspace &quot;%3&quot; ends before it begins.</source>

@@ -5186,8 +5186,8 @@ Zone adjacente %4</translation>
         <translation>espace aérien laissé de côté : une hauteur n’a pas d’unité</translation>
     </message>
     <message>
-        <source>members that this version does not know are kept, but not used: &quot;%1&quot;</source>
-        <translation>les membres que cette version ne connaît pas sont conservés, mais pas utilisés : « %1 »</translation>
+        <source>members that this version does not know are not used: &quot;%1&quot;</source>
+        <translation>les membres que cette version ne connaît pas ne sont pas utilisés : « %1 »</translation>
     </message>
     <message>
         <source>The airspace &quot;%3&quot; ends before it begins.</source>

@@ -5186,8 +5186,8 @@ Tilstøtende område %4</translation>
         <translation>luftrom utelatt: en høyde har ingen enhet</translation>
     </message>
     <message>
-        <source>members that this version does not know are kept, but not used: &quot;%1&quot;</source>
-        <translation>felt som denne versjonen ikke kjenner, beholdes, men brukes ikke: «%1»</translation>
+        <source>members that this version does not know are not used: &quot;%1&quot;</source>
+        <translation>felt som denne versjonen ikke kjenner, brukes ikke: «%1»</translation>
     </message>
     <message>
         <source>The airspace &quot;%3&quot; ends before it begins.</source>

@@ -99,7 +99,7 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
     {IssueId::AppearsTooLate, QT_TRANSLATE_NOOP("IssueText", "is after the end of the run")},
     {IssueId::UnknownMembers,
      QT_TRANSLATE_NOOP("IssueText",
-                       "members that this version does not know are kept, but not used: \"%1\"")},
+                       "members that this version does not know are not used: \"%1\"")},
     {IssueId::AreaNoFence,
      QT_TRANSLATE_NOOP("IssueText",
                        "icebergs outside it are not monitored; the UAV may fly beyond it")},

@@ -110,8 +110,7 @@ ProblemFile problemFromJson(std::string_view text, const std::string& subject,
     ParsedJson parsed = parseJson(text, budget);
     requireFormat(parsed, kFormat, subject);
     ObjectReader object(parsed.root, "", parsed.faults);
-    for (const char* checked : {"format", "version"})
-        (void)object.find(checked);
+    checkFormat(object, kFormat);
 
     ProblemFile file;
     file.problem.sigma_m2 = readSigmas(object);

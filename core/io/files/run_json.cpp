@@ -439,8 +439,10 @@ std::vector<Issue> validate(const RunFile& run)
         addHint(path, change.extraJson);
         if (change.asset)
             addHint(path + ".asset", change.asset->extraJson);
-        if (change.appears)
+        if (change.appears) {
             addHint(path + ".appears", change.appears->extraJson);
+            addHint(path + ".appears.track", change.appears->trackExtraJson);
+        }
     }
     return issues;
 }
