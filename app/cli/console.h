@@ -71,13 +71,15 @@ auto reading(Read&& read)
     return std::forward<Read>(read)();
 }
 
-/** The result of `make`; what it throws names the file. */
+/** The result of `make`; what it throws names the file, unless a solver has failed by itself. */
 template <class Make>
 auto naming(const std::string& file, const Make& make)
 {
     try {
         return make();
     } catch (const Error& error) {
+        if (error.code() == ErrorCode::SolverFailed)
+            throw;
         throw Error(error.code(), file, error.issues());
     }
 }

@@ -161,7 +161,7 @@ private:
     std::size_t m_next;
 };
 
-void refuse(std::size_t placed, const FieldRequest& request)
+[[noreturn]] void refuse(std::size_t placed, const FieldRequest& request)
 {
     Findings faults(Findings::Kind::All);
     const IssueArgument found = countOf(placed);
@@ -170,7 +170,7 @@ void refuse(std::size_t placed, const FieldRequest& request)
                      {found, request.icebergs, request.spacing_m});
     else
         faults.error("area_m", IssueId::AreaTooThin, {found, request.icebergs});
-    raise(faults);
+    throw Error(ErrorCode::InvalidInput, "generate", faults.take());
 }
 
 } // namespace

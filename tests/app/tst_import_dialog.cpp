@@ -80,11 +80,11 @@ private slots:
     {
         Importing import(fixturePath("iip.csv"));
         QVERIFY(import.settles());
-        std::vector<RejectedRow> core = direct("iip.csv", test::openSea()).rejected.first;
-        std::ranges::stable_sort(core, {}, &RejectedRow::line);
+        Rejections core = direct("iip.csv", test::openSea()).rejected;
+        std::ranges::stable_sort(core.first, {}, &RejectedRow::line);
         const QAbstractItemModel& rows = import.rows(u"importRejected"_s);
-        QCOMPARE(rows.rowCount(), int(core.size()));
-        for (int row = 0; const RejectedRow& rejected : core) {
+        QCOMPARE(rows.rowCount(), int(core.count));
+        for (int row = 0; const RejectedRow& rejected : core.first) {
             QCOMPARE(import.cell(u"importRejected"_s, row, 0), QString::number(rejected.line));
             QCOMPARE(import.cell(u"importRejected"_s, row, 1), issueWords(rejected.fault));
             QCOMPARE(import.cell(u"importRejected"_s, row++, 2),

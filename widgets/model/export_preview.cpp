@@ -46,7 +46,7 @@ PreparedExport prepareExport(const ExportSource& source, const ExportRequest& re
 {
     const ExportFormat& format = formatOf(request);
     PreparedExport prepared{.request = request,
-                            .content = exportContent(source, request.options),
+                            .content = format.content(source, request.options),
                             .table = {},
                             .painting = {}};
     if (format.holds.painted)

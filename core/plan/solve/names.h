@@ -10,7 +10,7 @@
 
 namespace berg {
 
-/** One value of a setting and its name in files and on the command line. */
+/** A value and its name, in files and on the command line, or its text. */
 template <class Enum>
 struct Named
 {
@@ -55,7 +55,7 @@ inline constexpr std::array<Named<AnswerSource>, 10> kSourceNames{{
     {AnswerSource::Coverage, "coverage"},
 }};
 
-/** Name of a value; every value of these enumerations is in its table. */
+/** Name of a value; empty when it is not in the table. */
 template <class Table, class Enum>
 [[nodiscard]] std::string nameOf(const Table& table, Enum value)
 {
