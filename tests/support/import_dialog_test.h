@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableView>
+#include <QTimeZone>
 #include <QtTest>
 
 namespace berg::test {
@@ -72,7 +73,7 @@ public:
     {
         check(name + QStringLiteral("Box"));
         at<QDateTimeEdit>(name).setDateTime(
-            QDateTime::fromMSecsSinceEpoch(utc(text).time_since_epoch().count(), Qt::UTC));
+            QDateTime::fromMSecsSinceEpoch(utc(text).time_since_epoch().count(), QTimeZone::utc()));
     }
 
 private:

@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
+#include <QTimeZone>
 
 #include <cmath>
 
@@ -226,7 +227,7 @@ QString importErrorReport(const Error& error)
 
 QString utcTimeText(UtcTime time)
 {
-    return QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count(), Qt::UTC)
+    return QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count(), QTimeZone::utc())
         .toString(u"yyyy-MM-dd HH:mm"_s);
 }
 

@@ -14,6 +14,16 @@ namespace {
 constexpr std::size_t kDeepest = 64;
 constexpr char kNamespaceEnd = '|';
 
+/** Line of the parser's position, from 1. Expat 2.8 deprecates the one function for the other. */
+template <class Parser>
+std::size_t lineOf(Parser parser)
+{
+    if constexpr (requires { XML_GetCurrentLineNumber64(parser); })
+        return XML_GetCurrentLineNumber64(parser);
+    else
+        return XML_GetCurrentLineNumber(parser);
+}
+
 /** State of one reading; the library calls back with a pointer to it. */
 class Reading
 {
@@ -50,9 +60,8 @@ private:
     [[noreturn]] void fail(const std::string& reason) const
     {
         throw Error(ErrorCode::SyntaxError, m_budget.subject(),
-                    {IssueId::XmlSyntax, {countOf(line()), reason}});
+                    {IssueId::XmlSyntax, {countOf(lineOf(m_parser.get())), reason}});
     }
-    [[nodiscard]] std::size_t line() const { return XML_GetCurrentLineNumber(m_parser.get()); }
 
     /** Runs `act`; what it throws ends the reading and waits for `run`: no exception may cross C.
      */
@@ -81,7 +90,7 @@ private:
         guarded(data, [&](Reading& reading) {
             if (reading.m_path.size() >= kDeepest)
                 reading.fail("nested deeper than " + std::to_string(kDeepest) + " levels");
-            XmlElement element{.name = localName(name), .line = reading.line()};
+            XmlElement element{.name = localName(name), .line = lineOf(reading.m_parser.get())};
             std::size_t count = 0;
             while (attributes[2 * count] != nullptr)
                 ++count;

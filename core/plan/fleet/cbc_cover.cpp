@@ -2,6 +2,7 @@
 
 #include "core/plan/solve/cbc_helper.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -39,7 +40,8 @@ std::optional<FleetPlan> planOf(const FleetOrders& orders, double slack,
         ++flown[uav];
         excess += order.excess;
     }
-    const bool whole = flown == std::vector<int>(flown.size(), 1) && visits == orders.icebergs();
+    const bool whole = std::ranges::all_of(flown, [](int times) { return times == 1; }) &&
+                       visits == orders.icebergs();
     return whole && excess < slack ? std::optional(std::move(plan)) : std::nullopt;
 }
 

@@ -50,12 +50,13 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept
     return std::malloc(size == 0 ? 1 : size); // of temporary buffers, which do without
 }
 
-void operator delete(void* piece) noexcept
+// Not inlined: GCC 14 would see a piece of `new` freed by `free`, and warn of it.
+[[gnu::noinline]] void operator delete(void* piece) noexcept
 {
     std::free(piece);
 }
 
-void operator delete(void* piece, std::size_t) noexcept
+[[gnu::noinline]] void operator delete(void* piece, std::size_t) noexcept
 {
     std::free(piece);
 }

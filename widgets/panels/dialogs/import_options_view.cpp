@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QTimeZone>
 
 #include <algorithm>
 #include <cmath>
@@ -140,7 +141,8 @@ ImportOptionsView::TimeRow ImportOptionsView::addTime(const QString& name, const
     row.edit->setObjectName(name);
     row.edit->setToolTip(toolTip);
     row.edit->setAccessibleName(QString(text).remove(u'&'));
-    row.edit->setTimeSpec(Qt::UTC);
+    // Qt 6.8 deprecates the setter, and Qt 6.4 does not have setTimeZone() in its place.
+    row.edit->setProperty("timeSpec", QVariant::fromValue(Qt::UTC));
     row.edit->setDisplayFormat(u"yyyy-MM-dd HH:mm:ss 'UTC'"_s);
     guardWheel(*row.edit);
     connect(row.box, &QCheckBox::toggled, this, [this] {
@@ -247,7 +249,7 @@ void ImportOptionsView::showFile(const SightingSummary& file)
         const QSignalBlocker nobodyEdited(row.edit);
         if (!row.box->isChecked())
             row.edit->setDateTime(
-                QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count(), Qt::UTC));
+                QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count(), QTimeZone::utc()));
     };
     show(m_at, *file.last);
     show(m_since, *file.first);

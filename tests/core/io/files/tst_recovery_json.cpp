@@ -35,9 +35,9 @@ private slots:
 
     void damagedOnesAreRefused()
     {
-        QVERIFY_THROWS_EXCEPTION(Error, recoveryFromJson("{\"pid\": 7", "note"));
-        QVERIFY_THROWS_EXCEPTION(Error, recoveryFromJson("[]", "note"));
-        QVERIFY_THROWS_EXCEPTION(Error, recoveryFromJson("{\"pid\": \"7\"}", "note"));
+        QVERIFY_THROWS_EXCEPTION(Error, (void)recoveryFromJson("{\"pid\": 7", "note"));
+        QVERIFY_THROWS_EXCEPTION(Error, (void)recoveryFromJson("[]", "note"));
+        QVERIFY_THROWS_EXCEPTION(Error, (void)recoveryFromJson("{\"pid\": \"7\"}", "note"));
     }
 };
 

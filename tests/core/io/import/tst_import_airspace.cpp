@@ -24,12 +24,12 @@ AirspaceResult read(const std::string& text, const Scenario& base = emptySea())
     return importAirspace(base, text, "file");
 }
 
-const AirspaceArea& named(const Scenario& scenario, const std::string& name)
+const AirspaceArea& named(const Scenario& scenario, std::string_view name)
 {
     for (const AirspaceArea& area : scenario.airspace)
         if (area.name == name)
             return area;
-    throw std::logic_error("no airspace " + name);
+    throw std::logic_error("no airspace " + std::string(name));
 }
 
 } // namespace
