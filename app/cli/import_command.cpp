@@ -400,7 +400,8 @@ void addImportCommand(CLI::App& app, Action& action)
         ->add_option("--drift-time", a.velocityTime_s,
                      "Time in which velocities change, s; 0: never (36000)")
         ->check(numberFrom(0, kLargestTime_s));
-    command->add_option("--q", a.q_m2ps, "q where it cannot be estimated, m^2/s (0.025)")
+    command
+        ->add_option("--variance-growth", a.q_m2ps, "q where it cannot be estimated, m^2/s (0.025)")
         ->check(numberFrom(0, kLargestGrowth_m2ps));
     command->add_flag("--with-tracks", a.withTracks, "Sightings after --at become the true motion");
     command->add_flag("--json", a.json, "Print one JSON document");

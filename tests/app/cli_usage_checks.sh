@@ -103,6 +103,10 @@ cp stdout.txt completion.bash
 completes() {
     bash -c '. ./completion.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _bergwatch_cli; echo "${COMPREPLY[@]}"' - "$@" 2>/dev/null
 }
+# Some versions of CLI11 take such names for one, and refuse to start.
+check "options: no two differ in their dashes alone" test -z "$(sed -n 's/.*words="\(.*\)" ;;/\1/p' completion.bash |
+    while read -ra names; do printf '%s\n' "${names[@]#-}" | sed 's/^-//' | sort | uniq -d; done)"
+check "options: they were looked at" grep -q 'words=".*--variance-growth' completion.bash
 check "completion: of a command" test "$(completes bergwatch-cli sim)" = simulate
 check "completion: of an option" test "$(completes bergwatch-cli plan --certi)" = --certificate
 check "completion: of a file" test "$(completes bergwatch-cli plan four)" = four.berg
