@@ -10,6 +10,7 @@
 #include <QPdfWriter>
 #include <QRegularExpression>
 #include <QSvgGenerator>
+#include <QUuid>
 
 #include <algorithm>
 
@@ -41,9 +42,20 @@ void paintSvg(const PicturePage& page, QBuffer& buffer)
     svg.setResolution(kLayout_dpi);
     svg.setSize(page.size_px);
     svg.setViewBox(QRect(QPoint(0, 0), page.size_px));
-    svg.setTitle(page.title.toHtmlEscaped()); // Qt 6.4 writes both as they are
-    svg.setDescription(page.description.toHtmlEscaped());
+    svg.setTitle(u"T"_s); // setTitle() below knows the page's
+    svg.setDescription(u"D"_s);
     paintPage(page, svg);
+}
+
+/** Puts title and description in their places: Qt 6.4 writes them as they are, Qt 6.8 escapes them.
+ */
+void setTitle(const PicturePage& page, QByteArray& svg)
+{
+    const auto replace = [&svg](const QByteArray& held, const QString& text) {
+        svg.replace(svg.indexOf(held), held.size(), text.toUtf8());
+    };
+    replace("<title>T</title>", u"<title>%1</title>"_s.arg(page.title.toHtmlEscaped()));
+    replace("<desc>D</desc>", u"<desc>%1</desc>"_s.arg(page.description.toHtmlEscaped()));
 }
 
 /** Names may hold what XML 1.0 cannot; Qt writes it as it is. */
@@ -89,18 +101,34 @@ void moveObjects(QByteArray& pdf, qsizetype from, qsizetype by)
     pdf.replace(start, end - start, QByteArray::number(table));
 }
 
-/** Qt writes when a PDF was made, with the time zone: the day before all days in its place. */
-void removeDate(QByteArray& pdf)
+/** Replaces the times at which Qt made a PDF by the day before all days. */
+void removeDates(QByteArray& pdf)
 {
-    const QByteArray key = "/CreationDate (D:";
-    const qsizetype found = pdf.indexOf(key);
-    if (found < 0)
-        return;
     const QByteArray day = "20000101000000Z";
-    const qsizetype at = found + key.size();
-    const qsizetype length = pdf.indexOf(')', at) - at;
-    pdf.replace(at, length, day);
-    moveObjects(pdf, at, day.size() - length);
+    for (const QByteArray key : {"/CreationDate (D:", "/ModDate (D:"}) { // length by time zone
+        const qsizetype found = pdf.indexOf(key);
+        if (found < 0)
+            continue;
+        const qsizetype at = found + key.size();
+        const qsizetype length = pdf.indexOf(')', at) - at;
+        pdf.replace(at, length, day);
+        moveObjects(pdf, at, day.size() - length);
+    }
+    const QByteArray instant = "2000-01-01T00:00:00+00:00"; // as long as all of the metadata's
+    for (const QByteArray key :
+         {"xmp:CreateDate=\"", "xmp:ModifyDate=\"", "xmp:MetadataDate=\""}) { // from Qt 6.8 on
+        const qsizetype found = pdf.indexOf(key);
+        if (found >= 0)
+            pdf.replace(found + key.size(), instant.size(), instant);
+    }
+}
+
+/** Gives the same document the same identity. Qt 6.4 writes none, Qt 6.8 a random one. */
+template <class Writer>
+void setIdentity(Writer& pdf, const QString& title)
+{
+    if constexpr (requires { pdf.setDocumentId(QUuid()); })
+        pdf.setDocumentId(QUuid::createUuidV5(QUuid(), title));
 }
 
 } // namespace
@@ -118,6 +146,7 @@ std::string pdfFile(const PdfPages& pages)
         pdf.setPageMargins({});
         pdf.setTitle(pages.title);
         pdf.setCreator(u"Bergwatch"_s);
+        setIdentity(pdf, pages.title);
         QPainter painter(&pdf);
         for (int page = 0; page < pages.count; ++page) {
             if (page > 0)
@@ -126,7 +155,7 @@ std::string pdfFile(const PdfPages& pages)
         }
     }
     buffer.close();
-    removeDate(bytes);
+    removeDates(bytes);
     return bytes.toStdString();
 }
 
@@ -157,6 +186,7 @@ std::string pictureFile(const PicturePage& page, const QString& ending)
     if (ending == u"svg"_s) {
         paintSvg(page, buffer);
         buffer.close();
+        setTitle(page, bytes);
         removeUnwritable(bytes);
         compact(bytes);
     } else {
