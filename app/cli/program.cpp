@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -16,6 +17,7 @@
 #include <sstream>
 #include <sys/resource.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -93,8 +95,12 @@ struct Line
  * such. */
 int failed(const Line& line, int exitCode, const std::string& text, const std::string& json)
 {
-    if (line.program.isSilent)
+    if (line.program.isSilent) {
+        // Open MPI 5 ends all processes with the first that fails: the one that reports comes
+        // first.
+        std::this_thread::sleep_for(std::chrono::seconds(1));
         return exitCode;
+    }
     tell(text);
     if (std::ranges::find(line.words, "--json") != line.words.end())
         std::fputs(json.c_str(), stdout); // that nobody reads it changes nothing

@@ -71,10 +71,16 @@ def plain(text):
     return text.replace("&", "").replace("\u2026", "...").strip()
 
 
+def role_of(node):
+    """AT-SPI 2.56 calls a push button a button."""
+    name = node.getRoleName()
+    return "push button" if name == "button" else name
+
+
 def find(root, role, name, holds=is_seen):
     for node in descendants(root):
         try:
-            if node.getRoleName() == role and name in plain(node.name) and holds(node):
+            if role_of(node) == role and name in plain(node.name) and holds(node):
                 return node
         except (GLib.Error, RuntimeError):
             continue

@@ -12,7 +12,7 @@ cd "$work" || exit 1
 # As root in a container, with no more cores than there are, without looking for networks.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_btl=self,vader OMPI_MCA_pml=ob1 OMPI_MCA_plm=isolated OMPI_MCA_btl_vader_single_copy_mechanism=none
-export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
+export OMPI_MCA_hwloc_base_binding_policy=none
 failures=0
 
 # check NAME CONDITION...: names a failed check.
@@ -38,7 +38,7 @@ exits() {
 ranks() {
     local count=$1
     shift
-    "$mpirun" -n "$count" "$cli" "$@"
+    "$mpirun" --map-by :OVERSUBSCRIBE -n "$count" "$cli" "$@"
 }
 
 once() { [ "$(grep -cF -- "$1" stderr.txt)" -eq 1 ]; }
@@ -69,13 +69,13 @@ check "no scenario" exits 3 ranks 2 sweep missing.berg --tau 1
 check "no scenario: once" once "missing.berg"
 check "a scenario that cannot be flown" exits 3 ranks 2 sweep --random 1000000 --tau 0,1
 check "a scenario that cannot be flown: once" once "at most 1000000"
-check "different options" exits 2 "$mpirun" -n 1 "$cli" "${sweep[@]}" : -n 1 "$cli" sweep --random 3 --tau 1
+check "different options" exits 2 "$mpirun" --map-by :OVERSUBSCRIBE -n 1 "$cli" "${sweep[@]}" : -n 1 "$cli" sweep --random 3 --tau 1
 check "different options: once" once "different options"
 check "a file that cannot be written" exits 1 ranks 2 "${sweep[@]}" --output one.csv/x.csv
 
 # Ended from outside, as a queue does: what is done is kept.
 interrupted() {
-    "$mpirun" -n 2 "$cli" sweep --random 2000 --tau 0:3:0.1 --study long.bergstudy >stdout.txt 2>stderr.txt &
+    "$mpirun" --map-by :OVERSUBSCRIBE -n 2 "$cli" sweep --random 2000 --tau 0:3:0.1 --study long.bergstudy >stdout.txt 2>stderr.txt &
     local job=$!
     for _ in $(seq 100); do
         [ -e long.bergstudy ] && break
