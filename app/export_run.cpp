@@ -1,6 +1,7 @@
 #include "app/export_run.h"
 
 #include "app/cli/program.h"
+#include "core/base/version.h"
 #include "widgets/print/export_painter.h"
 #include "widgets/theme/language.h"
 
@@ -35,7 +36,7 @@ int runExport(int argc, char** argv)
     };
     return cli::runProgram({.name = "bergwatch",
                             .about = "Bergwatch: exports from the command line",
-                            .version = BERGWATCH_VERSION,
+                            .version = programVersion(),
                             .addCommands = addCommands},
                            argc, argv, stop);
 }

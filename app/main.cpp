@@ -5,6 +5,7 @@
 #include "app/window/run_settings.h"
 #include "app/window/window_run.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "widgets/manual/manual_pages.h"
 #include "widgets/theme/language.h"
 #include "widgets/words/error_text.h"
@@ -268,7 +269,7 @@ int main(int argc, char* argv[])
     // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread yet
     std::setlocale(LC_NUMERIC, "C"); // which the constructor set to the user's; files are in C
     QApplication::setApplicationName(u"bergwatch"_s);
-    QApplication::setApplicationVersion(QStringLiteral(BERGWATCH_VERSION));
+    QApplication::setApplicationVersion(QString::fromStdString(berg::programVersion()));
     QApplication::setDesktopFileName(u"org.bergwatch.bergwatch"_s);
     QApplication::setWindowIcon(QIcon(u":/icon/bergwatch.svg"_s));
     berg::installLanguage({});

@@ -1,10 +1,10 @@
 # berg_options: the flags of every target of ours; third-party headers are SYSTEM and stay quiet.
 add_library(berg_options INTERFACE)
 target_include_directories(berg_options INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_definitions(berg_options INTERFACE BERGWATCH_VERSION="${PROJECT_VERSION}")
 target_compile_options(
   berg_options
-  INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+  INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wsign-conversion
+            $<$<NOT:$<BOOL:$<TARGET_PROPERTY:BERG_MAY_NARROW>>>:-Wconversion> -Wold-style-cast
             -Wnon-virtual-dtor -Woverloaded-virtual -Wdouble-promotion
             # Designated initialisers leave members at their defaults on purpose.
             -Wno-missing-field-initializers

@@ -1,5 +1,6 @@
 #include "app/cli/program.h"
 #include "app/cli/sweep_flight.h"
+#include "core/base/version.h"
 
 using namespace berg::cli;
 
@@ -21,7 +22,7 @@ int main(int argc, char** argv)
     return runProgram(
         {.name = "bergwatch-cli",
          .about = "Bergwatch: plan, fly and measure UAV missions that monitor drifting icebergs",
-         .version = BERGWATCH_VERSION,
+         .version = berg::programVersion(),
          .addCommands = addCommands,
          .isSilent = mpiRank().value_or(0) > 0}, // the first process says what is wrong
         argc, argv, stop);

@@ -1,6 +1,7 @@
 #include "app/cli/study_output.h"
 
 #include "app/cli/console.h"
+#include "core/base/version.h"
 #include "core/io/results/result_json.h"
 #include "core/io/study/study_report.h"
 #include "core/io/text/machine_text.h"
@@ -97,7 +98,7 @@ std::string tableText(const StudySummary& summary)
 ReportOrigin originNow(const std::optional<double>& elapsed_s)
 {
     const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-    return {.program = std::string("Bergwatch ") + BERGWATCH_VERSION,
+    return {.program = programName(),
             .machine = machineText(),
             .madeUtc = utcText(now, 0),
             .elapsed_s = elapsed_s,

@@ -32,6 +32,15 @@ sed 's/"uav-2"/"uav-ø"/g' "$source_dir/resources/scenarios/svalbard-two-uavs.be
 check "plan: an id that is not ASCII" exits 0 "$cli" plan wide.berg
 check "plan: its order is in line" grep -q '^uav-ø      [^ ]' stdout.txt
 
+# --- version ---------------------------------------------------------------------------------
+version=$(sed -n 's/^project(Bergwatch VERSION \([0-9.]*\) .*/\1/p' "$source_dir/CMakeLists.txt")
+check "version: of the program" test "$("$cli" --version)" = "$version"
+check "version: in a run" grep -q "\"program\": \"Bergwatch $version\"" run/run.bergrun
+check "version: log" exits 0 "$cli" export run/run.bergrun --format log-html --output log.html
+check "version: in the log" grep -q "Bergwatch $version" log.html
+check "version: report" exits 0 "$cli" sweep four.berg --tau 1 --report report.html
+check "version: in the report" grep -q "Bergwatch $version" report.html
+
 # --- interventions of a run ------------------------------------------------------------------
 python3 - <<'PY'
 import json

@@ -1,5 +1,6 @@
 #include "widgets/model/study_files.h"
 
+#include "core/base/version.h"
 #include "core/io/results/result_json.h"
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report.h"
@@ -8,22 +9,12 @@
 #include "widgets/model/work_failure.h"
 #include "widgets/words/report_language.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QFile>
 
 using namespace Qt::StringLiterals;
 
 namespace berg {
-namespace {
-
-std::string versionText()
-{
-    return u"Bergwatch %1"_s.arg(QCoreApplication::applicationVersion()).trimmed().toStdString();
-}
-
-} // namespace
-
 StudyFiles::StudyFiles(QObject* parent) : QObject(parent), m_thread(u"study files"_s) {}
 
 StudyFiles::~StudyFiles()
@@ -74,7 +65,7 @@ void StudyFiles::writeReport(const StudyPointer& result, std::optional<double> e
     const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     write(path, [result, elapsed_s, now] {
         return studyReportHtml(result->study, result->summary,
-                               {.program = versionText(),
+                               {.program = programName(),
                                 .machine = machineText(),
                                 .madeUtc = now,
                                 .elapsed_s = elapsed_s,

@@ -1,5 +1,6 @@
 #include "widgets/print/log_page.h"
 
+#include "core/base/version.h"
 #include "core/io/export/flight_log.h"
 #include "core/io/text/utc_time.h"
 #include "widgets/charts/figure_painter.h"

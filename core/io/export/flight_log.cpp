@@ -191,9 +191,4 @@ FlightLog flightLog(const ExportContent& content)
     return log;
 }
 
-std::string programName()
-{
-    return "Bergwatch " BERGWATCH_VERSION;
-}
-
 } // namespace berg

@@ -51,9 +51,6 @@ struct FlightLog
  */
 [[nodiscard]] FlightLog flightLog(const ExportContent& content);
 
-/** The program that makes logs: "Bergwatch 1.2.0". */
-[[nodiscard]] std::string programName();
-
 /** The log as a page of its own for browsers: HTML that is well-formed XML, in the words of the
  * content. */
 [[nodiscard]] std::string flightLogHtml(const ExportContent& content);

@@ -1,4 +1,5 @@
 #include "core/base/number_text.h"
+#include "core/base/version.h"
 #include "core/io/export/flight_log.h"
 #include "core/io/figure/figure_svg.h"
 #include "core/io/figure/report_style.h"

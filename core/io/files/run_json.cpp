@@ -1,5 +1,6 @@
 #include "core/io/files/run_json.h"
 
+#include "core/base/version.h"
 #include "core/io/files/run_keyframe.h"
 #include "core/io/files/scenario_parts.h"
 #include "core/io/text/atomic_file.h"
@@ -401,6 +402,7 @@ void writeRun(const RunFile& run, const TextSink& put)
     JsonObject head;
     head.add("format", kFormat);
     head.add("version", 1);
+    head.add("program", programName());
     head.addText("scenario", scenarioText(run.scenario, 1));
     head.addText("options", optionsText(run.options));
     head.add("flown_until_s", run.flownUntil_s);
