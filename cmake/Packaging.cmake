@@ -1,6 +1,4 @@
-# The Debian package and archive that CPack makes of what app/ and resources/ install. Included last.
-set(BERGWATCH_PACKAGE_CONTACT "The Bergwatch developers"
-    CACHE STRING "Maintainer named in packages: NAME <ADDRESS>")
+# The Debian package that CPack makes of what app/ and resources/ install. Included last.
 
 # What is packed, and no tests: ./setup package builds this target.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
@@ -15,7 +13,7 @@ endif()
 
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/bergwatch)
 
-set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME bergwatch)
 set(CPACK_PACKAGE_VENDOR "The Bergwatch developers")
 set(CPACK_PACKAGE_CONTACT "${BERGWATCH_PACKAGE_CONTACT}")
