@@ -15,10 +15,9 @@ inline void failOnWarnings()
     QTest::failOnWarning(QRegularExpression(QStringLiteral("^(?!This plugin does not support )")));
 }
 
-/** The child of that object name and type; a missing one ends the program with its name. The name
-   is a value, as GCC 14 takes the child for a part of a name given by reference. */
+/** The child of that object name and type; a missing one ends the program with its name. */
 template <class Widget>
-Widget& child(const QWidget& parent, QString name)
+Widget& child(const QWidget& parent, const QString& name)
 {
     auto* found = parent.findChild<Widget*>(name);
     if (found == nullptr)
