@@ -5,7 +5,8 @@ target_compile_options(
   berg_options
   INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wsign-conversion
             $<$<NOT:$<BOOL:$<TARGET_PROPERTY:BERG_MAY_NARROW>>>:-Wconversion> -Wold-style-cast
-            -Wnon-virtual-dtor -Woverloaded-virtual -Wdouble-promotion
+            -Wnon-virtual-dtor -Woverloaded-virtual
+            $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> # Clang warns of long double as well
             # Designated initialisers leave members at their defaults on purpose.
             -Wno-missing-field-initializers
             # GCC 12 sees overlaps and overflows in std::string that are not there (its bugs 105329,
@@ -14,7 +15,7 @@ target_compile_options(
             # One result on every machine: no fused multiply-add, no value-changing optimisation.
             -ffp-contract=off)
 if(BERGWATCH_UNITY) # these take the other sources of a unit for part of this one; the preset dev keeps them
-  target_compile_options(berg_options INTERFACE -Wno-shadow -Wno-subobject-linkage)
+  target_compile_options(berg_options INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
 if(BERGWATCH_WERROR)
   target_compile_options(berg_options INTERFACE -Werror)

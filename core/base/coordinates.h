@@ -2,6 +2,7 @@
 
 #include "core/base/geodesy.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -9,7 +10,7 @@
 namespace berg {
 
 /** How coordinates are written. */
-enum class CoordinateForm
+enum class CoordinateForm : std::uint8_t
 {
     DegreesMinutes, ///< 47° 03.2′ N, as at sea
     DecimalDegrees, ///< 47.0533° N

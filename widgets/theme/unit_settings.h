@@ -32,7 +32,7 @@ enum class VectorForm : std::uint8_t
  * the command line and everything inside are SI. Sizes of things, their uncertainty and the
  * cross-track error are metres in any case.
  */
-struct Units
+struct alignas(4) Units // one word: Clang stores others by a function of a library
 {
     DistanceUnit distance = DistanceUnit::Metric;
     SpeedUnit speed = SpeedUnit::MetresPerSecond;

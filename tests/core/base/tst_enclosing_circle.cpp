@@ -98,7 +98,7 @@ private slots:
             points.emplace_back(random.uniform(0, 1000), random.uniform(0, 1000));
         const Circle first = enclosingCircle(points);
         for (int turn = 0; turn < 8; ++turn) {
-            std::ranges::rotate(points, points.begin() + 3);
+            std::rotate(points.begin(), points.begin() + 3, points.end());
             std::swap(points[1], points[5]);
             const Circle again = enclosingCircle(points);
             COMPARE_NEAR((again.centre_m - first.centre_m).norm(), 0, 1e-9);

@@ -66,9 +66,9 @@ private slots:
     void caughtAsRuntimeErrorAndNotAsBug()
     {
         const auto fail = [] { throw Error(ErrorCode::SyntaxError, "c", "bad"); };
-        QVERIFY_EXCEPTION_THROWN(fail(), std::runtime_error);
+        QVERIFY_THROWS_EXCEPTION(std::runtime_error, fail());
         const auto bug = [] { require(false, "a bug"); };
-        QVERIFY_EXCEPTION_THROWN(bug(), std::logic_error);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, bug());
     }
 
     void requirePassesAndSaysWhat()

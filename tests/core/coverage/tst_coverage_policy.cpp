@@ -245,7 +245,7 @@ private slots:
     {
         PlanRequest request = requestOf(randomScenario(9));
         request.uavs[0].picture = nullptr;
-        QVERIFY_EXCEPTION_THROWN((void)coverage()->plan(request, {}), std::logic_error);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)coverage()->plan(request, {}));
     }
 };
 

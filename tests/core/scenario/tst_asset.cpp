@@ -204,7 +204,7 @@ private slots:
         mission.advance(10);
         Asset asset = platform(0, 0);
         asset.alarm_m = -1;
-        QVERIFY_EXCEPTION_THROWN(mission.intervene({.asset = asset}), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, mission.intervene({.asset = asset}));
         QVERIFY(mission.interventions().empty());
         QVERIFY(!mission.simulation().world().asset());
     }

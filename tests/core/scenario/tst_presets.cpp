@@ -133,8 +133,8 @@ private slots:
             QCOMPARE(iceberg.q_m2ps, 0.5);
         }
         QVERIFY(randomScenario(1, {.icebergs = 0}).icebergs.empty());
-        QVERIFY_EXCEPTION_THROWN((void)randomScenario(1, {.icebergs = -1}), std::logic_error);
-        QVERIFY_EXCEPTION_THROWN((void)randomScenario(-1), std::logic_error);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)randomScenario(1, {.icebergs = -1}));
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)randomScenario(-1));
     }
 
     void numbersAreShort()

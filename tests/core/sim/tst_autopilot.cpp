@@ -233,10 +233,10 @@ private slots:
         scenario.uavs[0].spec.autopilot_s = 0.2;
         QVERIFY(scenarioFromJson(scenarioToJson(scenario), "s") == scenario);
         scenario.planningTime_s = -1;
-        QVERIFY_EXCEPTION_THROWN(Mission{scenario}, Error);
+        QVERIFY_THROWS_EXCEPTION(Error, Mission{scenario});
         scenario.planningTime_s = 0;
         scenario.uavs[0].spec.autopilot_s = 61;
-        QVERIFY_EXCEPTION_THROWN(Mission{scenario}, Error);
+        QVERIFY_THROWS_EXCEPTION(Error, Mission{scenario});
     }
 };
 

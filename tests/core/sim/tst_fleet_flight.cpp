@@ -214,11 +214,11 @@ private slots:
         Mission mission(fleetScenario(4, 2));
         mission.advance(10);
         const RunFile before = runOf(mission);
-        QVERIFY_EXCEPTION_THROWN(
-            mission.intervene({.assigned = Assignment{.iceberg = "berg-1", .uav = "uav-9"}}),
-            Error);
-        QVERIFY_EXCEPTION_THROWN(
-            mission.intervene({.assigned = Assignment{.iceberg = "no", .uav = "uav-1"}}), Error);
+        QVERIFY_THROWS_EXCEPTION(
+            Error,
+            mission.intervene({.assigned = Assignment{.iceberg = "berg-1", .uav = "uav-9"}}));
+        QVERIFY_THROWS_EXCEPTION(
+            Error, mission.intervene({.assigned = Assignment{.iceberg = "no", .uav = "uav-1"}}));
         QVERIFY(runOf(mission) == before);
     }
 

@@ -177,8 +177,8 @@ private slots:
     {
         Mission mission(withUavs(1));
         mission.advance(10);
-        QVERIFY_EXCEPTION_THROWN(mission.intervene(command("u9", FlightOrder::HoldHere)), Error);
-        QVERIFY_EXCEPTION_THROWN(mission.intervene(command("", FlightOrder::HoldHere)), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, mission.intervene(command("u9", FlightOrder::HoldHere)));
+        QVERIFY_THROWS_EXCEPTION(Error, mission.intervene(command("", FlightOrder::HoldHere)));
         QVERIFY(mission.interventions().empty());
     }
 };

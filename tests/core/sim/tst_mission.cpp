@@ -307,7 +307,7 @@ private slots:
         mission.advance(50);
         for (const std::string& id :
              {std::string("nobody"), std::string(), scenario.icebergs[2].id})
-            QVERIFY_EXCEPTION_THROWN(mission.intervene({.seen = id}), Error);
+            QVERIFY_THROWS_EXCEPTION(Error, mission.intervene({.seen = id}));
         QVERIFY(mission.interventions().empty());
     }
 
@@ -356,7 +356,7 @@ private slots:
 
         QVERIFY(instantAt(mission, 99).simulation.active(target));
         QVERIFY(!instantAt(mission, 500).simulation.active(target));
-        QVERIFY_EXCEPTION_THROWN(mission.intervene({.removed = "nobody"}), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, mission.intervene({.removed = "nobody"}));
     }
 
     /** Nor is it looked for: it was lost, or is missed where it is believed to be. */
@@ -397,9 +397,9 @@ private slots:
         later.icebergs[0].appears_s = 500;
         Mission early(later);
         early.advance(100);
-        QVERIFY_EXCEPTION_THROWN(early.intervene({.removed = later.icebergs[0].id}), Error);
-        QVERIFY_EXCEPTION_THROWN(mission.intervene({.appears = twin}), Error);
-        QVERIFY_EXCEPTION_THROWN(mission.intervene({.tau = -1.0}), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, early.intervene({.removed = later.icebergs[0].id}));
+        QVERIFY_THROWS_EXCEPTION(Error, mission.intervene({.appears = twin}));
+        QVERIFY_THROWS_EXCEPTION(Error, mission.intervene({.tau = -1.0}));
         QVERIFY(mission.simulation().state() == before);
         QVERIFY(mission.interventions().empty());
     }

@@ -200,8 +200,8 @@ private slots:
     {
         const Sea world = randomWorld(1, 2);
         const std::vector<int> order{2};
-        QVERIFY_EXCEPTION_THROWN(static_cast<void>(forecastPlan(world.start(), {order}, 10)),
-                                 std::logic_error);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error,
+                                 static_cast<void>(forecastPlan(world.start(), {order}, 10)));
     }
 
     /** Straight legs, no noise, a small field of view: the flight does what is forecast. */

@@ -122,7 +122,7 @@ private slots:
     {
         Scenario scenario = randomScenario(15);
         scenario.icebergs[0].q_m2ps = -1;
-        QVERIFY_EXCEPTION_THROWN((void)forecastOf(scenario, PolicyKind::Nearest), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, (void)forecastOf(scenario, PolicyKind::Nearest));
     }
 };
 

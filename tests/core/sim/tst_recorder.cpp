@@ -361,7 +361,7 @@ private slots:
         Recorder recorder(1, 60, scenario.dt_s);
         recordAll(simulation, recorder);
         QCOMPARE(recorder.icebergs(2).size(), std::size_t{2});
-        QVERIFY_EXCEPTION_THROWN((void)recorder.icebergs(3), std::out_of_range);
+        QVERIFY_THROWS_EXCEPTION(std::out_of_range, (void)recorder.icebergs(3));
     }
 
     void noIcebergsAtAll()

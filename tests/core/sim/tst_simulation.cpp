@@ -51,7 +51,7 @@ private slots:
     void steppingWithoutPlanIsABug()
     {
         Simulation simulation(emptySea());
-        QVERIFY_EXCEPTION_THROWN(simulation.advanceStep(), std::logic_error);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, simulation.advanceStep());
     }
 
     /** The turn is flown to the side it was planned for, to its end, then the line. */
@@ -453,7 +453,7 @@ private slots:
             fed = Simulation(scenario);
             fed.setTarget(0, 0);
             const std::array<DubinsState, 2> tooMany;
-            QVERIFY_EXCEPTION_THROWN(fed.advanceStep(tooMany), std::logic_error);
+            QVERIFY_THROWS_EXCEPTION(std::logic_error, fed.advanceStep(tooMany));
         }
     }
 
@@ -473,9 +473,9 @@ private slots:
     void noiseOfAnotherScenarioIsABug()
     {
         const std::vector<DriftNoise> noise = drawNoise(randomScenario(5));
-        QVERIFY_EXCEPTION_THROWN(Simulation(randomScenario(6), noise), std::logic_error);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, Simulation(randomScenario(6), noise));
         const std::span<const DriftNoise> some = std::span(noise).first(3);
-        QVERIFY_EXCEPTION_THROWN(Simulation(randomScenario(5), some), std::logic_error);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, Simulation(randomScenario(5), some));
     }
 };
 

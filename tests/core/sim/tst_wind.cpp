@@ -203,8 +203,8 @@ private slots:
     {
         Mission mission(randomScenario(6));
         mission.advance(50);
-        QVERIFY_EXCEPTION_THROWN(mission.intervene({.wind_mps = Point(22, 0)}), Error);
-        QVERIFY_EXCEPTION_THROWN(mission.intervene({.wind_mps = Point(std::nan(""), 0)}), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, mission.intervene({.wind_mps = Point(22, 0)}));
+        QVERIFY_THROWS_EXCEPTION(Error, mission.intervene({.wind_mps = Point(std::nan(""), 0)}));
         QVERIFY(mission.interventions().empty());
         QVERIFY(mission.simulation().motion(0).wind_mps == Point(0, 0));
     }

@@ -160,7 +160,7 @@ private slots:
                 throw JobFailure(i);
             std::this_thread::yield(); // 100,000 chances for the failure to be noted
         };
-        QVERIFY_EXCEPTION_THROWN((void)forEachIndex(kCount, job, {.threads = threads}), JobFailure);
+        QVERIFY_THROWS_EXCEPTION(JobFailure, (void)forEachIndex(kCount, job, {.threads = threads}));
         QVERIFY(begun >= 6 && begun < kCount);
     }
 
@@ -172,7 +172,7 @@ private slots:
             if (i == 5)
                 throw JobFailure(i);
         };
-        QVERIFY_EXCEPTION_THROWN(forEachIndex(100, job, {.threads = 1}), JobFailure);
+        QVERIFY_THROWS_EXCEPTION(JobFailure, forEachIndex(100, job, {.threads = 1}));
         QCOMPARE(begun, 6);
     }
 
@@ -186,9 +186,9 @@ private slots:
             if (done == 3)
                 throw JobFailure(done);
         };
-        QVERIFY_EXCEPTION_THROWN((void)forEachIndex(500, [](std::size_t) {},
-                                                    {.threads = threads, .onProgress = onProgress}),
-                                 JobFailure);
+        QVERIFY_THROWS_EXCEPTION(
+            JobFailure, (void)forEachIndex(500, [](std::size_t) {},
+                                           {.threads = threads, .onProgress = onProgress}));
     }
 
     void stopBeforeTheStart_data() { addThreads(); }

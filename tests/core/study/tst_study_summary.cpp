@@ -151,7 +151,7 @@ private slots:
         COMPARE_NEAR(summary.differences[1].zeta_m2s.mean, (-20 + 50 - 100) / 3.0, 1e-13);
         COMPARE_NEAR(summary.differences[3].relative.mean, 0, 0);
         COMPARE_NEAR(summary.bestTau->relative.mean, (-0.25 + 40.0 / 150 - 0.2) / 3, 1e-15);
-        QVERIFY_EXCEPTION_THROWN((void)summarise(threeCases(), 4), std::logic_error);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)summarise(threeCases(), 4));
     }
 
     /** Best: 2 with 90, 0.5 with 190, and of three equal ones the smallest, 0.5 with 400. */

@@ -244,14 +244,14 @@ private slots:
 
     void countOfCornersIsLimited()
     {
-        QVERIFY_EXCEPTION_THROWN(Geofence({{0, 0}, {1, 0}}, {}), std::logic_error);
-        QVERIFY_EXCEPTION_THROWN(Geofence({}, {}), std::logic_error);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, Geofence({{0, 0}, {1, 0}}, {}));
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, Geofence({}, {}));
         std::vector<Point> many_m;
         for (std::size_t i = 0; i <= kMostFenceCorners; ++i) {
             const double angle_rad = 2 * kPi * static_cast<double>(i) / (kMostFenceCorners + 1);
             many_m.emplace_back(5000 * std::cos(angle_rad), 5000 * std::sin(angle_rad));
         }
-        QVERIFY_EXCEPTION_THROWN(Geofence(many_m, {}), std::logic_error);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, Geofence(many_m, {}));
         many_m.pop_back();
         QVERIFY(Geofence(many_m, {}).contains({0, 0}));
     }

@@ -124,8 +124,8 @@ private slots:
             findExportFormat("log")->content(source, {.what = ExportWhat::Path, .altitude_m = 333});
         QVERIFY(content.what == ExportWhat::Track);
         QVERIFY(content.uavs[0].uav.spec.altitude_m != 333);
-        QVERIFY_EXCEPTION_THROWN((void)findExportFormat("log")->content(source, {.uav = "nobody"}),
-                                 Error);
+        QVERIFY_THROWS_EXCEPTION(Error,
+                                 (void)findExportFormat("log")->content(source, {.uav = "nobody"}));
     }
 };
 

@@ -447,10 +447,10 @@ private slots:
         scenario.wind_mps = {100, 0};
         const std::string text = scenarioToJson(scenario);
         QVERIFY(scenarioFromJson(text, "file", ScenarioUse::Editing) == scenario);
-        QVERIFY_EXCEPTION_THROWN((void)scenarioFromJson(text, "file"), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, (void)scenarioFromJson(text, "file"));
         scenario.icebergs[0].q_m2ps = -1;
-        QVERIFY_EXCEPTION_THROWN(
-            (void)scenarioFromJson(scenarioToJson(scenario), "file", ScenarioUse::Editing), Error);
+        QVERIFY_THROWS_EXCEPTION(
+            Error, (void)scenarioFromJson(scenarioToJson(scenario), "file", ScenarioUse::Editing));
     }
 
     void depthOf64IsAllowed()

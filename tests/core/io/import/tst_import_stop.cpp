@@ -226,7 +226,7 @@ private slots:
             [](const std::stop_token& stop) { (void)formatOf("{}", "text", stop); },
             [](const std::stop_token& stop) { (void)icebergsFromJson("{}", "text", stop); }};
         for (const auto& read : readers)
-            QVERIFY_EXCEPTION_THROWN(read(source.get_token()), Stopped);
+            QVERIFY_THROWS_EXCEPTION(Stopped, read(source.get_token()));
     }
 
     void makingTheScenario()

@@ -186,12 +186,12 @@ private slots:
     void otherFilesAreRefused()
     {
         for (const std::string text : {"", "a,b\n1,2\n", "{\"x\": 1}", "<gpx></gpx>", "\xFF\xFE"})
-            QVERIFY_EXCEPTION_THROWN(static_cast<void>(shapesOf(text)), Error);
-        QVERIFY_EXCEPTION_THROWN(static_cast<void>(shapesOf("{\"coordinates\": [")), Error);
+            QVERIFY_THROWS_EXCEPTION(Error, static_cast<void>(shapesOf(text)));
+        QVERIFY_THROWS_EXCEPTION(Error, static_cast<void>(shapesOf("{\"coordinates\": [")));
         std::stop_source stop;
         stop.request_stop();
-        QVERIFY_EXCEPTION_THROWN(
-            static_cast<void>(readMapShapes(feature(kSquare), "chart", stop.get_token())), Stopped);
+        QVERIFY_THROWS_EXCEPTION(
+            Stopped, static_cast<void>(readMapShapes(feature(kSquare), "chart", stop.get_token())));
     }
 };
 

@@ -430,7 +430,7 @@ private slots:
             for (double& sigma_m2 : problem.sigma_m2)
                 sigma_m2 *= std::min(unit, 1.0);
             problem.mu = std::min(unit, 1 / unit);
-            QVERIFY_EXCEPTION_THROWN((void)makeSolver(Backend::Exact)->solve(problem, {}), Error);
+            QVERIFY_THROWS_EXCEPTION(Error, (void)makeSolver(Backend::Exact)->solve(problem, {}));
         }
     }
 

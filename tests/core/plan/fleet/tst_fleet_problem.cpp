@@ -92,7 +92,7 @@ private slots:
         QFETCH(bool, valid);
         QCOMPARE(berg::isFleetPlan(withOwner(), plan), valid);
         if (!valid)
-            QVERIFY_EXCEPTION_THROWN((void)fleetObjective(withOwner(), plan), std::logic_error);
+            QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)fleetObjective(withOwner(), plan));
     }
 
     void validPartOfAPlan()

@@ -234,7 +234,7 @@ private slots:
     {
         const ForbidSolving guard;
         const FleetProblem problem = test::randomFleet(47, 2, 5, 1);
-        QVERIFY_EXCEPTION_THROWN((void)solveFleet(problem, Backend::Auto, {}), std::logic_error);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)solveFleet(problem, Backend::Auto, {}));
     }
 
     void limitsAreOutcomes_data()

@@ -290,7 +290,7 @@ private slots:
     void refusedSettingsChangeNothing()
     {
         const std::unique_ptr<Planner> planner = plannerWithOrder({.tau = 1.5});
-        QVERIFY_EXCEPTION_THROWN(planner->setSettings({.policy = PolicyKind::Coverage}), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, planner->setSettings({.policy = PolicyKind::Coverage}));
         QVERIFY((planner->settings() == PlannerSettings{.tau = 1.5}));
         m_script.answer = answering(noOrder(StopReason::TimeLimit));
         QVERIFY((planner->plan(without(five(), {3}), {}).uavs[0].order == Ids{10, 42, 5, 7}));

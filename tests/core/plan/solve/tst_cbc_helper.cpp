@@ -146,8 +146,8 @@ private slots:
         QCOMPARE(outcome.status, SolveStatus::Feasible);
         QCOMPARE(outcome.reason, StopReason::Unable);
         QCOMPARE(outcome.plan, withHint(small()).hint);
-        QVERIFY_EXCEPTION_THROWN(static_cast<void>(bestCoverByCbc(FleetOrders(1, 1), 1, 10, {})),
-                                 Error);
+        QVERIFY_THROWS_EXCEPTION(Error,
+                                 static_cast<void>(bestCoverByCbc(FleetOrders(1, 1), 1, 10, {})));
     }
 
     void killedInMidSolve()
@@ -276,9 +276,8 @@ private slots:
             cbcChoiceOf(cbcFrame(CbcChoice{.complete = true, .columns = {2}}), asked);
         QVERIFY(choice.complete);
         QCOMPARE(choice.columns, std::vector{2});
-        QVERIFY_EXCEPTION_THROWN(
-            static_cast<void>(cbcChoiceOf(cbcFrame(CbcChoice{.columns = {3}}), asked)),
-            CbcWireFault);
+        QVERIFY_THROWS_EXCEPTION(CbcWireFault, static_cast<void>(cbcChoiceOf(
+                                                   cbcFrame(CbcChoice{.columns = {3}}), asked)));
         const SolveOutcome outcome{.status = SolveStatus::Feasible,
                                    .reason = StopReason::WorkLimit,
                                    .plan = {{3, 1, 2, 6, 5, 4}},
@@ -321,7 +320,7 @@ private slots:
         const CbcFrame whole = cbcFrame(CbcProblem{.problem = small(), .options = {}});
         for (std::size_t length = 0; length < whole.payload.size(); ++length) {
             const CbcFrame cut{.kind = whole.kind, .payload = whole.payload.substr(0, length)};
-            QVERIFY_EXCEPTION_THROWN(static_cast<void>(cbcProblemOf(cut)), CbcWireFault);
+            QVERIFY_THROWS_EXCEPTION(CbcWireFault, static_cast<void>(cbcProblemOf(cut)));
         }
         int refused = 0;
         for (std::size_t place = 0; place < whole.payload.size(); ++place) {

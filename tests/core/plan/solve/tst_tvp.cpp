@@ -60,7 +60,7 @@ private slots:
         const TvpProblem problem = handProblem(Route::Open);
         QCOMPARE(isVisitOrder(problem, order), valid);
         if (!valid)
-            QVERIFY_EXCEPTION_THROWN((void)objective(problem, order), std::logic_error);
+            QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)objective(problem, order));
     }
 
     void scoresByHand_data()
