@@ -253,6 +253,7 @@ void Observer::measure(int iceberg, const Point& measured_m, int seenBy, StepRep
     }
     track.anchor_m = given.anchor_m;
     track.anchor_s = given.anchor_s;
+    track.seen_s = time_s;
     track.velocity_mps = given.velocity_mps;
     track.setVariances(given.variances());
     found(iceberg, seenBy, report);

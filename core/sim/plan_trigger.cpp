@@ -194,7 +194,7 @@ bool PlanTrigger::somethingForIdle(int uav, const Fleet& fleet) const
         if (!isOneOfFleet)
             return fleet.visitable(uav, i);
         const bool isForAny =
-            m_plansIdleAlone && world.time_s() - fleet.observer().track(i).anchor_s > round_s;
+            m_plansIdleAlone && world.time_s() - fleet.observer().track(i).seen_s > round_s;
         return (isForAny || world.body(i).assignedUav == uav) && !isTarget(i, fleet) &&
                fleet.available(uav, i);
     };

@@ -47,6 +47,7 @@ void World::add(const Iceberg& iceberg, DriftNoise noise, double start_s, std::i
     m_appearsStep.push_back(appearsStep);
     Track start = initialTrack(iceberg, m_observer.model, m_current_mps);
     start.anchor_s = start_s;
+    start.seen_s = start_s;
     const auto assigned = std::ranges::find(m_uavs, iceberg.uav);
     m_bodies.push_back({.stream = stableHash(iceberg.id + "/look"),
                         .radius_m = iceberg.radius_m,

@@ -54,6 +54,7 @@ void Track::measured(const Point& position_m, double variance_m2, double time_s)
     const Point predicted_m = estimate_m(time_s);
     const double innovation_m2 = sigma_m2 + variance_m2;
     anchor_s = time_s;
+    seen_s = time_s;
     if (!(innovation_m2 > 0)) { // both are exact: the measurement is the position
         anchor_m = position_m;
         return;

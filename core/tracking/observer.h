@@ -105,6 +105,7 @@ struct Track
 {
     Point anchor_m = Point::Zero(); ///< estimate at `anchor_s`
     double anchor_s = 0;
+    double seen_s = 0; ///< last seen; before the first time, known from then on
     Point velocity_mps = Point::Zero();
     double sigma_m2 = 0; ///< variance along one axis
     double q_m2ps = 0;
@@ -128,6 +129,7 @@ struct Track
     {
         anchor_m = truth_m;
         anchor_s = time_s;
+        seen_s = time_s;
         sigma_m2 = 0;
         inView = true;
     }

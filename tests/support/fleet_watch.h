@@ -182,7 +182,7 @@ private:
             bool isRound = time_s - since_s > round_s(0) + delay_s();
             for (int other = 0; other < now.icebergCount() && isRound; ++other)
                 isRound = !now.active(other) || now.track(other).status != TrackStatus::Tracked ||
-                          now.track(other).inView || now.track(other).anchor_s > since_s;
+                          now.track(other).inView || now.track(other).seen_s > since_s;
             if (isRound)
                 m_faults.add(Fault::Unsearched,
                              std::to_string(i) + " at " + std::to_string(time_s));
@@ -198,7 +198,7 @@ private:
             int beside = -1;
             for (int i = 0; i < now.icebergCount() && beside < 0; ++i)
                 if (now.available(uav, i) && !isTargeted(i) &&
-                    time_s - now.track(i).anchor_s > round_s(uav) &&
+                    time_s - now.track(i).seen_s > round_s(uav) &&
                     (!keepsRoute || now.world().body(i).assignedUav == uav))
                     beside = i;
             double& idle_s = m_idle_s[static_cast<std::size_t>(uav)];
@@ -259,10 +259,11 @@ private:
     std::vector<double> m_idle_s;  ///< by UAV
 };
 
-[[nodiscard]] inline FleetFaults faultsOf(std::uint64_t seed)
+[[nodiscard]] inline FleetFaults faultsOf(std::uint64_t seed, bool isChanging = false)
 {
     try {
-        const RandomFleet fleet(seed);
+        const RandomFleet fleet =
+            isChanging ? RandomFleet::withChangingVelocities(seed) : RandomFleet(seed);
         return FleetWatch(fleet).fly();
     } catch (const std::exception& failure) {
         FleetFaults faults;

@@ -20,6 +20,24 @@ namespace berg::test {
 class RandomFleet
 {
 public:
+    /** Of the same number, measured icebergs whose velocities change, and several UAVs. */
+    [[nodiscard]] static RandomFleet withChangingVelocities(std::uint64_t seed)
+    {
+        RandomFleet fleet(seed);
+        fleet.m_random = Random(seed, 223);
+        fleet.m_scenario.observer.model = ObserverModel::Kalman;
+        for (Iceberg& iceberg : fleet.m_scenario.icebergs) {
+            iceberg.velocitySpread_mps = fleet.m_random.uniform(0.02, 0.2);
+            iceberg.velocityTime_s = fleet.m_random.uniform(600, 36'000);
+        }
+        fleet.m_scenario.noFly.clear(); // where the further ones may start
+        if (fleet.m_scenario.asset)
+            fleet.m_scenario.asset->standoff_m = 0;
+        while (fleet.m_scenario.uavs.size() < 3)
+            fleet.drawUav(static_cast<int>(fleet.m_scenario.uavs.size()));
+        return fleet;
+    }
+
     explicit RandomFleet(std::uint64_t seed) : m_random(seed, 221)
     {
         m_scenario.seed = static_cast<std::int64_t>(seed);

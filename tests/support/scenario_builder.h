@@ -29,4 +29,14 @@ inline Iceberg& addIceberg(Scenario& scenario, double east_m, double north_m, do
     return scenario.icebergs.back();
 }
 
+/** Measured icebergs whose velocities change within the hour. */
+inline void letVelocitiesChange(Scenario& scenario)
+{
+    scenario.observer.model = ObserverModel::Kalman;
+    for (Iceberg& iceberg : scenario.icebergs) {
+        iceberg.velocitySpread_mps = 0.05;
+        iceberg.velocityTime_s = 3600;
+    }
+}
+
 } // namespace berg::test

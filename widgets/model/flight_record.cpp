@@ -148,7 +148,7 @@ std::optional<ShownChange> FlightRecord::changeShown(int uav) const
     const std::vector<int>& before = plan.change->before;
     const bool isLeft = std::any_of(before.begin(), before.end(), [&](int iceberg) {
         const Track& track = shown().world.tracks[static_cast<std::size_t>(iceberg)];
-        return !track.inView && track.anchor_s <= plan.time_s;
+        return !track.inView && track.seen_s <= plan.time_s;
     });
     if (!isLeft)
         return std::nullopt;

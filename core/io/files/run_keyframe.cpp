@@ -25,15 +25,18 @@ constexpr std::array<Named<FlightMode>, 8> kModeNames{{
 const std::vector<double> kPlainFilter{0, 0, 1, 0, 0};
 constexpr std::size_t kPlainTrack = 8;
 constexpr std::size_t kFilteredTrack = 13;
-/** With a velocity that is not constant: its mean, spread and time. */
-constexpr std::size_t kFadingTrack = 17;
+/** With a velocity that is not constant: its mean, spread and time; older files end there. The
+ * anchor then moves on unseen, so the time of the last sighting follows. */
+constexpr std::size_t kOlderFadingTrack = 17;
+constexpr std::size_t kFadingTrack = 18;
 
 std::string trackText(const Track& track)
 {
     std::vector<double> numbers = trackNumbers(track);
     if (track.velocityTime_s > 0)
-        numbers.insert(numbers.end(), {track.mean_mps.x(), track.mean_mps.y(),
-                                       track.velocitySpread_mps, track.velocityTime_s});
+        numbers.insert(numbers.end(),
+                       {track.mean_mps.x(), track.mean_mps.y(), track.velocitySpread_mps,
+                        track.velocityTime_s, track.seen_s});
     else if (std::equal(kPlainFilter.begin(), kPlainFilter.end(), numbers.begin() + kPlainTrack))
         numbers.resize(kPlainTrack);
     return jsonArrayOf(numbers);
@@ -61,8 +64,12 @@ Track readTrack(const Json& value, const std::string& path, Faults& faults)
 {
     std::array<double, kFadingTrack> n{};
     const auto take = [&](const auto& numbers) { std::ranges::copy(numbers, n.begin()); };
-    if (value.is_array() && value.size() == kFadingTrack) {
+    const bool isFading = value.is_array() && value.size() == kFadingTrack;
+    const bool isOlderFading = value.is_array() && value.size() == kOlderFadingTrack;
+    if (isFading) {
         take(readNumbers<kFadingTrack>(value, path, faults));
+    } else if (isOlderFading) {
+        take(readNumbers<kOlderFadingTrack>(value, path, faults));
     } else if (value.is_array() && value.size() == kFilteredTrack) {
         take(readNumbers<kFilteredTrack>(value, path, faults));
     } else {
@@ -76,6 +83,7 @@ Track readTrack(const Json& value, const std::string& path, Faults& faults)
         faults.add(entryPath(path, 11), {IssueId::NotOneOf, {"0, 1, 2"}});
     return {.anchor_m = {n[0], n[1]},
             .anchor_s = n[2],
+            .seen_s = isOlderFading ? -1 : n[isFading ? kFadingTrack - 1 : 2], // -1: not told
             .velocity_mps = {n[3], n[4]},
             .sigma_m2 = n[5],
             .q_m2ps = n[6],

@@ -26,6 +26,16 @@ private slots:
         QVERIFY(sorties > 20);
     }
 
+    /** The same with velocities that change, which once looked like sightings at each step. */
+    void changingVelocitiesMakeNoFaults()
+    {
+        for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+            const FleetFaults faults = faultsOf(seed, true);
+            QVERIFY2(!faults.any(), qPrintable(QString::number(seed) + ": " +
+                                               QString::fromStdString(faults.first)));
+        }
+    }
+
     /** Its kept route had the iceberg with a UAV that was on its way home: plans every second. */
     void assignedIcebergsAreFlownTo()
     {

@@ -96,11 +96,21 @@ private slots:
     }
 
     /** Nobody flies it any more. */
+    void nothingIsLeftOfThePlanBefore_data()
+    {
+        QTest::addColumn<bool>("changes");
+        QTest::newRow("velocities that stay") << false;
+        QTest::newRow("velocities that change") << true;
+    }
     void nothingIsLeftOfThePlanBefore()
     {
+        QFETCH(bool, changes);
         bool isBefore = false;
         for (int uavs = 1; uavs <= 2; ++uavs) {
-            Mission mission(driftingField(uavs));
+            Scenario scenario = driftingField(uavs);
+            if (changes)
+                test::letVelocitiesChange(scenario);
+            Mission mission(scenario);
             const double end_s = mission.scenario().duration_s;
             for (double time_s = 50; time_s < end_s; time_s += 50) {
                 mission.advance(time_s);

@@ -254,7 +254,7 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
         putPlace(row, frame, record.estimate_m(i));
         put(row, IcebergColumn::Sigma, track.sigma_m2);
         put(row, IcebergColumn::Deviation, std::sqrt(track.sigma_m2));
-        const double since_s = std::max(track.anchor_s, iceberg.appears_s);
+        const double since_s = std::max(track.seen_s, iceberg.appears_s);
         put(row, IcebergColumn::Unseen, track.inView ? 0 : shown.time_s - since_s);
         if (const auto arrival = arrivals_s.find(iceberg.id); arrival != arrivals_s.end())
             put(row, IcebergColumn::Arrival, arrival->second);

@@ -163,11 +163,21 @@ private slots:
     }
 
     /** Against the recorded rows: since the last sample in view, or since it is known. */
+    void unseenSinceTheLastSight_data()
+    {
+        QTest::addColumn<bool>("changes");
+        QTest::newRow("velocities that stay") << false;
+        QTest::newRow("velocities that change") << true;
+    }
     void unseenSinceTheLastSight()
     {
-        const Mission mission = test::flown(fourOneLater());
+        QFETCH(bool, changes);
+        Scenario scenario = fourOneLater();
+        if (changes)
+            test::letVelocitiesChange(scenario);
+        const Mission mission = test::flown(scenario);
         const FlightRecord whole = recordOf(mission);
-        TableFixture f(fourOneLater());
+        TableFixture f(scenario);
         int seenBefore = 0;
         for (const std::size_t sample : {std::size_t{40}, std::size_t{200}, std::size_t{380}}) {
             const double time_s = whole.history.samples[sample].time_s;
