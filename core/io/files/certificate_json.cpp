@@ -5,6 +5,7 @@
 #include "core/plan/solve/layered_graph.h"
 #include "core/plan/solve/names.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace berg {
@@ -72,8 +73,13 @@ std::string claimOf(const Proof& proof)
     const double gap = proof.cost > 0 ? (proof.cost - proof.bound) / proof.cost : 0.0;
     if (gap <= kOptimal)
         return "the orders are optimal";
+    // Rounded up, and for who adds the cost up otherwise: a claim is no less than the gap.
+    constexpr double kRounding = 1e-9;
     constexpr int kDigits = 3;
-    return "the orders are within " + fixedText(100 * gap, decimalsFor(100 * gap, kDigits)) +
+    const double percent = 100 * gap + kRounding;
+    const int decimals = decimalsFor(percent, kDigits);
+    const double unit = std::pow(10.0, -decimals);
+    return "the orders are within " + fixedText(std::ceil(percent / unit) * unit, decimals) +
            " % of optimal";
 }
 

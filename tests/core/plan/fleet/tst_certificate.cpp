@@ -167,7 +167,7 @@ private slots:
         row("route", R"("open")", R"("round")", "an unknown route");
         row("order", R"("orders": [[)", R"("orders": [[0.5,)", "a number that is not whole");
         row("order below 0", R"("orders": [[)", R"("orders": [[-1,)", "a number that is not whole");
-        row("claim", "the orders are within", "the orders are optimal:", "not known to be optimal");
+        row("claim", " % of optimal", " % of optimal, or optimal", "a claim in unknown words");
         row("set", R"("sets": [)", R"("sets": [["x"],)", "a set that is no hexadecimal number");
     }
     void changedWordsAreRefused()
