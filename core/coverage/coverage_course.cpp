@@ -28,7 +28,9 @@ TangentTurn CoverageModel::turnOf(const CoverageState& state, const CoverageLeg&
             state.uav,
             {.target_m = place_m(leg.iceberg, state.time_s + ahead_s), .offset_m = offset_m},
             m_radius_m);
-        const double entry_m = window.entry_m(turn.end.ahead, offset_m);
+        double entry_m = window.entry_m(turn.end.ahead, offset_m);
+        if (const ViewWindow* reach = reachOf(leg.iceberg))
+            entry_m = std::min(entry_m, reach->entry_m(turn.end.ahead, offset_m));
         const double was_s = ahead_s;
         ahead_s = std::abs(turn.turn_rad) / m_limit_radps +
                   std::max(0.0, turn.length_m - entry_m) / m_speed_mps;

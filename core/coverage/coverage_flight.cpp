@@ -149,9 +149,10 @@ private:
         for (Near& near : m_near) {
             const Point to_m = after.coordinates(m_model.place_m(near.iceberg, to_s));
             near.span = crossing(near, to_m, dt_s).value_or(kNever);
+            const ViewSpan reached = near.iceberg == m_target ? reachedBy(near, to_m) : kNever;
             near.from_m = to_m;
-            if (near.iceberg == m_target && near.isSeen()) {
-                const double enter_s = m_from_s + near.span.enter * dt_s;
+            if (reached.enter <= 1) {
+                const double enter_s = m_from_s + reached.enter * dt_s;
                 ends = ends || enter_s <= m_end_s;
                 m_end_s = std::min(m_end_s, enter_s);
             }
@@ -162,6 +163,13 @@ private:
                 see(near.iceberg, enter_s, std::min(m_from_s + near.span.leave * dt_s, m_end_s));
         }
         return ends;
+    }
+
+    /** Which part of a piece the target is reached in. */
+    [[nodiscard]] ViewSpan reachedBy(const Near& near, const Point& to_m) const
+    {
+        const ViewWindow* reach = m_model.reachOf(near.iceberg);
+        return reach != nullptr ? reach->crossing(near.from_m, to_m).value_or(kNever) : near.span;
     }
 
     [[nodiscard]] std::optional<ViewSpan> crossing(const Near& near, const Point& to_m,

@@ -26,6 +26,16 @@ double largestQ_m2ps(const FlightPicture& picture)
     return q_m2ps;
 }
 
+/** The reach radius, if any, with the margin of a view. */
+std::optional<ViewWindow> reachWindow(const FlightPicture& picture)
+{
+    if (!picture.reachRadius_m)
+        return std::nullopt;
+    return ViewWindow(
+        {.fov_m = Point::Constant(2 * *picture.reachRadius_m), .shape = FovShape::Disk},
+        viewMargin_m(largestQ_m2ps(picture)));
+}
+
 /** The point nearest to `p_m`, in axes of the view, that is just inside or outside of it. */
 Point atEdge(const ViewWindow& window, Point p_m, bool inside)
 {
@@ -69,7 +79,8 @@ int firstIceberg(const CoveragePlan& plan)
 CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon)
     : m_window(picture.sensor, viewMargin_m(largestQ_m2ps(picture)))
     , m_placeWindow(m_window.scaled(kPlace))
-    , m_reach_m(m_window.reach_m())
+    , m_reachWindow(reachWindow(picture))
+    , m_reach_m(std::max(m_window.reach_m(), m_reachWindow ? m_reachWindow->reach_m() : 0))
     , m_paysForLooks(picture.observer.model != ObserverModel::Simple)
     , m_horizon(horizon)
     , m_flightEnd_s(std::min(horizon.length_s, horizon.flown_s))

@@ -6,6 +6,7 @@
 #include "core/vehicle/tangent_turn.h"
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -120,7 +121,13 @@ public:
     [[nodiscard]] double chanceAt(const CoverageState& state, int place) const;
     /** Whether a look does not tell all, so that it may pay to keep icebergs in view. */
     [[nodiscard]] bool paysForLooks() const { return m_paysForLooks; }
-    [[nodiscard]] double largestOffset_m() const { return m_window.largestOffset_m(); }
+    /** A line that passes an iceberg so far off reaches it. */
+    [[nodiscard]] double largestOffset_m() const
+    {
+        return m_reachWindow
+                   ? std::min(m_window.largestOffset_m(), m_reachWindow->largestOffset_m())
+                   : m_window.largestOffset_m();
+    }
     [[nodiscard]] const CoverageHorizon& horizon() const { return m_horizon; }
     [[nodiscard]] bool atEnd(const CoverageState& state) const
     {
@@ -133,9 +140,10 @@ public:
     [[nodiscard]] CoverageState start() const;
 
     /**
-     * Flies one leg, to the horizon at most, and until its iceberg is in view or abeam before it
-     * stays. False when no time passes, because it is in view already. `sightings` gets what is
-     * seen after it was not, `views` all that is in view, piece by piece.
+     * Flies one leg, to the horizon at most, and until its iceberg is in view, or within the reach
+     * radius where there is one, or abeam before it stays. False when no time passes, because it is
+     * in view already. `sightings` gets what is seen after it was not, `views` all that is in view,
+     * piece by piece.
      */
     bool fly(CoverageState& state, const CoverageLeg& leg,
              std::vector<CoverageSighting>* sightings = nullptr,
@@ -234,6 +242,11 @@ private:
         return m_paysForLooks ? m_window.narrowed(berg(iceberg).account.deviation_m(sigma_m2))
                               : m_window;
     }
+    /** What a leg to it ends in: within the radius, or in view where that tells enough. */
+    [[nodiscard]] const ViewWindow* reachOf(int iceberg) const
+    {
+        return m_reachWindow && !(berg(iceberg).chance < 1) ? &*m_reachWindow : nullptr;
+    }
     [[nodiscard]] const CoverageState::Account& accountOf(const CoverageState& state,
                                                           int iceberg) const
     {
@@ -242,9 +255,10 @@ private:
     [[nodiscard]] TangentTurn turnOf(const CoverageState& state, const CoverageLeg& leg) const;
     [[nodiscard]] TangentTurn holdTurn(const CoverageState& state, const CoverageLeg& leg) const;
 
-    ViewWindow m_window;      ///< of an iceberg whose place is known
-    ViewWindow m_placeWindow; ///< a view in it covers the place of a lost one
-    double m_reach_m;         ///< no iceberg farther away than this is in view
+    ViewWindow m_window;                     ///< of an iceberg whose place is known
+    ViewWindow m_placeWindow;                ///< a view in it covers the place of a lost one
+    std::optional<ViewWindow> m_reachWindow; ///< the reach radius; none: what is in view is reached
+    double m_reach_m; ///< no iceberg farther away than this is in view or reached
     bool m_paysForLooks;
     CoverageHorizon m_horizon;
     double m_flightEnd_s;

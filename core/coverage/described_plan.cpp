@@ -30,13 +30,19 @@ void orderBySighting(DescribedPlan& described, const UavRequest& request,
             described.nodes.push_back(static_cast<int>(i) + 1);
 }
 
-/** An iceberg in view now comes into view again only if it leaves it, which is hard to predict. */
+/** An iceberg in view now comes into view again only if it leaves it, which is hard to predict.
+ * With a reach radius no sighting ends a leg whose target is in view. */
 double firstSighting_s(const UavRequest& request, const std::vector<CoverageSighting>& sightings,
-                       double latest_s)
+                       int target, double latest_s)
 {
+    double near_s = std::numeric_limits<double>::infinity();
+    for (const CoverageSighting& sighting : sightings)
+        if (request.picture->reachRadius_m && sighting.iceberg == target)
+            near_s = std::min(near_s, sighting.time_s);
     double first_s = latest_s;
     for (const CoverageSighting& sighting : sightings)
-        if (request.available[static_cast<std::size_t>(sighting.iceberg)])
+        if (request.available[static_cast<std::size_t>(sighting.iceberg)] &&
+            sighting.time_s < near_s)
             first_s = std::min(first_s, sighting.time_s);
     return first_s;
 }
@@ -89,12 +95,13 @@ DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
         const double stay_s = leg.isHold() ? 0 : std::exchange(leg.stay_s, 0);
         model.fly(state, leg, &onLeg, &views);
         const int iceberg = model.icebergAt(icebergOf(plan, k));
-        described.legs.push_back({.iceberg = ids[static_cast<std::size_t>(iceberg)],
-                                  .turn_rad = course.turn.turn_rad,
-                                  .from_m = course.turn.end.position_m,
-                                  .abeam_m = course.abeam_m,
-                                  .sighting_s = request.picture->time_s +
-                                                firstSighting_s(request, onLeg, state.time_s)});
+        described.legs.push_back(
+            {.iceberg = ids[static_cast<std::size_t>(iceberg)],
+             .turn_rad = course.turn.turn_rad,
+             .from_m = course.turn.end.position_m,
+             .abeam_m = course.abeam_m,
+             .sighting_s = request.picture->time_s +
+                           firstSighting_s(request, onLeg, leg.iceberg, state.time_s)});
         if (leg.isHold())
             described.legs.back().end_s = request.picture->time_s + state.time_s;
         if (stay_s > 0)

@@ -4,6 +4,7 @@
 #include "core/vehicle/los_guidance.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace berg {
@@ -16,6 +17,7 @@ struct FlightPicture
     DubinsState uav;
     Motion motion;
     SensorSpec sensor;
+    std::optional<double> reachRadius_m; ///< so near an iceberg flown to is reached; none: in view
     ObserverSpec observer;
     std::vector<Track> tracks; ///< one per id of the `PlanRequest`, in its order
     /** By track: so much its sigma counts in the search for a plan. Empty: 1 each. */

@@ -62,6 +62,7 @@ UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<i
                           .uav = me.pose(),
                           .motion = me.motion(),
                           .sensor = me.sensor(),
+                          .reachRadius_m = observer.cameras().reachRadius_m(),
                           .observer = world.observer(),
                           .seed = world.seed(),
                           .step = world.step()};

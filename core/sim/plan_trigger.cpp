@@ -158,11 +158,12 @@ PlanReason PlanTrigger::reasonOfAim(int uav, Fleet& fleet) const
     const bool sees = std::ranges::find(observer.newlySeen(), uav, &SeenIceberg::uav) !=
                       observer.newlySeen().end();
     const bool targetSeen = isInOwnView(observer, uav, errand.target);
-    if ((sees || fleet.count() > 1) && targetSeen) {
+    const bool isByRadius = observer.cameras().reachRadius_m().has_value();
+    if ((sees || isByRadius || fleet.count() > 1) && isReached(observer, uav, errand.target)) {
         fleet.setReached(uav);
         return PlanReason::TargetReached;
     }
-    if (sees)
+    if (sees && !targetSeen) // else it flies on until that is within the reach radius
         return PlanReason::Sighted;
     if (observer.track(errand.target).inView && !targetSeen)
         return PlanReason::SeenByOther;

@@ -2,8 +2,9 @@
 #include "core/coverage/coverage_policy.h"
 #include "core/plan/policy/planner.h"
 #include "core/scenario/presets.h"
+#include "core/sim/mission.h"
 #include "core/sim/plan_requests.h"
-#include "core/sim/simulation.h"
+#include "tests/support/fleet_flight.h"
 #include "tests/support/scenario_builder.h"
 #include "tests/support/test_solvers.h"
 
@@ -67,6 +68,45 @@ class TestCoveragePolicy : public QObject
     Q_OBJECT
 
 private slots:
+    /** It took what came into view for reached, 300 to 490 m away. */
+    void reachRadiusIsObeyed()
+    {
+        int visits = 0;
+        for (std::uint64_t seed = 1; seed <= 48; ++seed) {
+            Random random(seed, 330);
+            Scenario scenario = test::withUavs(
+                randomScenario(static_cast<std::int64_t>(seed), {.icebergs = 8}), 1 + seed % 2);
+            scenario.planner.policy = PolicyKind::Coverage;
+            scenario.reachRadius_m = random.uniform(50, 280);
+            scenario.fovShape = static_cast<FovShape>(random.below(3));
+            const bool isMeasured = random.below(2) == 0;
+            if (isMeasured)
+                scenario.observer.model = ObserverModel::Kalman;
+            if (random.below(3) == 0)
+                scenario.wind_mps = {random.uniform(-6, 6), random.uniform(-6, 6)};
+            Mission mission(scenario, {.workLimit = 20'000});
+            std::size_t told = 0;
+            while (!mission.simulation().finished()) {
+                mission.advance(mission.simulation().time_s() + scenario.dt_s);
+                const Observer& observer = mission.simulation().observer();
+                for (; told < mission.events().size(); ++told) {
+                    const MissionEvent& event = mission.events()[told];
+                    if (event.kind != EventKind::Reached)
+                        continue;
+                    const Point place_m = isMeasured ? observer.estimate_m(event.iceberg)
+                                                     : mission.simulation().truth_m(event.iceberg);
+                    const Point uav_m = mission.simulation().uav(event.uav).pose.position_m;
+                    const double away_m = (place_m - uav_m).norm();
+                    QVERIFY2(away_m <= *scenario.reachRadius_m + 1e-6,
+                             qPrintable(QStringLiteral("%1: %2 m").arg(seed).arg(away_m)));
+                    ++visits;
+                }
+            }
+        }
+        // One in two minutes of each UAV at least: it does not circle beside what it cannot reach.
+        QVERIFY2(visits > 48 * 1.5 * 1000 / 120, qPrintable(QString::number(visits)));
+    }
+
     void plansAllThatIsAvailable()
     {
         for (int seed = 1; seed <= 10; ++seed) {
