@@ -110,7 +110,9 @@ PlanReport planReport(const Scenario& scenario, const PlanAnswer& answer)
         report.distance_m += uav.distance_m;
         report.uavs.push_back(std::move(uav));
     }
-    if (report.uavs.size() == 1) // such as the cycle of a tour
+    const PolicyKind policy = scenario.planner.policy;
+    const bool hasOwnLength = policy == PolicyKind::Tour || policy == PolicyKind::Coverage;
+    if (report.uavs.size() == 1 && hasOwnLength) // of a cycle, or of legs beside icebergs
         report.uavs.front().distance_m = report.distance_m = answer.distance_m;
     for (const std::vector<int>& members : answer.clusters)
         std::ranges::transform(members, std::back_inserter(report.clusters.emplace_back()), idOf);

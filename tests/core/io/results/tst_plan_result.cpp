@@ -1,0 +1,77 @@
+#include "core/io/results/plan_result.h"
+#include "core/scenario/presets.h"
+#include "core/sim/mission.h"
+#include "tests/support/approx.h"
+#include "tests/support/fleet_flight.h"
+
+#include <QTest>
+
+using namespace berg;
+
+namespace {
+
+/** From the start along the order, and back on a closed route. */
+double lengthOf_m(const Scenario& scenario, const UavReport& uav)
+{
+    const auto start = std::ranges::find(scenario.uavs, uav.id, &Uav::id);
+    Point from_m = start->position_m;
+    double length_m = 0;
+    for (const int number : uav.order) {
+        const Point& to_m = scenario.icebergs[static_cast<std::size_t>(number - 1)].position_m;
+        length_m += (to_m - from_m).norm();
+        from_m = to_m;
+    }
+    const bool isClosed = scenario.planner.route == Route::Closed;
+    return length_m + (isClosed ? (start->position_m - from_m).norm() : 0);
+}
+
+} // namespace
+
+class TestPlanResult : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** One UAV told its distance without the way home, several with it. */
+    void distancesAreOfTheRoute_data()
+    {
+        QTest::addColumn<PolicyKind>("policy");
+        for (const Named<PolicyKind>& policy : kPolicyNames)
+            if (policy.value != PolicyKind::Tour && policy.value != PolicyKind::Coverage)
+                QTest::newRow(policy.name.data()) << policy.value;
+    }
+    void distancesAreOfTheRoute()
+    {
+        QFETCH(PolicyKind, policy);
+        for (int k = 0; k < 24; ++k) {
+            Scenario scenario =
+                test::withUavs(randomScenario(k, {.icebergs = 3 + k % 6}), 1 + k % 3);
+            scenario.planner.policy = policy;
+            scenario.planner.route = k % 2 == 0 ? Route::Closed : Route::Open;
+            const PlanReport report = planReport(scenario, planFromStart(scenario, {}));
+            double sum_m = 0;
+            for (const UavReport& uav : report.uavs) {
+                const double length_m = lengthOf_m(scenario, uav);
+                COMPARE_NEAR(uav.distance_m, length_m, 1e-6);
+                sum_m += length_m;
+            }
+            QVERIFY(sum_m > 0);
+            COMPARE_NEAR(report.distance_m, sum_m, 1e-6);
+        }
+    }
+
+    /** Two icebergs in line, one beside the other way: 5000 m, and 3606 m home. */
+    void latencyCountsTheWayHome()
+    {
+        Scenario scenario;
+        scenario.planner = {.policy = PolicyKind::Latency, .route = Route::Closed};
+        scenario.uavs = {{.id = "u0", .position_m = {0, 0}}};
+        scenario.icebergs = {{.id = "b1", .position_m = {3000, 0}},
+                             {.id = "b2", .position_m = {3000, 2000}}};
+        const PlanReport report = planReport(scenario, planFromStart(scenario, {}));
+        COMPARE_NEAR(report.distance_m, 5000 + std::sqrt(13e6), 1e-6);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPlanResult)
+#include "tst_plan_result.moc"
