@@ -152,7 +152,7 @@ void Observer::look(int iceberg, StepReport& report)
         return;
     }
     m_lookStep[toIndex(iceberg)] = m_world.step() + 1;
-    if (!track.inView)
+    if (!track.inView && !track.left)
         m_newlySeen.push_back({.iceberg = iceberg, .uav = uav});
     track.seen(truth_m, m_world.time_s());
     if (track.status != TrackStatus::Tracked)
@@ -227,7 +227,7 @@ void Observer::measure(int iceberg, const Point& measured_m, int seenBy, StepRep
 {
     Track& track = m_tracks[toIndex(iceberg)];
     const double variance_m2 = m_world.observer().positionSd_m * m_world.observer().positionSd_m;
-    if (!track.inView)
+    if (!track.inView && !track.left)
         m_newlySeen.push_back({.iceberg = iceberg, .uav = seenBy});
     track.inView = true;
     track.presence = 1;
@@ -275,7 +275,7 @@ void Observer::miss(int iceberg, std::span<const FieldOfView> views,
     } else if (const int uav = firstWith(middles, estimate_m); uav >= 0) {
         track.presence =
             afterMiss(std::min(track.presence, kBelieved), m_world.observer().detection);
-        if (track.presence < kLostBelow)
+        if (track.presence < kLostBelow && !track.left)
             lose(iceberg, uav, views, report);
     }
 }
@@ -352,9 +352,14 @@ void Observer::watchArea(StepReport& report)
         if (track.left && isInside) {
             track.left = false;
             m_newlyAppeared.push_back(i);
+            if (const int uav = m_cameras.viewer(m_world.truth_m(i)); track.inView && uav >= 0) {
+                m_newlySeen.push_back({.iceberg = i, .uav = uav});
+                std::ranges::stable_sort(m_newlySeen, {}, &SeenIceberg::iceberg);
+            }
         } else if (!track.left && !isInside &&
                    distanceToEdges(m_area_m, estimate_m(i)) > m_world.body(i).radius_m) {
             track.left = true;
+            track.status = TrackStatus::Tracked; // who comes back is not looked for elsewhere
             report.add({.kind = EventKind::Left, .iceberg = i}, PlanReason::Left);
             m_searches.end(i);
         }

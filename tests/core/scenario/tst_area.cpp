@@ -27,6 +27,39 @@ Scenario squareSea()
     return scenario;
 }
 
+/** Icebergs that drift, some unlike what is known of them, in an area that is soon left. */
+Scenario leavingField(std::uint64_t seed, ObserverModel model)
+{
+    Random random(seed, 320);
+    Scenario scenario = randomScenario(static_cast<std::int64_t>(seed),
+                                       {.icebergs = 8, .size_m = {3000, 3000}, .speedMax_mps = 1});
+    scenario.observer.model = model;
+    scenario.duration_s = 1500;
+    scenario.area_m = {{400, 400}, {2600, 300}, {2500, 2600}, {1500, 1200}, {300, 2500}};
+    for (Iceberg& iceberg : scenario.icebergs) {
+        iceberg.velocitySd_mps = 0.2;
+        const Point to_m = iceberg.position_m + 1500 * iceberg.velocity_mps;
+        if (random.below(3) == 0)
+            iceberg.track = {
+                .time_s = {0, 1500},
+                .position_m = {iceberg.position_m, to_m + Point(random.uniform(-900, 900), 0)}};
+    }
+    scenario.planner.policy = static_cast<PolicyKind>(random.below(kPolicyTable.size()));
+    return scenario;
+}
+
+/** To the end; counts the seconds at which what has left is in view. */
+Mission flown(const Scenario& scenario, int& seenOutside)
+{
+    Mission mission(scenario, {.workLimit = 5000});
+    for (double time_s = 1; time_s <= scenario.duration_s; ++time_s) {
+        mission.advance(time_s);
+        for (const Track& track : mission.simulation().observer().tracks())
+            seenOutside += track.left && track.inView ? 1 : 0;
+    }
+    return mission;
+}
+
 const MissionEvent* find(const Mission& mission, EventKind kind)
 {
     const auto found = std::find_if(mission.events().begin(), mission.events().end(),
@@ -73,6 +106,38 @@ private slots:
                 QVERIFY(std::find(plan.order.begin(), plan.order.end(), 1) == plan.order.end());
         }
         QVERIFY(replanned);
+    }
+
+    /** What is outside is not monitored: nobody sights, loses or finds it until it is back. */
+    void outsideThereIsNothingToTell_data()
+    {
+        QTest::addColumn<ObserverModel>("model");
+        QTest::newRow("simple") << ObserverModel::Simple;
+        QTest::newRow("kalman") << ObserverModel::Kalman;
+    }
+    void outsideThereIsNothingToTell()
+    {
+        QFETCH(ObserverModel, model);
+        int seenOutside = 0;
+        int back = 0;
+        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+            const Mission mission = flown(leavingField(seed, model), seenOutside);
+            std::vector<bool> isOutside(mission.icebergs().size(), false);
+            for (const MissionEvent& event : mission.events()) {
+                if (event.iceberg < 0)
+                    continue;
+                auto outside = isOutside[toIndex(event.iceberg)];
+                const bool isOfView = event.kind == EventKind::Sighted ||
+                                      event.kind == EventKind::Lost ||
+                                      event.kind == EventKind::Found;
+                QVERIFY2(!outside || !isOfView, qPrintable(QString::number(seed)));
+                back += outside && event.kind == EventKind::Appeared ? 1 : 0;
+                if (event.kind == EventKind::Left || event.kind == EventKind::Appeared)
+                    isOutside[toIndex(event.iceberg)] = event.kind == EventKind::Left;
+            }
+        }
+        QVERIFY2(seenOutside > 100, qPrintable(QString::number(seenOutside)));
+        QVERIFY2(back >= 3, qPrintable(QString::number(back)));
     }
 
     void comesBack()
