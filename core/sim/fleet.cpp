@@ -235,14 +235,14 @@ void Fleet::beginOrEndSearch(int uav)
 
 /**
  * With a new target: what has been given up is searched for again where that gains more, because
- * the rest is fresh by now. A new pattern, begun at the datum; what has been seen to be empty stays
- * so.
+ * the rest is fresh by now; without one in any case, as where it was sought it may have come since.
+ * A new pattern, begun at the datum; what has been seen to be empty stays so.
  */
 void Fleet::searchAgain(int uav)
 {
     const Autopilot& me = autopilot(uav);
     std::optional<Search> best;
-    double best_m2ps = 0;
+    double best_m2ps = me.target() < 0 ? -1 : 0;
     for (const Search& old : m_observer.searches().givenUp()) {
         if (!maySearch(uav, old.iceberg))
             continue;

@@ -37,6 +37,12 @@ public:
 
     /** Whether it may be sent to search for it at all. */
     [[nodiscard]] bool maySearch(int uav, int iceberg) const;
+    /** Whether it has no search and may begin one: no plan searches for what is given up. */
+    [[nodiscard]] bool mayBeginSearch(int uav) const
+    {
+        return !m_observer.searches().of(uav) && !m_observer.isLeftToPlan() &&
+               hasSomethingToSearch(uav);
+    }
     /** Whether plans with aim points have the places of lost icebergs among those they order; else
      * searches are begun and ended between plan and UAV. Where looks tell less than all. */
     [[nodiscard]] bool searchesByPlan() const

@@ -180,7 +180,7 @@ PlanReason PlanTrigger::reasonOfAim(int uav, Fleet& fleet) const
 /**
  * Whether a UAV without a target should be planned again. While others of the fleet fly to targets
  * it has what none of them flies to and it has not seen on the last round of its circle; where
- * routes are repeated, only what is kept for it.
+ * routes are repeated, only what is kept for it. Either way it may search for what nobody does.
  */
 bool PlanTrigger::somethingForIdle(int uav, const Fleet& fleet) const
 {
@@ -188,6 +188,8 @@ bool PlanTrigger::somethingForIdle(int uav, const Fleet& fleet) const
     const bool isOneOfFleet = hasTargets(fleet);
     if (isOneOfFleet && !world.isWholeSecond())
         return false; // a planner that leaves it out is not asked at each step
+    if (fleet.mayBeginSearch(uav) && world.isWholeSecond())
+        return true;
     // What is beside its circle comes into view again.
     const Autopilot& me = fleet.autopilot(uav);
     const double round_s = 2 * kPi * circleRadius_m(me.motion()) / me.motion().airspeed_mps;

@@ -85,6 +85,50 @@ Scenario gone()
     return s;
 }
 
+/** One to four icebergs, every second one up to 2 km from where it should be. */
+Scenario fewAndElsewhere(std::uint64_t seed)
+{
+    Random random(seed, 310);
+    const auto place_m = [&random](double most_m) {
+        const double east_m = random.uniform(-most_m, most_m);
+        return Point(east_m, random.uniform(-most_m, most_m));
+    };
+    Scenario s;
+    s.seed = static_cast<std::int64_t>(seed);
+    s.duration_s = random.uniform(1500, 4000);
+    s.observer.model = random.below(3) == 0 ? ObserverModel::Simple : ObserverModel::Kalman;
+    s.observer.detection = random.below(2) == 0 ? 1 : 0.8;
+    s.observer.search = random.below(2) == 0 ? SearchPattern::Square : SearchPattern::Sector;
+    s.planner.policy = static_cast<PolicyKind>(random.below(kPolicyTable.size()));
+    for (std::uint64_t u = 0; u <= seed % 3; ++u) {
+        s.uavs.push_back({.id = "u" + std::to_string(u), .position_m = place_m(1000)});
+        s.uavs.back().spec.altitude_m = 100 + 40.0 * static_cast<double>(u);
+    }
+    for (std::uint64_t i = 0; i <= seed % 4; ++i) {
+        Iceberg iceberg{.id = "b" + std::to_string(i), .position_m = place_m(3000)};
+        iceberg.velocitySd_mps = 0.1;
+        const Point truth_m = iceberg.position_m + place_m(1500);
+        if (i % 2 == 0)
+            iceberg.track = {.time_s = {0, 1e4}, .position_m = {truth_m, truth_m}};
+        s.icebergs.push_back(iceberg);
+    }
+    return s;
+}
+
+/** Whether an iceberg is lost, and nobody searches for it, nor does a plan. */
+bool hasUnsearched(const Simulation& world)
+{
+    for (int i = 0; i < world.icebergCount(); ++i) {
+        bool isSearched = world.observer().isLeftToPlan();
+        for (int uav = 0; uav < world.uavCount(); ++uav)
+            if (const std::optional<Search>& search = world.observer().searches().of(uav))
+                isSearched = isSearched || search->iceberg == i;
+        if (world.active(i) && world.track(i).status != TrackStatus::Tracked && !isSearched)
+            return true;
+    }
+    return false;
+}
+
 int countOf(const Simulation& world, TrackStatus status)
 {
     return static_cast<int>(std::ranges::count(world.observer().tracks(), status, &Track::status));
@@ -223,6 +267,32 @@ private slots:
             }
         }
         QVERIFY2(again >= 5, qPrintable(QString::number(again)));
+    }
+
+    /** A pattern flown in vain leaves no chance where it begins: a UAV with nothing else to do
+     * circled for the rest of the flight, up to 2281 s. */
+    void whoHasNothingElseSearches()
+    {
+        int losses = 0;
+        for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+            const Scenario s = fewAndElsewhere(seed);
+            Mission mission(s, {.workLimit = 5000});
+            const Simulation& world = mission.simulation();
+            std::vector<int> idle_s(s.uavs.size(), 0);
+            for (double t_s = 1; t_s < s.duration_s; ++t_s) {
+                mission.advance(t_s);
+                for (int uav = 0; uav < world.uavCount(); ++uav) {
+                    const Autopilot& me = world.fleet().autopilot(uav);
+                    const bool isIdle =
+                        me.isPlanned() && me.target() < 0 && me.mode() != FlightMode::Search;
+                    int& seconds = idle_s[toIndex(uav)];
+                    seconds = isIdle && hasUnsearched(world) ? seconds + 1 : 0;
+                    QVERIFY2(seconds < 10, qPrintable(QString::number(seed)));
+                }
+            }
+            losses += countOf(mission, EventKind::Lost);
+        }
+        QVERIFY2(losses > 40, qPrintable(QString::number(losses)));
     }
 
     /** Plans were made for what the log still held: a loss that nobody had read asked for one at
