@@ -8468,6 +8468,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Nedre grænse</translation>
     </message>
     <message>
+        <source>no useful bound</source>
+        <translation>ingen brugbar grænse</translation>
+    </message>
+    <message>
         <source>Lower bound on ζ for these conditions, whatever the policy.</source>
         <translation>Nedre grænse for ζ under disse forhold, uanset strategi.</translation>
     </message>
@@ -10076,6 +10080,10 @@ uden noget set undervejs og uden nye planer.</translation>
 on it, and no new plans.</source>
         <translation>Forudsagt for banen på kortet, med hvert isbjerg, der kommer i syne
 undervejs, og uden nye planer.</translation>
+    </message>
+    <message>
+        <source>No useful lower bound on ζ</source>
+        <translation>Ingen brugbar nedre grænse for ζ</translation>
     </message>
     <message>
         <source>Lower bound on ζ: %1 m² s</source>

@@ -8468,6 +8468,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Borne inférieure</translation>
     </message>
     <message>
+        <source>no useful bound</source>
+        <translation>pas de borne utile</translation>
+    </message>
+    <message>
         <source>Lower bound on ζ for these conditions, whatever the policy.</source>
         <translation>Borne inférieure de ζ dans ces conditions, quelle que soit la stratégie.</translation>
     </message>
@@ -10076,6 +10080,10 @@ sans rien voir en chemin et sans nouveaux plans.</translation>
 on it, and no new plans.</source>
         <translation>Prévu pour la trajectoire sur la carte, avec chaque iceberg qui entre en vue
 en chemin, et sans nouveaux plans.</translation>
+    </message>
+    <message>
+        <source>No useful lower bound on ζ</source>
+        <translation>Pas de borne inférieure utile de ζ</translation>
     </message>
     <message>
         <source>Lower bound on ζ: %1 m² s</source>

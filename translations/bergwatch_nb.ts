@@ -8468,6 +8468,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Nedre grense</translation>
     </message>
     <message>
+        <source>no useful bound</source>
+        <translation>ingen nyttig grense</translation>
+    </message>
+    <message>
         <source>Lower bound on ζ for these conditions, whatever the policy.</source>
         <translation>Nedre grense for ζ under disse forholdene, uansett strategi.</translation>
     </message>
@@ -10076,6 +10080,10 @@ uten noe sett underveis og uten ny planlegging.</translation>
 on it, and no new plans.</source>
         <translation>Forutsagt for veien på kartet, med hvert isfjell som kommer i sikte
 på den, og uten at noe planlegges på nytt.</translation>
+    </message>
+    <message>
+        <source>No useful lower bound on ζ</source>
+        <translation>Ingen nyttig nedre grense for ζ</translation>
     </message>
     <message>
         <source>Lower bound on ζ: %1 m² s</source>

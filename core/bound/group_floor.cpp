@@ -92,9 +92,10 @@ Travel travelIn(const Scenario& scenario, const Uav& uav, const Point& velocity_
 } // namespace
 
 GroupFloor::GroupFloor(const Scenario& scenario, const TrueMotion& motion,
-                       std::vector<int> icebergs)
+                       const std::vector<SigmaFloor>& floors, std::vector<int> icebergs)
     : m_scenario(scenario)
     , m_motion(motion)
+    , m_floors(floors)
     , m_icebergs(std::move(icebergs))
     , m_floor_m2(static_cast<std::size_t>(motion.blocks()), 0.0)
 {
@@ -174,28 +175,45 @@ void GroupFloor::raise(const BoundWindow& window, int perRegion, WorkMeter& mete
     const std::vector<int> icebergs = present(window);
     if (icebergs.empty())
         return;
-    const std::optional<std::vector<Chains>> chains = chainsOf(icebergs, window, perRegion, meter);
+    const std::vector<FloorLine> lines = linesOf(icebergs, window);
+    const std::optional<std::vector<Chains>> chains =
+        chainsOf(icebergs, lines, window, perRegion, meter);
     if (!chains)
         return;
     double growth = 0;
-    for (const int i : icebergs)
-        growth += growth_m2ps(i);
+    for (const FloorLine& line : lines)
+        growth += line.slope_m2ps;
     if (growth > 0) {
         const std::vector<double> cost_m2 = sharedOut(*chains, std::nullopt, meter);
         m_meanAge_s = std::max(m_meanAge_s, cost_m2.back() / growth);
     }
-    raiseBlocks(window, *chains, unseenSets(icebergs, window.from == 0), meter);
+    raiseBlocks(window, icebergs, lines, *chains, meter);
+}
+
+std::vector<FloorLine> GroupFloor::linesOf(const std::vector<int>& icebergs,
+                                           const BoundWindow& window) const
+{
+    std::vector<FloorLine> lines;
+    const double most_s = m_motion.edge_s(window.end) - m_motion.edge_s(window.from);
+    for (const int i : icebergs) {
+        FloorLine& line = lines.emplace_back(FloorLine{.slope_m2ps = growth_m2ps(i)});
+        if (m_floors.empty())
+            continue;
+        const SigmaFloor& floor = m_floors[static_cast<std::size_t>(i)];
+        line = floor.lineAt(floor.least(window.from, window.end), window.age_s, most_s);
+    }
+    return lines;
 }
 
 std::optional<std::vector<GroupFloor::Chains>>
-GroupFloor::chainsOf(const std::vector<int>& icebergs, const BoundWindow& window, int perRegion,
-                     WorkMeter& meter) const
+GroupFloor::chainsOf(const std::vector<int>& icebergs, const std::vector<FloorLine>& lines,
+                     const BoundWindow& window, int perRegion, WorkMeter& meter) const
 {
     const Point velocity_mps = meanVelocity_mps(icebergs, window);
     std::vector<ViewRegion> regions;
     ChainPrice price;
-    for (const int i : icebergs)
-        price.perSeen.push_back(growth_m2ps(i));
+    for (const FloorLine& line : lines)
+        price.perSeen.push_back(line.slope_m2ps);
     std::optional<ViewCells> cells;
     std::vector<Chains> all;
     for (const Uav& uav : m_scenario.uavs) {
@@ -308,9 +326,40 @@ int GroupFloor::blocksPerLook(const BoundWindow& window) const
     return m_scenario.uavs.size() == 1 ? 1 : (blocks - 1) / kLooksAtShares + 1;
 }
 
-void GroupFloor::raiseBlocks(const BoundWindow& window, const std::vector<Chains>& chains,
-                             const std::vector<Unseen>& unseen, WorkMeter& meter)
+void GroupFloor::addOthers(std::vector<double>& cost_m2, const std::vector<int>& icebergs,
+                           const std::vector<FloorLine>& lines, const BoundWindow& window,
+                           double first_s) const
 {
+    const std::size_t sets = cost_m2.size();
+    std::vector<double> unseen_m2(sets, 0.0); // by set of the others
+    std::vector<double> offset_m2(sets, 0.0);
+    std::vector<double> least_m2(sets, 0.0);
+    for (std::size_t set = 1; set < sets; ++set) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(set));
+        const std::size_t rest = set & (set - 1);
+        const SigmaFloor& floor = m_floors[static_cast<std::size_t>(icebergs[i])];
+        if (rest == 0) {
+            unseen_m2[set] = window.from == 0 ? floor.unseen_m2(first_s)
+                                              : floor.seen_m2(lines[i].least, first_s);
+            offset_m2[set] = lines[i].offset_m2;
+            least_m2[set] = lines[i].least.position_m2;
+            continue;
+        }
+        const std::size_t one = set ^ rest;
+        unseen_m2[set] = unseen_m2[rest] + unseen_m2[one];
+        offset_m2[set] = offset_m2[rest] + offset_m2[one];
+        least_m2[set] = least_m2[rest] + least_m2[one];
+    }
+    for (std::size_t set = 0; set < sets; ++set)
+        cost_m2[set] =
+            std::max(cost_m2[set] - offset_m2[set], least_m2[set]) + unseen_m2[sets - 1 - set];
+}
+
+void GroupFloor::raiseBlocks(const BoundWindow& window, const std::vector<int>& icebergs,
+                             const std::vector<FloorLine>& lines, const std::vector<Chains>& chains,
+                             WorkMeter& meter)
+{
+    const std::vector<Unseen> unseen = unseenSets(icebergs, window.from == 0);
     const double from_s = m_motion.edge_s(window.from);
     const int perLook = blocksPerLook(window);
     std::vector<double> seen_m2;
@@ -326,9 +375,16 @@ void GroupFloor::raiseBlocks(const BoundWindow& window, const std::vector<Chains
         }
         const double first_s = m_motion.edge_s(block) + m_scenario.dt_s - from_s; // its first step
         double least_m2 = unseen.front().base_m2 + unseen.front().rate_m2ps * first_s;
-        for (std::size_t set = 1; set < unseen.size(); ++set)
-            least_m2 = std::min(least_m2, seen_m2[set] + unseen[set].base_m2 +
-                                              unseen[set].rate_m2ps * first_s);
+        if (m_floors.empty()) {
+            for (std::size_t set = 1; set < unseen.size(); ++set)
+                least_m2 = std::min(least_m2, seen_m2[set] + unseen[set].base_m2 +
+                                                  unseen[set].rate_m2ps * first_s);
+        } else {
+            std::vector<double> cost_m2 = seen_m2;
+            cost_m2.front() = 0;
+            addOthers(cost_m2, icebergs, lines, window, first_s);
+            least_m2 = *std::ranges::min_element(cost_m2);
+        }
         double& floor_m2 = m_floor_m2[static_cast<std::size_t>(block)];
         floor_m2 = std::max(floor_m2, least_m2);
     }

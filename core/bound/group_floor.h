@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bound/chain_costs.h"
-#include "core/bound/true_motion.h"
+#include "core/bound/sigma_floor.h"
 
 #include <cstdint>
 #include <optional>
@@ -16,6 +16,7 @@ struct BoundWindow
     int from = 0;
     int begin = 0;
     int end = 0;
+    double age_s = 0; ///< at which the floors of measured icebergs are taken most truly
 };
 
 /**
@@ -26,8 +27,10 @@ struct BoundWindow
 class GroupFloor
 {
 public:
-    /** At most 16 icebergs, by index in the scenario. */
-    GroupFloor(const Scenario& scenario, const TrueMotion& motion, std::vector<int> icebergs);
+    /** At most 16 icebergs, by index in the scenario. `floors`: of all measured ones; empty in the
+     * simple model, where sigma is linear in the age. */
+    GroupFloor(const Scenario& scenario, const TrueMotion& motion,
+               const std::vector<SigmaFloor>& floors, std::vector<int> icebergs);
 
     /**
      * Looks at one window with `perRegion` cells for each iceberg. Does nothing when the work is
@@ -72,11 +75,13 @@ private:
                                          const BoundWindow& window) const;
     [[nodiscard]] ViewRegion region(const Circle& enclosure, const Uav& uav) const;
     [[nodiscard]] double growth_m2ps(int iceberg) const;
+    /** By iceberg, from the age since it was last seen. */
+    [[nodiscard]] std::vector<FloorLine> linesOf(const std::vector<int>& icebergs,
+                                                 const BoundWindow& window) const;
     /** By UAV. */
-    [[nodiscard]] std::optional<std::vector<Chains>> chainsOf(const std::vector<int>& icebergs,
-                                                              const BoundWindow& window,
-                                                              int perRegion,
-                                                              WorkMeter& meter) const;
+    [[nodiscard]] std::optional<std::vector<Chains>>
+    chainsOf(const std::vector<int>& icebergs, const std::vector<FloorLine>& lines,
+             const BoundWindow& window, int perRegion, WorkMeter& meter) const;
     /** Adds what it takes to be there in time. */
     static void reachFromStart(Chains& chains, const ViewCells& cells, const Point& start_m,
                                ChainPrice price, WorkMeter& meter);
@@ -95,11 +100,18 @@ private:
     [[nodiscard]] int blocksPerLook(const BoundWindow& window) const;
     [[nodiscard]] std::vector<Unseen> unseenSets(const std::vector<int>& icebergs,
                                                  bool sinceStart) const;
-    void raiseBlocks(const BoundWindow& window, const std::vector<Chains>& chains,
-                     const std::vector<Unseen>& unseen, WorkMeter& meter);
+    /** What the icebergs of each set cost beside their chain that has that cost, and all others,
+     * unseen for so long since the window began. */
+    void addOthers(std::vector<double>& cost_m2, const std::vector<int>& icebergs,
+                   const std::vector<FloorLine>& lines, const BoundWindow& window,
+                   double first_s) const;
+    void raiseBlocks(const BoundWindow& window, const std::vector<int>& icebergs,
+                     const std::vector<FloorLine>& lines, const std::vector<Chains>& chains,
+                     WorkMeter& meter);
 
     const Scenario& m_scenario;
     const TrueMotion& m_motion;
+    const std::vector<SigmaFloor>& m_floors;
     std::vector<int> m_icebergs;
     std::vector<double> m_floor_m2; ///< by block
     double m_meanAge_s = 0;

@@ -1,5 +1,6 @@
 #include "core/bound/zeta_bound.h"
 
+#include "core/bound/ground_time.h"
 #include "core/bound/group_floor.h"
 #include "core/bound/spread_groups.h"
 #include "core/bound/stays_inside.h"
@@ -46,6 +47,9 @@ public:
     {
         if (options.stop.stop_requested())
             return; // the motion is not complete
+        if (scenario.observer.model != ObserverModel::Simple)
+            for (const Iceberg& iceberg : scenario.icebergs)
+                m_sigmas.emplace_back(scenario, iceberg, m_motion);
         std::vector<Point> middles_m;
         for (int i = 0; i < static_cast<int>(scenario.icebergs.size()); ++i)
             middles_m.push_back(
@@ -59,7 +63,8 @@ public:
 
     void run()
     {
-        const bool moving = moves();
+        // What is known of a velocity gets better with time: slices tell that apart, too.
+        const bool moving = moves() || !m_sigmas.empty();
         // A first look at standing icebergs tells the mean age: of some groups, of all it would
         // take as long as a pass.
         if (moving && !look({{.from = 0, .begin = 0, .end = 1}}, kCoarsestCells, kFewGroups))
@@ -83,14 +88,21 @@ public:
     {
         ZetaBound bound{.work = m_meter.used, .cancelled = m_options.stop.stop_requested()};
         bound.curve.push_back({});
+        std::vector<double> floors_m2;
         for (int block = 0; block < m_motion.blocks(); ++block) {
             double sigma_m2 = 0;
             for (const GroupFloor& floor : m_floors)
                 sigma_m2 += floor.floor_m2()[static_cast<std::size_t>(block)];
-            sigma_m2 *= 1 - kRoundingShare;
-            bound.zeta_m2s += sigma_m2 * (m_motion.edge_s(block + 1) - m_motion.edge_s(block));
+            floors_m2.push_back(sigma_m2 * (1 - kRoundingShare));
+        }
+        const std::vector<double> ground_m2s = groundCosts_m2s(m_scenario, m_motion, floors_m2);
+        double aloft_m2s = 0;
+        for (int block = 0; block < m_motion.blocks(); ++block) {
+            const auto k = static_cast<std::size_t>(block);
+            aloft_m2s += floors_m2[k] * (m_motion.edge_s(block + 1) - m_motion.edge_s(block));
+            bound.zeta_m2s = aloft_m2s + ground_m2s[k] * (1 - kRoundingShare);
             bound.curve.push_back({.time_s = m_motion.edge_s(block + 1),
-                                   .sigma_m2 = sigma_m2,
+                                   .sigma_m2 = floors_m2[k],
                                    .zeta_m2s = bound.zeta_m2s});
         }
         return bound;
@@ -101,7 +113,7 @@ private:
     {
         m_floors.clear();
         for (std::vector<int>& group : spreadGroups(middles_m, most))
-            m_floors.emplace_back(m_scenario, m_motion, std::move(group));
+            m_floors.emplace_back(m_scenario, m_motion, m_sigmas, std::move(group));
     }
 
     [[nodiscard]] std::int64_t workOfPass() const
@@ -184,7 +196,8 @@ private:
     bool look(const std::vector<BoundWindow>& windows, int cells,
               std::size_t groups = std::numeric_limits<std::size_t>::max())
     {
-        for (const BoundWindow& window : windows)
+        for (BoundWindow window : windows) {
+            window.age_s = m_sigmas.empty() ? 0 : meanAge_s();
             for (GroupFloor& floor : std::span(m_floors).first(std::min(groups, m_floors.size()))) {
                 if (m_meter.used + floor.workOf(window, cells) > m_meter.limit)
                     return false; // what is cut would be wasted
@@ -193,6 +206,7 @@ private:
                     return false;
                 report();
             }
+        }
         return true;
     }
 
@@ -207,6 +221,7 @@ private:
     const Scenario& m_scenario;
     const BoundOptions& m_options;
     TrueMotion m_motion;
+    std::vector<SigmaFloor> m_sigmas; ///< of measured icebergs
     WorkMeter m_meter;
     std::vector<GroupFloor> m_floors;
 };

@@ -34,6 +34,13 @@ struct BoundPoint
     bool operator==(const BoundPoint&) const = default;
 };
 
+/** A bound below this part of what is flown says nothing about how good that is. */
+inline constexpr double kLeastUsefulBound = 0.2;
+[[nodiscard]] inline bool isUsefulBound(double bound_m2s, double flown_m2s)
+{
+    return bound_m2s >= kLeastUsefulBound * flown_m2s;
+}
+
 struct ZetaBound
 {
     double zeta_m2s = 0;
@@ -52,10 +59,10 @@ struct ZetaBound
  * position at t = 0, with any turn radius, heading and endurance, and for the world that the
  * scenario draws: the true tracks, noise of its seed included, are those the simulation flies.
  * Icebergs added during the run only add to zeta; but one reported seen from outside breaks it.
- * Those that may leave the area are left out. A Kalman filter's sigma is at least that of the
- * simple model: q x (time since it was measured), or initial + q t; and less is seen. That holds
- * as well for velocities that are not known or change, whose part of sigma is left out: the bound
- * is then far below what can be flown.
+ * Those that may leave the area are left out. A Kalman filter's sigma is at least what would be
+ * left after looks at that one iceberg all the time (`SigmaFloor`): a curve over the time since it
+ * was measured, in place of which a line below it is taken, near to it at the mean age; unseen it
+ * is what was given, grown.
  *
  * Why. Sigma of an iceberg is q x (time since it was in view), or initial + q t. Fix an instant t
  * and a time w <= t, and let R_i hold every place from which iceberg i is in view at any instant of
@@ -73,6 +80,9 @@ struct ZetaBound
  * summed over disjoint groups of icebergs: what bounds one group says nothing of the others. The
  * groups are 14 icebergs each; from 113 icebergs on so many that one pass takes at most a third of
  * the work limit.
+ *
+ * A UAV with an endurance stands at home meanwhile (`groundCosts_m2s`), which counts besides where
+ * it flies alone. `HoldHere` and orders home only lengthen that.
  *
  * Several UAVs: each iceberg of the set is last seen by one of them, and what is said above of the
  * set holds for each UAV and its share of it, in regions and times of its own. So the set costs at

@@ -84,7 +84,11 @@ TimeLine weightedSum()
 std::optional<TimeLine> boundOfZeta(const FlightRecord& record)
 {
     const KnownBound bound = record.boundOfFlight();
-    if (!bound.whole || bound.zeta_m2s <= 0)
+    const double time_s = record.shown().time_s;
+    const bool isUseless =
+        bound.whole && record.isOver() &&
+        !isUsefulBound(bound.whole->by_m2s(time_s), record.shown().metrics.zeta_m2s);
+    if (!bound.whole || bound.zeta_m2s <= 0 || isUseless)
         return std::nullopt;
     TimeLine line{.label = MissionCharts::tr("Lower bound on ζ"),
                   .points = {},

@@ -164,6 +164,7 @@ KnownBound FlightRecord::boundOfFlight() const
     const bool isBroken =
         std::any_of(history.events.begin(), history.events.end(), [](const MissionEvent& event) {
             return (event.kind == EventKind::Sighted && event.reported) ||
+                   event.kind == EventKind::LateHome || // the bound counts on the turn-around
                    (event.kind == EventKind::Intervention &&
                     (event.changed == ChangedPart::Wind || event.changed == ChangedPart::Removal));
         });

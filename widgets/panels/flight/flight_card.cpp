@@ -168,11 +168,15 @@ void FlightCard::showSummary(const FlightSummary& summary)
                              : noFigure());
     showValue(*m_range, rangeText(summary));
     const QString bound = summary.bound_m2s ? zeta(*summary.bound_m2s) : noFigure();
+    const bool isComputing = summary.bound_m2s && summary.boundShare < 1;
+    const bool isUseless =
+        summary.bound_m2s && !isUsefulBound(*summary.bound_m2s, summary.zeta_m2s);
     showValue(
         *m_bound,
-        summary.bound_m2s && summary.boundShare < 1
+        isComputing
             ? tr("%1, %2 % computed").arg(bound, fixedText(100 * summary.boundShare, 0, locale()))
-            : bound);
+        : isUseless ? tr("no useful bound")
+                    : bound);
     showValue(*m_visits, fixedText(summary.visits, 0, locale()));
     showValue(*m_unseen,
               summary.longestUnseen.isEmpty()

@@ -262,6 +262,8 @@ QStringList PlanPanel::sortieLines() const
 QString PlanPanel::boundText(const PlanOutlook& outlook) const
 {
     const QString bound = significantText(*outlook.bound_m2s, 4, locale());
+    if (outlook.boundShare >= 1 && !isUsefulBound(*outlook.bound_m2s, outlook.zeta_m2s))
+        return tr("No useful lower bound on ζ");
     if (outlook.boundShare >= 1)
         return tr("Lower bound on ζ: %1 m² s").arg(bound);
     return tr("Lower bound on ζ: %1 m² s, %2 % computed")
