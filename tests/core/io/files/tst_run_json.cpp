@@ -2,14 +2,12 @@
 #include "core/scenario/presets.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/file_texts.h"
-#include "tests/support/scenario_builder.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
 #include <limits>
-#include <regex>
 
 using namespace berg;
 using namespace berg::test;
@@ -112,34 +110,6 @@ private slots:
         const RunFile read = runFromJson(text, "text");
         QVERIFY(read == recorded());
         QCOMPARE(runToJson(read), text);
-    }
-
-    /** Where velocities change the anchor of an estimate is no sighting: files tell both. Older
-     * ones tell the anchor alone, and are compared as far as they tell. */
-    void lastSightingsAreKept()
-    {
-        Scenario scenario = randomScenario(4);
-        test::letVelocitiesChange(scenario);
-        Mission mission(scenario, {.workLimit = 50'000, .keyframeInterval_s = 50});
-        mission.advance(200);
-        RunFile run = runOf(mission);
-        std::string text = runToJson(run);
-        QVERIFY(again(run) == run);
-        Track& track = run.keyframes[2].tracks[1];
-        QVERIFY(track.seen_s < track.anchor_s);
-        track.seen_s += 1;
-        const std::vector<Issue> issues = compareRun(run, runOf(mission));
-        QCOMPARE(issues.size(), std::size_t{1});
-        QCOMPARE(QString::fromStdString(issues[0].field),
-                 QStringLiteral("keyframes[2].tracks[1][17]"));
-
-        const std::regex last("(\\[(?:[^\\[\\],]+,){17})[^\\[\\],]+\\]");
-        std::string older = std::regex_replace(text, last, "$1]");
-        for (std::size_t at = 0; (at = older.find(",]", at)) != std::string::npos;)
-            older.erase(at, 1);
-        QVERIFY(older.size() < text.size());
-        const RunFile read = runFromJson(older, "text");
-        QVERIFY(compareRun(read, runOf(mission)).empty());
     }
 
     void aimPointsReplay()

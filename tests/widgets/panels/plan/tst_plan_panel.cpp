@@ -178,6 +178,9 @@ private slots:
         f.panel.showOutlook(outlook);
         QCOMPARE(summary.text().section(u'\n', 2), u"Lower bound on ζ: 51\u202f770 m² s"_s);
         QVERIFY(summary.toolTip().contains(u"proven"_s));
+        outlook.bound_m2s = 0.19 * outlook.zeta_m2s; // says nothing
+        f.panel.showOutlook(outlook);
+        QCOMPARE(summary.text().section(u'\n', 2), u"No useful lower bound on ζ"_s);
     }
 
     /** A plan with aim points may end before all are seen: no cell is empty or invented. */
