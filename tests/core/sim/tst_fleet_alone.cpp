@@ -100,9 +100,9 @@ private slots:
         s.uavs = {{.id = "u1"}, {.id = "u2", .position_m = {0, -100}}};
         s.uavs[0].heading_deg = s.uavs[1].heading_deg = 90;
         s.uavs[1].spec.altitude_m = 180;
-        for (const double north_m : {0, 1500, 3000})
-            s.icebergs.push_back({.id = std::to_string(north_m),
-                                  .position_m = {8000, north_m},
+        for (const char* id : {"a", "b", "c"})
+            s.icebergs.push_back({.id = id,
+                                  .position_m = {8000, 1500.0 * (*id - 'a')},
                                   .velocity_mps = {0, 0},
                                   .velocitySd_mps = 0.05});
         s.observer.model = ObserverModel::Kalman;
