@@ -132,7 +132,7 @@ private slots:
         QFETCH(int, seed);
         QFETCH(bool, changed);
         QFETCH(double, keyframe_s);
-        Scenario scenario = randomScenario(static_cast<std::uint64_t>(seed), {.icebergs = 8});
+        Scenario scenario = randomScenario(seed, {.icebergs = 8});
         scenario.duration_s = 500;
         scenario.icebergs[5].appears_s = 200.05; // between steps
         if (seed == 6)

@@ -153,7 +153,8 @@ private slots:
             {"Melville Bay", shipped("melville-bay-three-uavs.berg")}};
         for (int i = 0; i < int(kFormats.size()); ++i)
             for (const auto& [name, scenario] : scenarios) {
-                const auto row = [&](const char* what, const ExportOptions& options) {
+                const auto row = [&, name = name, scenario = scenario](
+                                     const char* what, const ExportOptions& options) {
                     QTest::addRow("%s, %s, %s", kFormats[std::size_t(i)].name, name, what)
                         << i << scenario << options;
                 };
