@@ -168,10 +168,9 @@ std::string summary(const Mission& mission, std::optional<double> bound_m2s, dou
     std::string text = scenario.name.empty() ? "" : word(scenario.name) + '\n';
     text += "zeta      " + grouped(metrics.zeta_m2s) + " m2 s\n";
     if (bound_m2s)
-        text += "bound     " +
-                std::string(isUsefulBound(*bound_m2s, metrics.zeta_m2s)
-                                ? "lower bound on zeta "
-                                : "no useful bound: zeta of no flight is below ") +
+        text += (isUsefulBound(*bound_m2s, metrics.zeta_m2s)
+                     ? "bound     lower bound on zeta "
+                     : "bound     no useful lower bound on zeta; proven are ") +
                 grouped(*bound_m2s) + " m2 s\n";
     text += "visits    " + std::to_string(metrics.visits) + "   plans " +
             std::to_string(metrics.replans) + "\nflown     " + grouped(metrics.flown_m) + " m in " +
