@@ -127,7 +127,7 @@ void Fleet::keepApart(int uav)
                           .hasGoal = me.isHomeward() || me.target() >= 0};
     if (me.isHomeward() && me.guard().uav().sortie) {
         wish.home_m = me.guard().uav().sortie->home_m;
-        wish.left_s = me.guard().enduranceLeft_s();
+        wish.due_s = m_observer.world().time_s() + me.guard().enduranceLeft_s();
     }
     me.deviateTo(m_separation.command_radps(uav, me.guard(), me.pose(), wish));
 }

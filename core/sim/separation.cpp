@@ -220,7 +220,7 @@ void Separation::leave(int uav)
     Member& me = m_members[index(uav)];
     me.disc.reset();
     me.ahead_m.reset();
-    me.left_s = kFar;
+    me.due_s.reset();
     me.waits_s = 0;
     me.blocker = -1;
     me.denied_s = 0;
@@ -272,13 +272,15 @@ Separation::Trial Separation::trial(int uav, const SafetyGuard& guard, const Dub
     return trial;
 }
 
-/** On the way home the one with less endurance left; else the one that has waited longer, the first
- * of the fleet among equals. */
+/** On the way home the one that was due first when it set out; else the one that has waited longer.
+ * The first of the fleet among equals. */
 bool Separation::precedes(int first, int second) const
 {
     const auto rank = [this](int uav) {
         const Member& member = m_members[index(uav)];
-        return std::tuple(member.left_s, -std::floor(member.waited_s / kWait_s), uav);
+        // What changes with time has no say at the pad: two would make way for each other by turns.
+        return std::tuple(member.due_s.value_or(kFar), !member.due_s,
+                          member.due_s ? 0 : -std::floor(member.waited_s / kWait_s), uav);
     };
     return rank(first) < rank(second);
 }
@@ -362,7 +364,7 @@ double Separation::command_radps(int uav, const SafetyGuard& guard, const Dubins
 {
     Member& me = m_members[index(uav)];
     me.place_m = pose.position_m;
-    me.left_s = wish.left_s;
+    me.due_s = wish.home_m ? std::optional(me.due_s.value_or(wish.due_s)) : std::nullopt;
     me.ahead_m.reset();
     if (wish.home_m) {
         const Point path_m = *wish.home_m - pose.position_m;

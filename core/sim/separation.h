@@ -26,8 +26,8 @@ public:
     {
         double rate_radps = 0;
         std::optional<Point> home_m; ///< where it flies to land; none: it does not
-        /** Of the endurance, when it flies home; infinity: it does not, or has no limit. */
-        double left_s = std::numeric_limits<double>::infinity();
+        /** Time of the run when it has to be home; infinity: it has no limit. */
+        double due_s = std::numeric_limits<double>::infinity();
         bool hasGoal = true; ///< it is sent somewhere
     };
 
@@ -66,7 +66,9 @@ private:
         double radius_m = 0;           ///< of a disc in which it holds
         std::optional<Disc> disc;      ///< none: not aloft
         Point place_m = Point::Zero(); ///< at its last command
-        double left_s = kFar;          ///< of its last wish
+        /** When it is due home, of its first wish to fly there: the order of landing is fixed then.
+         * None: it does not fly home. */
+        std::optional<double> due_s;
         /** The path home ahead of it, which those that it precedes keep clear of as of its disc. */
         std::optional<std::pair<Point, Point>> ahead_m;
         int blocker = -1;    ///< who denied its wish last
