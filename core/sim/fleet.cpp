@@ -55,6 +55,10 @@ Fleet::Fleet(const Scenario& scenario, std::span<const DriftNoise> noise)
         m_separation.setMotion(uav, autopilot(uav).guard());
         enterLayer(uav);
     }
+    std::vector<Departing> departing;
+    for (const Autopilot& uav : m_autopilots)
+        departing.push_back({.guard = uav.guard(), .pose = uav.pose()});
+    m_separation.depart(departing);
 }
 
 bool Fleet::visitable(int uav, int iceberg) const

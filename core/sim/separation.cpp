@@ -1,8 +1,8 @@
 #include "core/sim/separation.h"
 
 #include "core/base/angles.h"
-#include "core/base/enclosing_circle.h"
 #include "core/scenario/advice.h"
+#include "core/sim/holding.h"
 #include "core/vehicle/los_guidance.h"
 
 #include <algorithm>
@@ -22,82 +22,10 @@ constexpr double kPatience_s = 20;
 constexpr double kAhead_s = 60;
 /** For another one to leave the path home. */
 constexpr double kLongestWait_s = 60;
+/** Pieces of a path home inside a fence. */
+constexpr double kPiece_s = 1;
 /** One that has waited for so much longer goes first. */
 constexpr double kWait_s = 30;
-
-/** Of the course over ground. */
-Point aheadOf(const DubinsState& pose, const Motion& motion)
-{
-    return (motion.airspeed_mps * Point(std::cos(pose.psi_rad), std::sin(pose.psi_rad)) +
-            motion.wind_mps)
-        .normalized();
-}
-
-/** Of the circle tangent to the course on that side. */
-Point middleBeside_m(const DubinsState& pose, const Motion& motion, double side)
-{
-    const Point ahead = aheadOf(pose, motion);
-    return pose.position_m + side * circleOverGround_m(motion) * Point(-ahead.y(), ahead.x());
-}
-
-/**
- * Round the middle: the turn rate after which the circle tangent to the course lies there again,
- * but for what lies across the course, which the turn itself takes along.
- */
-double holdingRate_radps(const SafetyGuard& guard, const DubinsState& pose, const Point& middle_m,
-                         double side)
-{
-    const Motion& motion = guard.uav().motion;
-    const double limit_radps = motion.limit_radps;
-    const auto error_m = [&](double rate_radps) {
-        const DubinsState after = guard.heldFor(pose, rate_radps, guard.uav().clock.steps);
-        return aheadOf(after, motion).dot(middleBeside_m(after, motion, side) - middle_m);
-    };
-    constexpr double kNear_m = 1e-6;
-    double last_radps = side * limit_radps;
-    double rate_radps = 0.9 * last_radps;
-    double last_m = error_m(last_radps);
-    for (int round = 0; round < 6; ++round) {
-        const double now_m = error_m(rate_radps);
-        if (std::abs(now_m) < kNear_m || now_m == last_m)
-            break;
-        const double next_radps =
-            std::clamp(rate_radps - now_m * (rate_radps - last_radps) / (now_m - last_m),
-                       -limit_radps, limit_radps);
-        last_radps = rate_radps;
-        last_m = now_m;
-        rate_radps = next_radps;
-    }
-    return rate_radps;
-}
-
-/** Of a disc that it does not leave while it holds, from any course: commands that are held do not
- * follow the circle exactly in wind. */
-double holdingRadius_m(const SafetyGuard& guard)
-{
-    constexpr int kCourses = 8;
-    constexpr double kRounding_m = 0.5;
-    const Motion& motion = guard.uav().motion;
-    const double circle_m = circleOverGround_m(motion);
-    double radius_m = circle_m;
-    if (motion.wind_mps.isZero(0))
-        return radius_m + kRounding_m;
-    for (int course = 0; course < kCourses; ++course) { // to the right it is the same mirrored
-        DubinsState pose{.psi_rad = 2 * kPi * course / kCourses};
-        const Point middle_m = middleBeside_m(pose, motion, 1);
-        const double round_m = 3 * kPi * circle_m;
-        for (double flown_m = 0; flown_m < round_m;) {
-            const double rate_radps = holdingRate_radps(guard, pose, middle_m, 1);
-            for (std::int64_t i = 0; i < guard.uav().clock.steps; ++i) {
-                const DubinsState after = guard.heldFor(pose, rate_radps, 1);
-                flown_m += (after.position_m - pose.position_m).norm();
-                pose = after;
-                radius_m = std::max(radius_m, (pose.position_m - middle_m).norm());
-            }
-        }
-    }
-    return radius_m + kRounding_m;
-}
 
 /** The disc, the fence of the UAV; without one everything is. */
 bool isInside(const SafetyGuard& guard, const Point& middle_m, double radius_m)
@@ -132,6 +60,17 @@ bool hasNoCircle(const SafetyGuard& guard, const DubinsState& pose, double radiu
     return std::ranges::none_of(std::array{1.0, -1.0}, [&](double side) {
         return isInside(guard, middleBeside_m(pose, guard.uav().motion, side), radius_m);
     });
+}
+
+/** Of a line of straight pieces. */
+Point nearestOn(std::span<const Point> line_m, const Point& place_m)
+{
+    Point nearest_m = line_m.front();
+    for (std::size_t i = 1; i < line_m.size(); ++i)
+        if (const Point on_m = nearestOnSegment(line_m[i - 1], line_m[i], place_m);
+            (on_m - place_m).norm() < (nearest_m - place_m).norm())
+            nearest_m = on_m;
+    return nearest_m;
 }
 
 /** Those to the right of the wish first, so that all turn the same way round each other. */
@@ -173,6 +112,15 @@ void Separation::setMotion(int uav, const SafetyGuard& guard)
         m_members[index(uav)].radius_m = holdingRadius_m(guard);
 }
 
+/** To the disc of the other one, and to what is left of its path there. */
+double Separation::gap_m(const Member& them, const Disc& disc)
+{
+    double apart_m = (them.disc->middle_m - disc.middle_m).norm() - them.disc->radius_m;
+    for (const Point& place_m : them.departure.path_m)
+        apart_m = std::min(apart_m, (place_m - disc.middle_m).norm());
+    return apart_m - disc.radius_m;
+}
+
 /** By UAV to their discs, then by UAV to the paths home that it has to keep clear of; what it need
  * not be kept apart from is far away. */
 std::vector<double> Separation::gaps_m(int uav, const Disc& disc) const
@@ -184,12 +132,10 @@ std::vector<double> Separation::gaps_m(int uav, const Disc& disc) const
         if (!them.disc || static_cast<int>(other) == uav ||
             !shareLayer(uav, static_cast<int>(other)))
             continue;
-        gaps[other] =
-            (them.disc->middle_m - disc.middle_m).norm() - them.disc->radius_m - disc.radius_m;
-        if (them.ahead_m && precedes(static_cast<int>(other), uav))
-            gaps[count + other] =
-                distanceToSegment(them.ahead_m->first, them.ahead_m->second, disc.middle_m) -
-                them.radius_m - disc.radius_m;
+        gaps[other] = gap_m(them, disc);
+        if (!them.ahead_m.empty() && precedes(static_cast<int>(other), uav))
+            gaps[count + other] = (nearestOn(them.ahead_m, disc.middle_m) - disc.middle_m).norm() -
+                                  them.radius_m - disc.radius_m;
     }
     return gaps;
 }
@@ -201,6 +147,7 @@ void Separation::enter(int uav, const SafetyGuard& guard, const DubinsState& pos
     Member& me = m_members[index(uav)];
     me.place_m = pose.position_m;
     me.disc.reset();
+    me.departure = {};
     std::pair best{false, -kFar};
     for (const double side : {-1.0, 1.0}) {
         const Disc disc{.middle_m = middleBeside_m(pose, guard.uav().motion, side),
@@ -219,12 +166,71 @@ void Separation::leave(int uav)
 {
     Member& me = m_members[index(uav)];
     me.disc.reset();
-    me.ahead_m.reset();
+    me.ahead_m.clear();
     me.due_s.reset();
+    me.departure = {};
     me.waits_s = 0;
     me.blocker = -1;
     me.denied_s = 0;
     me.waited_s = 0;
+}
+
+/** The UAV and those that it, or one of them, is too near to. */
+std::vector<int> Separation::nearby(int uav) const
+{
+    std::vector<int> found{uav};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const std::vector<double> gaps = gaps_m(found[i], *m_members[index(found[i])].disc);
+        for (int other = 0; other < static_cast<int>(m_members.size()); ++other)
+            if (gaps[index(other)] < m_separation_m &&
+                std::ranges::find(found, other) == found.end())
+                found.push_back(other);
+    }
+    return found;
+}
+
+void Separation::depart(std::span<const Departing> fleet)
+{
+    std::vector<bool> isDone(m_members.size());
+    for (int first = 0; first < static_cast<int>(m_members.size()); ++first) {
+        if (!concerns(first) || isDone[index(first)])
+            continue;
+        const std::vector<int> group = nearby(first);
+        std::vector<Departing> uavs;
+        for (const int uav : group) {
+            isDone[index(uav)] = true;
+            uavs.push_back(fleet[index(uav)]);
+            uavs.back().radius_m = m_members[index(uav)].radius_m;
+        }
+        if (group.size() < 2)
+            continue;
+        const auto isClear = [&](int uav, const Disc& disc) {
+            const std::vector<double> gaps = gaps_m(uav, disc);
+            for (int other = 0; other < static_cast<int>(m_members.size()); ++other)
+                if (gaps[index(other)] < m_separation_m &&
+                    std::ranges::find(group, other) == group.end())
+                    return false;
+            return true;
+        };
+        const auto mayDepart = [&](std::size_t i, const Departure& departure) {
+            const SafetyGuard& guard = uavs[i].guard;
+            return isInside(guard, departure.middle_m, uavs[i].radius_m) &&
+                   isClear(group[i],
+                           {.middle_m = departure.middle_m, .radius_m = uavs[i].radius_m}) &&
+                   std::ranges::all_of(departure.path_m, [&](const Point& place_m) {
+                       return isInside(guard, place_m, 0) &&
+                              isClear(group[i], {.middle_m = place_m});
+                   });
+        };
+        std::vector<Departure> departures = departuresOf(uavs, m_separation_m, mayDepart);
+        for (std::size_t i = 0; i < departures.size(); ++i) {
+            Member& me = m_members[index(group[i])];
+            me.disc = {.middle_m = departures[i].middle_m,
+                       .radius_m = me.radius_m,
+                       .side = departures[i].side};
+            me.departure = std::move(departures[i]);
+        }
+    }
 }
 
 bool Separation::hasRoom(int uav, const Point& place_m) const
@@ -304,10 +310,10 @@ int Separation::avoided(int uav, const std::vector<double>& gaps) const
 bool Separation::waitsOn(int uav) const
 {
     const Member& me = m_members[index(uav)];
-    if (me.waits_s == 0 || me.waits_s > kLongestWait_s || !me.ahead_m || me.blocker < 0)
+    if (me.waits_s == 0 || me.waits_s > kLongestWait_s || me.ahead_m.empty() || me.blocker < 0)
         return false;
     const std::optional<Disc>& theirs = m_members[index(me.blocker)].disc;
-    return theirs && distanceToSegment(me.ahead_m->first, me.ahead_m->second, theirs->middle_m) <
+    return theirs && (nearestOn(me.ahead_m, theirs->middle_m) - theirs->middle_m).norm() <
                          theirs->radius_m + me.radius_m + m_separation_m;
 }
 
@@ -315,8 +321,7 @@ bool Separation::waitsOn(int uav) const
 Point Separation::placeToAvoid_m(int other, const Point& from_m) const
 {
     const Member& them = m_members[index(other)];
-    return them.ahead_m ? nearestOnSegment(them.ahead_m->first, them.ahead_m->second, from_m)
-                        : them.place_m;
+    return them.ahead_m.empty() ? them.place_m : nearestOn(them.ahead_m, from_m);
 }
 
 void Separation::note(int uav, const Trial& wished, const Wish& wish, double command_s)
@@ -334,28 +339,86 @@ void Separation::note(int uav, const Trial& wished, const Wish& wish, double com
         me.waited_s += command_s;
 }
 
+/** What others keep clear of: the next minute of the proven path home, and all of a passage that
+ * begins in it; without a proven path straight to the pad. */
+std::vector<Point> Separation::pathAhead_m(int uav, const SafetyGuard& guard,
+                                           const DubinsState& pose, const Wish& wish) const
+{
+    const std::optional<ReturnPath>& path = guard.sortie().returnPath;
+    if (!path) {
+        const Point path_m = *wish.home_m - pose.position_m;
+        const double clear_m = kAhead_s * guard.uav().motion.airspeed_mps;
+        return {pose.position_m, pose.position_m + std::min(1.0, clear_m / path_m.norm()) * path_m};
+    }
+    std::vector<Point> ahead_m{pose.position_m};
+    DubinsState at = guard.heldFor(pose, wish.rate_radps, guard.uav().clock.steps);
+    double flown_s = guard.uav().clock.command_s();
+    double noted_s = 0;
+    for (ReturnPath rest = *path;;) {
+        const bool isEnd =
+            rest.parts.empty() || (flown_s >= kAhead_s && flown_s >= noted_s + kPiece_s &&
+                                   !hasNoCircle(guard, at, m_members[index(uav)].radius_m));
+        if (isEnd || flown_s >= noted_s + kPiece_s) {
+            ahead_m.push_back(at.position_m);
+            noted_s = flown_s;
+        }
+        if (isEnd)
+            return ahead_m;
+        at = guard.heldFor(at, rest.takeNext_radps(), guard.uav().clock.steps);
+        flown_s += guard.uav().clock.command_s();
+    }
+}
+
 /**
- * A proven path home may lead where no circle is inside the fence: then all that is left of it is
- * reserved, and flown to its end.
+ * A proven path home may lead where no circle is inside the fence: then the passage is reserved up
+ * to the next circle, and flown to its end.
  */
-Separation::Trial Separation::pathHome(int uav, const SafetyGuard& guard, const DubinsState& pose,
-                                       double rate_radps) const
+Separation::Trial Separation::passage(int uav, const SafetyGuard& guard, const DubinsState& pose,
+                                      double rate_radps) const
 {
     Trial trial{.rate_radps = rate_radps};
-    const std::optional<ReturnPath>& path = guard.sortie().returnPath;
-    DubinsState at = guard.heldFor(pose, rate_radps, guard.uav().clock.steps);
-    if (!path || !hasNoCircle(guard, at, m_members[index(uav)].radius_m))
+    if (!guard.sortie().returnPath)
         return trial;
-    std::vector<Point> places_m{pose.position_m, at.position_m};
-    for (const ReturnPath::Part& part : path->parts)
-        for (std::int64_t i = 0; i < part.commands * guard.uav().clock.steps; ++i) {
-            at = guard.heldFor(at, part.rate_radps, 1);
-            places_m.push_back(at.position_m);
+    Departure through{.path_m = {pose.position_m}};
+    DubinsState at = pose;
+    Disc end{.radius_m = m_members[index(uav)].radius_m};
+    double leastGap_m = m_separation_m;
+    const auto isClear = [&](const Disc& disc) {
+        const std::vector<double> gaps = gaps_m(uav, disc);
+        const auto nearest = std::ranges::min_element(gaps);
+        if (*nearest < leastGap_m) {
+            leastGap_m = *nearest;
+            trial.blocker =
+                static_cast<int>(nearest - gaps.begin()) % static_cast<int>(m_members.size());
         }
-    const Circle around = enclosingCircle(places_m);
-    const Disc disc{.middle_m = around.centre_m, .radius_m = around.radius_m, .side = 0};
-    if (std::ranges::min(gaps_m(uav, disc)) >= m_separation_m)
-        trial.disc = disc;
+        return *nearest >= m_separation_m;
+    };
+    bool hasCircle = false;
+    for (ReturnPath rest = *guard.sortie().returnPath; !hasCircle;) {
+        through.rates_radps.push_back(through.rates_radps.empty() ? rate_radps
+                                                                  : rest.takeNext_radps());
+        for (std::int64_t i = 0; i < guard.uav().clock.steps; ++i) {
+            at = guard.heldFor(at, through.rates_radps.back(), 1);
+            through.path_m.push_back(at.position_m);
+        }
+        for (const double side : {-1.0, 1.0}) {
+            end.middle_m = middleBeside_m(at, guard.uav().motion, side);
+            end.side = side;
+            if (!isInside(guard, end.middle_m, end.radius_m))
+                continue;
+            hasCircle = true;
+            if (isClear(end))
+                trial.disc = end;
+        }
+        if (!hasCircle && rest.parts.empty()) { // the pad itself is in the passage
+            trial.disc = Disc{.middle_m = at.position_m};
+            break;
+        }
+    }
+    for (const Point& place_m : through.path_m)
+        if (!isClear({.middle_m = place_m}))
+            trial.disc.reset();
+    trial.passage = std::move(through);
     return trial;
 }
 
@@ -364,19 +427,13 @@ double Separation::command_radps(int uav, const SafetyGuard& guard, const Dubins
 {
     Member& me = m_members[index(uav)];
     me.place_m = pose.position_m;
+    me.ahead_m = wish.home_m ? pathAhead_m(uav, guard, pose, wish) : std::vector<Point>();
     me.due_s = wish.home_m ? std::optional(me.due_s.value_or(wish.due_s)) : std::nullopt;
-    me.ahead_m.reset();
-    if (wish.home_m) {
-        const Point path_m = *wish.home_m - pose.position_m;
-        const double clear_m = kAhead_s * guard.uav().motion.airspeed_mps;
-        me.ahead_m = {pose.position_m,
-                      pose.position_m + std::min(1.0, clear_m / path_m.norm()) * path_m};
-    }
-    const bool isOnPathHome = me.disc->side == 0;
-    if (!isOnPathHome)
-        me.disc->radius_m = me.radius_m; // the path to the circle is flown by now
+    if (const auto rate_radps = me.departure.takeNext_radps(guard.uav().clock.steps))
+        return *rate_radps;
+    me.disc->radius_m = me.radius_m; // the path to the circle is flown by now
     std::vector<double> least_m = gaps_m(uav, *me.disc);
-    const int other = isOnPathHome ? -1 : avoided(uav, least_m);
+    const int other = avoided(uav, least_m);
     for (double& gap_m : least_m)
         gap_m = std::min(gap_m, m_separation_m);
     const auto tried = [&](double rate_radps) {
@@ -392,16 +449,17 @@ double Separation::command_radps(int uav, const SafetyGuard& guard, const Dubins
         other < 0 ? wish.rate_radps
                   : turnAway_radps(guard, pose, placeToAvoid_m(other, pose.position_m));
     Trial best = tried(wished_radps);
-    if (!best.disc && isOnPathHome)
-        return wished_radps;
-    if (!best.disc && wish.home_m && other < 0)
-        if (const Trial home = pathHome(uav, guard, pose, wished_radps); home.disc)
-            best = home;
+    if (!best.disc && wish.home_m && other < 0) {
+        if (Trial through = passage(uav, guard, pose, wished_radps); through.disc)
+            best = std::move(through);
+        else if (best.blocker < 0)
+            best.blocker = through.blocker;
+    }
     note(uav, best, wish, guard.uav().clock.command_s());
     const bool waits = best.blocker >= 0 &&
                        (precedes(best.blocker, uav) ? m_members[index(best.blocker)].blocker >= 0
                                                     : me.denied_s >= kPatience_s);
-    me.waits_s = waits && me.ahead_m && other < 0 ? guard.uav().clock.command_s() : 0;
+    me.waits_s = waits && !me.ahead_m.empty() && other < 0 ? guard.uav().clock.command_s() : 0;
     if (!waits)
         for (const double rate_radps : ratesByNearness(wished_radps, guard.uav().motion)) {
             if (best.disc)
@@ -411,7 +469,8 @@ double Separation::command_radps(int uav, const SafetyGuard& guard, const Dubins
     if (!best.disc)
         return holdingRate_radps(guard, pose, me.disc->middle_m, me.disc->side);
     me.disc = best.disc;
-    return best.rate_radps;
+    me.departure = std::move(best.passage);
+    return me.departure.takeNext_radps(guard.uav().clock.steps).value_or(best.rate_radps);
 }
 
 } // namespace berg
