@@ -1714,6 +1714,10 @@
         <translation>Hjemme før reserven</translation>
     </message>
     <message>
+        <source>Recovery slot</source>
+        <translation>Landingsvindue</translation>
+    </message>
+    <message>
         <source>One flight in twenty</source>
         <translation>Én flyvning ud af tyve</translation>
     </message>
@@ -4262,6 +4266,10 @@ Tilstødende område %4</translation>
         <translation>På vej hjem kan denne drone blive nødt til at vente %2 på andre i sit højdelag, længere end dens reserve. Adskilte højder eller en større reserve undgår det.</translation>
     </message>
     <message>
+        <source>Other UAVs of this altitude layer land on the same pad, so this UAV is planned home %2 early, in a recovery slot of its own. Separate altitudes or pads avoid it.</source>
+        <translation>Andre droner i dette højdelag lander på samme plads, så denne drone er planlagt hjem %2 før tiden, i sit eget landingsvindue. Forskellige højder eller pladser undgår det.</translation>
+    </message>
+    <message>
         <source>With these drifts and a round of %2 minutes, %3 of %4 icebergs will be out of view at the next visit.</source>
         <translation>Med denne drift og en runde på %2 minutter vil %3 af %4 isbjerge være ude af syne ved næste besøg.</translation>
     </message>
@@ -5060,6 +5068,10 @@ Tilstødende område %4</translation>
     <message>
         <source>is less reserve than waiting for the other UAVs of the altitude layer may take, %1 s</source>
         <translation>er mindre reserve, end det kan tage at vente på de andre droner i højdelaget, %1 s</translation>
+    </message>
+    <message>
+        <source>is used but for the last %1 s: other UAVs of the altitude layer land on the same pad, so each is planned home in a recovery slot of its own</source>
+        <translation>anvendes undtagen de sidste %1 s: andre droner i højdelaget lander på samme plads, så hver er planlagt hjem i sit eget landingsvindue</translation>
     </message>
     <message>
         <source>in one flight of twenty %1 s of the reserve are used to come home</source>
@@ -10102,6 +10114,10 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     <message>
         <source>Home %1 before the reserve (5 %: %2)</source>
         <translation>Hjemme %1 før reserven (5 %: %2)</translation>
+    </message>
+    <message>
+        <source>Recovery slots: %1</source>
+        <translation>Landingsvinduer: %1</translation>
     </message>
     <message>
         <source>The UAV is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>

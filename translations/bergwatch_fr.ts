@@ -1714,6 +1714,10 @@
         <translation>À la base avant la réserve</translation>
     </message>
     <message>
+        <source>Recovery slot</source>
+        <translation>Créneau d&apos;atterrissage</translation>
+    </message>
+    <message>
         <source>One flight in twenty</source>
         <translation>Un vol sur vingt</translation>
     </message>
@@ -4262,6 +4266,10 @@ Zone adjacente %4</translation>
         <translation>Au retour, ce drone devra peut-être attendre %2 d&apos;autres drones de sa tranche d&apos;altitude, plus longtemps que sa réserve. Des altitudes séparées, ou une réserve plus grande, l&apos;évitent.</translation>
     </message>
     <message>
+        <source>Other UAVs of this altitude layer land on the same pad, so this UAV is planned home %2 early, in a recovery slot of its own. Separate altitudes or pads avoid it.</source>
+        <translation>D&apos;autres drones de cette tranche d&apos;altitude se posent sur la même aire : le retour de ce drone est planifié %2 plus tôt, dans son propre créneau d&apos;atterrissage. Des altitudes ou des aires distinctes l&apos;évitent.</translation>
+    </message>
+    <message>
         <source>With these drifts and a round of %2 minutes, %3 of %4 icebergs will be out of view at the next visit.</source>
         <translation>Avec ces dérives et un tour de %2 minutes, %3 icebergs sur %4 seront hors de vue à la visite suivante.</translation>
     </message>
@@ -5060,6 +5068,10 @@ Zone adjacente %4</translation>
     <message>
         <source>is less reserve than waiting for the other UAVs of the altitude layer may take, %1 s</source>
         <translation>est une réserve inférieure à ce que peut durer l&apos;attente des autres drones de la tranche d&apos;altitude, %1 s</translation>
+    </message>
+    <message>
+        <source>is used but for the last %1 s: other UAVs of the altitude layer land on the same pad, so each is planned home in a recovery slot of its own</source>
+        <translation>est utilisée sauf les %1 dernières s : d&apos;autres drones de la tranche d&apos;altitude se posent sur la même aire, chacun est donc planifié au retour dans son propre créneau d&apos;atterrissage</translation>
     </message>
     <message>
         <source>in one flight of twenty %1 s of the reserve are used to come home</source>
@@ -10102,6 +10114,10 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     <message>
         <source>Home %1 before the reserve (5 %: %2)</source>
         <translation>À la base %1 avant la réserve (5 % : %2)</translation>
+    </message>
+    <message>
+        <source>Recovery slots: %1</source>
+        <translation>Créneaux d&apos;atterrissage : %1</translation>
     </message>
     <message>
         <source>The UAV is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>

@@ -1714,6 +1714,10 @@
         <translation>Hjemme før reserven</translation>
     </message>
     <message>
+        <source>Recovery slot</source>
+        <translation>Landingsvindue</translation>
+    </message>
+    <message>
         <source>One flight in twenty</source>
         <translation>Én av tjue flyginger</translation>
     </message>
@@ -4262,6 +4266,10 @@ Tilstøtende område %4</translation>
         <translation>På vei hjem kan dette UAV-et måtte vente %2 på andre i samme høydelag, lenger enn reserven varer. Ulike høyder, eller en større reserve, unngår det.</translation>
     </message>
     <message>
+        <source>Other UAVs of this altitude layer land on the same pad, so this UAV is planned home %2 early, in a recovery slot of its own. Separate altitudes or pads avoid it.</source>
+        <translation>Andre UAV-er i dette høydelaget lander på samme plass, så denne UAV-en er planlagt hjem %2 før tiden, i sit eget landingsvindue. Ulike høyder eller plasser unngår det.</translation>
+    </message>
+    <message>
         <source>With these drifts and a round of %2 minutes, %3 of %4 icebergs will be out of view at the next visit.</source>
         <translation>Med denne driften og en runde på %2 minutter er %3 av %4 isfjell utenfor synsfeltet ved neste besøk.</translation>
     </message>
@@ -5060,6 +5068,10 @@ Tilstøtende område %4</translation>
     <message>
         <source>is less reserve than waiting for the other UAVs of the altitude layer may take, %1 s</source>
         <translation>er mindre reserve enn det kan ta å vente på de andre UAV-ene i høydelaget, %1 s</translation>
+    </message>
+    <message>
+        <source>is used but for the last %1 s: other UAVs of the altitude layer land on the same pad, so each is planned home in a recovery slot of its own</source>
+        <translation>brukes unntatt de siste %1 s: andre UAV-er i høydelaget lander på samme plass, så hver er planlagt hjem i sit eget landingsvindue</translation>
     </message>
     <message>
         <source>in one flight of twenty %1 s of the reserve are used to come home</source>
@@ -10102,6 +10114,10 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     <message>
         <source>Home %1 before the reserve (5 %: %2)</source>
         <translation>Hjemme %1 før reserven (5 %: %2)</translation>
+    </message>
+    <message>
+        <source>Recovery slots: %1</source>
+        <translation>Landingsvinduer: %1</translation>
     </message>
     <message>
         <source>The UAV is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>

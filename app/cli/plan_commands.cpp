@@ -180,6 +180,8 @@ std::string orderLines(const std::vector<UavReport>& uavs)
         text += rowLabel(uav.id) + orderWords(uav) + "  (" + grouped(uav.distance_m) + " m";
         if (uav.thisSortie)
             text += ", the first " + std::to_string(*uav.thisSortie) + ", then home";
+        if (uav.slot_s)
+            text += ", recovery slot " + grouped(*uav.slot_s) + " s";
         text += ")\n";
     }
     return text;

@@ -153,6 +153,10 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
      QT_TRANSLATE_NOOP("IssueText",
                        "is less reserve than waiting for the other UAVs of the altitude layer "
                        "may take, %1 s")},
+    {IssueId::RecoverySlot,
+     QT_TRANSLATE_NOOP(
+         "IssueText", "is used but for the last %1 s: other UAVs of the altitude layer land on the "
+                      "same pad, so each is planned home in a recovery slot of its own")},
     {IssueId::ThinReserve,
      QT_TRANSLATE_NOOP("IssueText",
                        "in one flight of twenty %1 s of the reserve are used to come home")},

@@ -78,6 +78,7 @@ enum class IssueId
     GustLimit, ///< gusts, limit
     Icing,
     CrowdedReturn, ///< seconds that waiting for other UAVs may take
+    RecoverySlot,  ///< seconds of the endurance that are withheld for it
     ThinReserve,   ///< seconds of the reserve that are used
     MayNotReturn,
     NoContact,       ///< seconds

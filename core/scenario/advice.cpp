@@ -7,6 +7,7 @@
 #include "core/scenario/drift_advice.h"
 #include "core/scenario/fence.h"
 #include "core/scenario/findings.h"
+#include "core/scenario/recovery.h"
 #include "core/scenario/weather.h"
 #include "core/vehicle/safety_guard.h"
 
@@ -98,6 +99,7 @@ public:
         adviseLayers();
         for (const Flyer& flyer : m_flyers)
             adviseEndurance(flyer);
+        adviseRecovery();
         for (Issue& issue : airspaceIssues(m_s))
             m_found.warn(std::move(issue.field), issue.reason.id,
                          std::move(issue.reason.arguments));
@@ -157,6 +159,7 @@ private:
     void adviseUnused();
     void adviseUavs();
     void adviseLayers();
+    void adviseRecovery();
     void adviseEndurance(const Flyer& flyer);
     void adviseFences();
     void adviseReturn(const Flyer& flyer, const SortieSpec& sortie);
@@ -229,17 +232,31 @@ void Adviser::adviseUavs()
         m_found.warn("planner.reach_radius_m", IssueId::ReachBeyondView);
 }
 
-/** Told of each that is near one before it. */
+/** Reports each UAV that starts near one before it; at one place with it, as a warning. */
 void Adviser::adviseLayers()
 {
-    const auto isNear = [&](const Uav& a, const Uav& b) {
-        return std::abs(a.spec.altitude_m - b.spec.altitude_m) < kLayerHeight_m &&
-               (a.position_m - b.position_m).norm() < m_s.separation_m;
-    };
-    for (auto flyer = m_flyers.begin(); flyer != m_flyers.end(); ++flyer)
-        if (std::any_of(m_flyers.begin(), flyer,
-                        [&](const Flyer& before) { return isNear(before.uav, flyer->uav); }))
+    for (auto flyer = m_flyers.begin(); flyer != m_flyers.end(); ++flyer) {
+        double nearest_m = m_s.separation_m;
+        for (auto before = m_flyers.begin(); before != flyer; ++before)
+            if (std::abs(before->uav.spec.altitude_m - flyer->uav.spec.altitude_m) < kLayerHeight_m)
+                nearest_m =
+                    std::min(nearest_m, (before->uav.position_m - flyer->uav.position_m).norm());
+        if (nearest_m >= m_s.separation_m)
+            continue;
+        if (nearest_m <= kLandingRadius_m)
+            m_found.warn(flyer->path + ".altitude_m", IssueId::SameLayer);
+        else
             m_found.hint(flyer->path + ".altitude_m", IssueId::SameLayer);
+    }
+}
+
+void Adviser::adviseRecovery()
+{
+    const std::vector<double> withheld_s = withheldAtStart_s(m_s);
+    for (std::size_t i = 0; i < m_flyers.size(); ++i)
+        if (withheld_s[i] > 0)
+            m_found.warn(m_flyers[i].path + ".endurance_s", IssueId::RecoverySlot,
+                         {std::round(withheld_s[i])});
 }
 
 void Adviser::adviseEndurance(const Flyer& flyer)

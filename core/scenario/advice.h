@@ -12,7 +12,7 @@ namespace berg {
 /**
  * What whoever flies a scenario would want to know before take-off, of one that has no errors:
  * icebergs and UAVs outside the area, icebergs that leave it, at one place, fast or out of reach,
- * UAVs that start near each other in one altitude layer,
+ * UAVs that start near each other in one altitude layer or land on one pad,
  * recorded tracks that do not fit, turns too wide for the field of view, endurance and duration too
  * short, too little room inside the geofence, solvers at their limit, members that are kept but not
  * used. Called by `validate`.

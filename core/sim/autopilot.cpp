@@ -108,6 +108,7 @@ UavState Autopilot::state() const
             .membersBy_s = errand.membersBy_s,
             .aloft_s = sortie.aloft_s,
             .ground_s = sortie.ground_s,
+            .withheld_s = sortie.withheld_s,
             .via_m = m_via_m,
             .returnPath = sortie.returnPath,
             .order = m_order,

@@ -65,6 +65,8 @@ public:
     void setReached(int iceberg) { m_lastReached = iceberg; }
     /** In mode Ground; false: it would not come home, and tries again later. */
     [[nodiscard]] bool takeOff(const Observer& observer);
+    /** Of the endurance: `SafetyGuard::withhold`. */
+    void withhold(double withheld_s) { m_guard.withhold(withheld_s); }
     void setWind(const Point& wind_mps, const Observer& observer);
     /** Made for the wind that blows; null: none from now on. */
     void setFence(std::shared_ptr<const Geofence> fence, const Observer& observer);

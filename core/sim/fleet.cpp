@@ -2,6 +2,7 @@
 
 #include "core/scenario/advice.h"
 #include "core/scenario/fence.h"
+#include "core/scenario/recovery.h"
 #include "core/sim/clusters.h"
 
 #include <algorithm>
@@ -59,6 +60,11 @@ Fleet::Fleet(const Scenario& scenario, std::span<const DriftNoise> noise)
     for (const Autopilot& uav : m_autopilots)
         departing.push_back({.guard = uav.guard(), .pose = uav.pose()});
     m_separation.depart(departing);
+    const std::vector<double> withheld_s = withheldAtStart_s(scenario);
+    for (std::size_t uav = 0; uav < m_autopilots.size(); ++uav) {
+        m_autopilots[uav].withhold(withheld_s[uav]);
+        m_padMates.push_back(padMates(scenario, uav));
+    }
 }
 
 bool Fleet::visitable(int uav, int iceberg) const
@@ -131,7 +137,7 @@ void Fleet::keepApart(int uav)
                           .hasGoal = me.isHomeward() || me.target() >= 0};
     if (me.isHomeward() && me.guard().uav().sortie) {
         wish.home_m = me.guard().uav().sortie->home_m;
-        wish.due_s = m_observer.world().time_s() + me.guard().enduranceLeft_s();
+        wish.due_s = m_observer.world().time_s() + me.guard().slotLeft_s();
     }
     me.deviateTo(m_separation.command_radps(uav, me.guard(), me.pose(), wish));
 }
@@ -271,14 +277,30 @@ void Fleet::setReached(int uav)
     m_separation.arrive(uav);
 }
 
+/** Of the sortie that begins now, so that it ends in a slot of its own. */
+void Fleet::takeSlot(int uav)
+{
+    const std::vector<int>& mates = m_padMates[toIndex(uav)];
+    if (mates.empty())
+        return;
+    std::vector<double> taken_s;
+    for (const int mate : mates)
+        if (const Autopilot& them = autopilot(mate); !them.isOnGround())
+            taken_s.push_back(them.guard().slotLeft_s());
+    Autopilot& me = m_autopilots[toIndex(uav)];
+    me.withhold(withheldFor_s(me.guard().enduranceLeft_s(), std::move(taken_s)));
+}
+
 bool Fleet::takeOffWhenDue(int uav)
 {
     constexpr double kRounding = 1e-3; // of a step: what counting it down leaves of whole steps
     Autopilot& me = m_autopilots[toIndex(uav)];
     const World& world = m_observer.world();
     if (!me.isOnGround() || me.order() != FlightOrder::None ||
-        me.guard().sortie().ground_s > kRounding * world.dt_s() || !world.isWholeSecond() ||
-        (nearestAvailable(uav) < 0 && !hasSomethingToSearch(uav)) ||
+        me.guard().sortie().ground_s > kRounding * world.dt_s() || !world.isWholeSecond())
+        return false;
+    takeSlot(uav);
+    if ((nearestAvailable(uav) < 0 && !hasSomethingToSearch(uav)) ||
         !m_separation.hasRoom(uav, me.pose().position_m) || !me.takeOff(m_observer))
         return false;
     enterLayer(uav);

@@ -77,6 +77,7 @@ private:
     void noteHomeward(int uav);
     void sendHomeWhenLate(int uav);
     void enterLayer(int uav);
+    void takeSlot(int uav);
     void keepApart(int uav);
     void watchSeparation();
 
@@ -86,6 +87,7 @@ private:
     std::shared_ptr<const Scenario> m_bounds;
     Observer m_observer;
     std::vector<Autopilot> m_autopilots;
+    std::vector<std::vector<int>> m_padMates; ///< by UAV
     Separation m_separation;
     StepReport m_report;
     std::vector<int> m_unclustered; ///< in no cluster until seen: one was passed without them

@@ -67,7 +67,7 @@ UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<i
                           .seed = world.seed(),
                           .step = world.step()};
     if (me.guard().uav().sortie)
-        picture.until_s = std::min(picture.until_s, picture.time_s + me.guard().enduranceLeft_s());
+        picture.until_s = std::min(picture.until_s, picture.time_s + me.guard().slotLeft_s());
     UavRequest request{.uav = uav};
     std::vector<Point> places_m;
     for (const int i : ids) {

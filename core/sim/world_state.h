@@ -73,6 +73,7 @@ struct UavState
     std::optional<Search> search;
     double aloft_s = 0;         ///< since take-off
     double ground_s = 0;        ///< left to stand in mode Ground
+    double withheld_s = 0;      ///< of the endurance, for its recovery slot
     std::optional<Point> via_m; ///< corner flown to, round which the geofence leads
     /** With fence and endurance: a proven path home from the next command on. */
     std::optional<ReturnPath> returnPath;

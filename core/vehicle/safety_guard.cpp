@@ -32,7 +32,7 @@ std::optional<double> SafetyGuard::command_radps(const DubinsState& pose, double
     const double u_radps = limitedToFence_radps(pose, wished_radps);
     if (provesReturn())
         return provenCommand_radps(pose, u_radps);
-    if (!m_uav.sortie || homeInTimeAfter(pose, u_radps, enduranceLeft_s()))
+    if (!m_uav.sortie || homeInTimeAfter(pose, u_radps, slotLeft_s()))
         return u_radps;
     return std::nullopt;
 }
@@ -44,7 +44,7 @@ std::optional<double> SafetyGuard::command_radps(const DubinsState& pose, double
 std::optional<double> SafetyGuard::provenCommand_radps(const DubinsState& pose, double wished_radps)
 {
     std::optional<ReturnPath>& path = m_sortie.returnPath;
-    const double left_s = enduranceLeft_s();
+    const double left_s = slotLeft_s();
     Outlook outlook = outlookAfter(pose, wished_radps, left_s);
     if (outlook.back == Return::InTime) {
         path = std::move(outlook.path);
@@ -115,7 +115,7 @@ std::optional<int> SafetyGuard::visitsInTime(const DubinsState& pose,
 {
     if (!m_uav.sortie)
         return std::nullopt;
-    const double left_s = enduranceLeft_s() - kHomeReserve_s - kVisitReserve_s;
+    const double left_s = slotLeft_s() - kHomeReserve_s - kVisitReserve_s;
     DubinsState at = pose;
     double flown_s = 0;
     int visits = 0;
@@ -156,13 +156,14 @@ void SafetyGuard::land()
 {
     m_sortie.isAloft = false;
     m_sortie.ground_s = m_uav.sortie->turnaround_s;
+    m_sortie.withheld_s = 0;
     m_sortie.returnPath.reset();
 }
 
 std::optional<double> SafetyGuard::takeOff(const DubinsState& pose)
 {
     const std::optional<double> heading_rad =
-        provesReturn() ? safeHeading_rad(pose, m_uav.sortie->endurance_s) : pose.psi_rad;
+        provesReturn() ? safeHeading_rad(pose, slotLeft_s()) : pose.psi_rad;
     if (heading_rad) {
         m_sortie.isAloft = true;
         m_sortie.aloft_s = 0;

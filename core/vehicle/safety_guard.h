@@ -26,6 +26,8 @@ struct SortieState
     bool isAloft = true;
     double aloft_s = 0;  ///< since take-off
     double ground_s = 0; ///< left to stand when it is not
+    /** Endurance that plans leave unused, so that the UAV arrives in its recovery slot. */
+    double withheld_s = 0;
     /** With fence and endurance: a proven path home from the next command on. */
     std::optional<ReturnPath> returnPath;
 };
@@ -72,6 +74,10 @@ public:
                                                      std::int64_t step) const;
     /** Of this sortie; on the ground, of the next. There must be a limit. */
     [[nodiscard]] double enduranceLeft_s() const;
+    /** Until the UAV has to be home for its recovery slot: `enduranceLeft_s` without one. */
+    [[nodiscard]] double slotLeft_s() const { return enduranceLeft_s() - m_sortie.withheld_s; }
+    /** Plans and returns reckon with so much less endurance, until it lands. */
+    void withhold(double withheld_s) { m_sortie.withheld_s = withheld_s; }
     /** How many of the places, as they are now, can be visited in this order before home must be
      * reached; none: unlimited. */
     [[nodiscard]] std::optional<int> visitsInTime(const DubinsState& pose,

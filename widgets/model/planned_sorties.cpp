@@ -1,5 +1,7 @@
 #include "widgets/model/planned_sorties.h"
 
+#include "core/scenario/recovery.h"
+
 namespace berg {
 namespace {
 
@@ -45,9 +47,16 @@ std::vector<std::optional<PlannedSortie>> plannedSorties(const MissionSnapshot& 
     const std::vector<std::optional<PlannedPath>> paths = plannedPaths(now, scenario);
     for (std::size_t uav = 0; uav < paths.size(); ++uav) {
         std::optional<PlannedSortie>& sortie = sorties.emplace_back();
-        if (paths[uav])
-            sortie = {.outlook = sortieOutlook(scenario, scenario.uavs[uav], *paths[uav]),
-                      .lowMargin_s = lowMargin_s(scenario.uavs[uav], *paths[uav])};
+        if (!paths[uav])
+            continue;
+        const Uav& own = scenario.uavs[uav];
+        const UavState& state = now.world.uavs[uav];
+        sortie = {.outlook = sortieOutlook(scenario, own, *paths[uav]),
+                  .lowMargin_s = lowMargin_s(own, *paths[uav]),
+                  .slot_s = slotOfSortie_s(scenario, uav, state.withheld_s),
+                  .uav = own.name.empty() ? own.id : own.name};
+        if (sortie->slot_s)
+            *sortie->slot_s += now.time_s - state.aloft_s;
     }
     return sorties;
 }

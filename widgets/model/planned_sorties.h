@@ -16,6 +16,9 @@ struct PlannedSortie
 {
     SortieOutlook outlook;
     std::optional<double> lowMargin_s;
+    std::optional<double> slot_s =
+        {};               ///< home by then, in its recovery slot; none: it needs no slot
+    std::string uav = {}; ///< its name, else its id
 };
 
 /** The same in what an operator must know of it, by UAV. */

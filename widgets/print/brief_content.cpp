@@ -187,6 +187,10 @@ std::vector<QStringList> sortieRows(const ExportContent& content)
                        });
         }
     }
+    if (isPlanned && std::ranges::any_of(
+                         content.uavs, [](const ExportUav& uav) { return uav.slot_s.has_value(); }))
+        columns.push_back({FlightBrief::tr("Recovery slot"),
+                           [](const ExportUav& uav) { return timeOrNone(uav.slot_s); }});
     if (content.scenario->groundStation && isPlanned)
         columns.push_back({FlightBrief::tr("Out of radio range"), [outlook](const ExportUav& uav) {
                                return clockText(outlook(uav).noContact_s);

@@ -108,6 +108,11 @@ public:
          QT_TR_NOOP(
              "On the way home this UAV may have to wait %2 for others of its altitude layer, "
              "longer than its reserve. Separate altitudes, or a greater reserve, avoid it.")},
+        {RecoverySlot,
+         QT_TR_NOOP(
+             "Other UAVs of this altitude layer land on the same pad, so this UAV is planned "
+             "home %2 early, in a recovery slot of its own. Separate altitudes or pads "
+             "avoid it.")},
         {ThinReserve, QT_TR_NOOP("With wind and airspeed off their values, one flight in twenty "
                                  "uses %2 or more of the reserve to come home.")},
         {MayNotReturn, QT_TR_NOOP("With wind and airspeed off their values, in one flight in "

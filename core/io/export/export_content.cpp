@@ -5,6 +5,7 @@
 #include "core/scenario/checks.h"
 #include "core/scenario/drift_advice.h"
 #include "core/scenario/fence.h"
+#include "core/scenario/recovery.h"
 #include "core/scenario/validate.h"
 #include "core/sim/clusters.h"
 
@@ -193,6 +194,14 @@ ExportUav exportUav(const ExportSource& source, const ExportContent& content, st
     }
     if (source.mission)
         result.flown_m = source.mission->simulation().uav(static_cast<int>(row)).flown_m;
+    const UavState state =
+        source.mission ? source.mission->simulation().uav(static_cast<int>(row)) : UavState();
+    const double withheld_s =
+        source.mission ? state.withheld_s : withheldAtStart_s(source.scenario)[row];
+    if (result.slot_s = slotOfSortie_s(source.scenario, row, withheld_s); result.slot_s) {
+        *result.slot_s += content.now_s - state.aloft_s;
+        spec.reserve_s = reserve_s(spec) + withheld_s; // the sortie is over by then
+    }
     addPath(result, source, content, scene);
     return result;
 }

@@ -249,6 +249,7 @@ void addUav(JsonObject& object, const UavState& uav)
     }
     object.addUnless("aloft_s", uav.aloft_s, 0.0);
     object.addUnless("ground_s", uav.ground_s, 0.0);
+    object.addUnless("withheld_s", uav.withheld_s, 0.0);
     if (uav.via_m)
         object.add("via_m", *uav.via_m);
     if (uav.returnPath)
@@ -281,6 +282,7 @@ UavState readUav(ObjectReader& object, const RunContext& context)
     uav.membersBy_s = object.number("members_by_s", 0);
     uav.aloft_s = object.number("aloft_s", 0, kAmount);
     uav.ground_s = object.number("ground_s", 0, kAmount);
+    uav.withheld_s = object.number("withheld_s", 0, kAmount);
     if (object.find("via_m") != nullptr)
         uav.via_m = object.point("via_m", Point::Zero());
     if (const Json* path = object.find("return_path"))

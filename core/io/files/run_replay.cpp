@@ -47,6 +47,7 @@ void addFields(std::vector<Field>& fields, const std::string& at, const UavState
     add("search", uav.search ? 1.0 : 0.0);
     add("aloft_s", uav.aloft_s);
     add("ground_s", uav.ground_s);
+    add("withheld_s", uav.withheld_s);
     add("via_m", uav.via_m ? 1.0 : 0.0);
     add("members", static_cast<double>(uav.members.size()));
     add("members_by_s", uav.membersBy_s);

@@ -3,6 +3,7 @@
 #include "core/io/results/result_parts.h"
 #include "core/plan/policy/fleet_task.h"
 #include "core/plan/solve/names.h"
+#include "core/scenario/recovery.h"
 #include "core/sim/clusters.h"
 #include "core/sim/plan_requests.h"
 #include "core/sim/simulation.h"
@@ -44,6 +45,8 @@ Json uavJson(const UavReport& uav)
               {"distance_m", uav.distance_m}};
     if (uav.thisSortie)
         json["this_sortie"] = *uav.thisSortie;
+    if (uav.slot_s)
+        json["recovery_slot_s"] = *uav.slot_s;
     return json;
 }
 
@@ -102,7 +105,9 @@ PlanReport planReport(const Scenario& scenario, const PlanAnswer& answer)
                       .order = {},
                       .ids = {},
                       .distance_m = ownDistance_m(request, asked, scenario, order),
-                      .thisSortie = thisSortie(start, asked.uav, order, answer.clusters)};
+                      .thisSortie = thisSortie(start, asked.uav, order, answer.clusters),
+                      .slot_s = slotOfSortie_s(scenario, static_cast<std::size_t>(asked.uav),
+                                               start.uav(asked.uav).withheld_s)};
         for (const int iceberg : order) {
             uav.order.push_back(iceberg + 1);
             uav.ids.push_back(idOf(iceberg));

@@ -79,7 +79,7 @@ const std::vector<Case>& cases()
              s.separation_m = 301;
          },
          kHint, "uavs[1].altitude_m", IssueId::SameLayer, [](S& s) { addUav(s, 201, 0); }},
-        {"one altitude layer, never warned of", [](S& s) { addUav(s, 0, 0); }, kHint,
+        {"one altitude layer, at one place", [](S& s) { addUav(s, 0, 0); }, kWarning,
          "uavs[1].altitude_m", IssueId::SameLayer,
          [](S& s) {
              addUav(s, 0, 0);

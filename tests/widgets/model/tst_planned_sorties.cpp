@@ -54,6 +54,20 @@ private slots:
         QVERIFY(sortie.lowMargin_s.value() < *sortie.outlook.margin_s);
     }
 
+    /** Each in a slot of its own; alone a UAV needs none. */
+    void slotsOfAPad()
+    {
+        Scenario scenario = twoInARow();
+        QVERIFY(!plannedSorties(recordFrom(scenario).now, scenario).front()->slot_s);
+        scenario.uavs.push_back(scenario.uavs.front());
+        scenario.uavs.back().id = "second";
+        const FlightRecord record = recordFrom(scenario);
+        const auto sorties = plannedSorties(record.now, record.scenario);
+        COMPARE_NEAR(sorties[0].value().slot_s.value(), 770.0, 1e-6);
+        COMPARE_NEAR(sorties[1].value().slot_s.value(), 740.0, 1e-6);
+        QCOMPARE(sorties[1]->uav, std::string("second"));
+    }
+
     void nothingIsSaidOnTheWayHome()
     {
         FlightRecord record = recordFrom(twoInARow());

@@ -293,6 +293,19 @@ private slots:
         QVERIFY(brief.warnings.join(u' ').contains(u"out of the range of the ground station"));
     }
 
+    /** Two of one pad and layer: home a slot before the reserve begins. */
+    void uavRowHasTheRecoverySlot()
+    {
+        const Scenario scenario = changed([](Scenario& s) {
+            s.uavs[0].spec.endurance_s = 5000;
+            s.uavs.push_back(s.uavs[0]);
+            s.uavs.back().id = "second";
+        });
+        const BriefContent brief = briefContent(planContent(scenario), kEnglish);
+        QCOMPARE(brief.sorties[1].value(brief.sorties[0].indexOf(u"Recovery slot"_s)),
+                 clockText(4000 - 30));
+    }
+
     void nauticalUnits()
     {
         const Scenario scenario = changed([](Scenario& s) { s.wind_mps = Point(0, -10); });

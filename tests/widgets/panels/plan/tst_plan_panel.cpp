@@ -124,6 +124,21 @@ private slots:
                                  "Out of radio range for 01:01"_s);
     }
 
+    /** The first to land first. */
+    void summaryTellsTheLandingOrder()
+    {
+        PlanPanelFixture f;
+        f.panel.resize(600, 300);
+        f.panel.showSorties(
+            {PlannedSortie{
+                 .outlook = {.margin_s = 300}, .lowMargin_s = 200, .slot_s = 750, .uav = "second"},
+             PlannedSortie{
+                 .outlook = {.margin_s = 310}, .lowMargin_s = 200, .slot_s = 720, .uav = "first"}});
+        QCOMPARE(test::child<QLabel>(f.panel, u"planSummary"_s).text(),
+                 u"Home 05:00 before the reserve (5 %: 03:20)\n"
+                 "Recovery slots: first 12:00, second 12:30"_s);
+    }
+
     void summaryTellsWhatAChangeCosts()
     {
         PlanPanelFixture f;
