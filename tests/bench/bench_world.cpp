@@ -33,6 +33,7 @@ constexpr std::array kParts{Part{"clusters", bench::clusters},
                             Part{"fleet", bench::fleet},
                             Part{"fleet-coverage", bench::fleetCoverage},
                             Part{"separation", bench::separation},
+                            Part{"pads", bench::pads},
                             Part{"tau", bench::tau}};
 
 } // namespace

@@ -29,6 +29,7 @@ void geofence(int scenarios);
 void fleet(int scenarios);
 void fleetCoverage(int scenarios);
 void separation(int scenarios);
+void pads(int scenarios);
 void tau(int scenarios);
 
 /** UAVs along the western edge, evenly, heading as the first; each in an altitude layer. */

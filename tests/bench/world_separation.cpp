@@ -3,6 +3,7 @@
 #include "core/scenario/validate.h"
 #include "tests/bench/world_parts.h"
 #include "tests/support/fleet_case.h"
+#include "tests/support/pad_fleet.h"
 
 #include <map>
 
@@ -101,6 +102,40 @@ void separation(int scenarios)
         pairs.fly(scenario);
     }
     pairs.print("random fleets");
+}
+
+/** Fleets that share pads: what came of each that went wrong, then the counts of all. */
+void pads(int scenarios)
+{
+    int landings = 0;
+    int reserves = 0;
+    int unwarned = 0;
+    int spent = 0;
+    int broken = 0;
+    int outside = 0;
+    for (std::int64_t seed = 1, left = scenarios; left > 0; ++seed) {
+        const std::optional<Scenario> scenario = test::flyablePadFleet(seed);
+        if (!scenario)
+            continue;
+        --left;
+        const test::FleetOutcome flight = test::flownFleet(*scenario);
+        landings += flight.landings;
+        reserves += flight.late;
+        unwarned += test::isWarnedOfCrowd(*scenario) ? 0 : flight.late;
+        spent += flight.spent;
+        broken += flight.staysApart ? 0 : 1;
+        outside += flight.isInside ? 0 : 1;
+        std::printf("fleet %d: %d UAVs, zeta %.1f, %d landings, %d with reserve, %d too late%s%s\n",
+                    static_cast<int>(seed), static_cast<int>(scenario->uavs.size()),
+                    flight.zeta_m2s, flight.landings, flight.late, flight.spent,
+                    flight.staysApart ? "" : ", too near again",
+                    flight.isInside ? "" : ", outside");
+        std::fflush(stdout);
+    }
+    std::printf(
+        "%d fleets, %d landings: %d used reserve (%d not warned of), %d after the endurance; "
+        "%d fleets too near again, %d outside\n",
+        scenarios, landings, reserves, unwarned, spent, broken, outside);
 }
 
 } // namespace berg::bench

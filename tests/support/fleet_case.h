@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/random.h"
+#include "core/scenario/advice.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
 
@@ -110,6 +111,7 @@ private:
 struct FleetOutcome
 {
     double least_m = 1e9;
+    bool staysApart = true; ///< of pairs: once they have been the separation apart
     bool isInside = true;
     double zeta_m2s = 0;
     int visits = 0;
@@ -129,6 +131,7 @@ inline FleetOutcome flownFleet(const Scenario& s)
     std::vector<int> visits(s.uavs.size());
     std::vector<double> tookOff_s(s.uavs.size());
     std::vector<double> due_s(s.uavs.size());
+    std::vector<char> wereApart(s.uavs.size() * s.uavs.size());
     std::size_t told = 0;
     const int count = static_cast<int>(s.uavs.size());
     while (!mission.simulation().finished()) {
@@ -143,9 +146,16 @@ inline FleetOutcome flownFleet(const Scenario& s)
                 continue;
             flight.isInside = flight.isInside && (!s.geofence || insidePolygon(s.area_m, place_m));
             for (int b = 0; b < a; ++b)
-                if (const Autopilot& other = world.fleet().autopilot(b); !other.isOnGround())
-                    flight.least_m =
-                        std::min(flight.least_m, (other.pose().position_m - place_m).norm());
+                if (const Autopilot& other = world.fleet().autopilot(b); !other.isOnGround()) {
+                    const double apart_m = (other.pose().position_m - place_m).norm();
+                    flight.least_m = std::min(flight.least_m, apart_m);
+                    if (std::abs(other.altitude_m() - uav.altitude_m()) >= kLayerHeight_m)
+                        continue;
+                    char& wasApart = wereApart[toIndex(a) * s.uavs.size() + toIndex(b)];
+                    flight.staysApart =
+                        flight.staysApart && (wasApart == 0 || apart_m >= s.separation_m);
+                    wasApart = wasApart != 0 || apart_m >= s.separation_m ? 1 : 0;
+                }
         }
         for (; told < mission.events().size(); ++told) {
             const MissionEvent& event = mission.events()[told];
