@@ -5070,7 +5070,7 @@ Tilstødende område %4</translation>
         <translation>er mindre reserve, end det kan tage at vente på de andre droner i højdelaget, %1 s</translation>
     </message>
     <message>
-        <source>is used but for the last %1 s: other UAVs of the altitude layer land on the same pad, so each is planned home in a recovery slot of its own</source>
+        <source>keeps %1 s free for its recovery slot: other UAVs of the altitude layer land on the same pad</source>
         <translation>anvendes undtagen de sidste %1 s: andre droner i højdelaget lander på samme plads, så hver er planlagt hjem i sit eget landingsvindue</translation>
     </message>
     <message>

@@ -5070,7 +5070,7 @@ Zone adjacente %4</translation>
         <translation>est une réserve inférieure à ce que peut durer l&apos;attente des autres drones de la tranche d&apos;altitude, %1 s</translation>
     </message>
     <message>
-        <source>is used but for the last %1 s: other UAVs of the altitude layer land on the same pad, so each is planned home in a recovery slot of its own</source>
+        <source>keeps %1 s free for its recovery slot: other UAVs of the altitude layer land on the same pad</source>
         <translation>est utilisée sauf les %1 dernières s : d&apos;autres drones de la tranche d&apos;altitude se posent sur la même aire, chacun est donc planifié au retour dans son propre créneau d&apos;atterrissage</translation>
     </message>
     <message>

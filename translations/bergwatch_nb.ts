@@ -5070,7 +5070,7 @@ Tilstøtende område %4</translation>
         <translation>er mindre reserve enn det kan ta å vente på de andre UAV-ene i høydelaget, %1 s</translation>
     </message>
     <message>
-        <source>is used but for the last %1 s: other UAVs of the altitude layer land on the same pad, so each is planned home in a recovery slot of its own</source>
+        <source>keeps %1 s free for its recovery slot: other UAVs of the altitude layer land on the same pad</source>
         <translation>brukes unntatt de siste %1 s: andre UAV-er i høydelaget lander på samme plass, så hver er planlagt hjem i sit eget landingsvindue</translation>
     </message>
     <message>

@@ -155,8 +155,9 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
                        "may take, %1 s")},
     {IssueId::RecoverySlot,
      QT_TRANSLATE_NOOP(
-         "IssueText", "is used but for the last %1 s: other UAVs of the altitude layer land on the "
-                      "same pad, so each is planned home in a recovery slot of its own")},
+         "IssueText",
+         "keeps %1 s free for its recovery slot: other UAVs of the altitude layer land on "
+         "the same pad")},
     {IssueId::ThinReserve,
      QT_TRANSLATE_NOOP("IssueText",
                        "in one flight of twenty %1 s of the reserve are used to come home")},

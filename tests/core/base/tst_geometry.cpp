@@ -9,7 +9,6 @@
 using namespace berg;
 
 using Polygon = std::vector<Point>;
-Q_DECLARE_METATYPE(Polygon)
 
 namespace {
 
