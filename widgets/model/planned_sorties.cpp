@@ -2,6 +2,8 @@
 
 #include "core/scenario/recovery.h"
 
+#include <algorithm>
+
 namespace berg {
 namespace {
 
@@ -59,6 +61,17 @@ std::vector<std::optional<PlannedSortie>> plannedSorties(const MissionSnapshot& 
             *sortie->slot_s += now.time_s - state.aloft_s;
     }
     return sorties;
+}
+
+std::vector<PlannedSortie> landingOrder(const std::vector<std::optional<PlannedSortie>>& sorties)
+{
+    std::vector<PlannedSortie> landings;
+    for (const std::optional<PlannedSortie>& sortie : sorties)
+        if (sortie && sortie->slot_s)
+            landings.push_back(*sortie);
+    std::ranges::stable_sort(landings, {},
+                             [](const PlannedSortie& landing) { return *landing.slot_s; });
+    return landings;
 }
 
 } // namespace berg

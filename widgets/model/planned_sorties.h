@@ -25,4 +25,8 @@ struct PlannedSortie
 [[nodiscard]] std::vector<std::optional<PlannedSortie>> plannedSorties(const MissionSnapshot& now,
                                                                        const Scenario& scenario);
 
+/** Those with a recovery slot, the first to land first. */
+[[nodiscard]] std::vector<PlannedSortie>
+landingOrder(const std::vector<std::optional<PlannedSortie>>& sorties);
+
 } // namespace berg

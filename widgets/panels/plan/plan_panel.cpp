@@ -236,22 +236,6 @@ QStringList PlanPanel::summaryLines() const
     return lines;
 }
 
-/** UAVs that share a pad with the times when they are planned home at the latest, the first to land
- * first. */
-QStringList PlanPanel::landingOrder() const
-{
-    std::vector<const PlannedSortie*> landings;
-    for (const std::optional<PlannedSortie>& sortie : m_sorties)
-        if (sortie && sortie->slot_s)
-            landings.push_back(&*sortie);
-    std::ranges::stable_sort(landings, {},
-                             [](const PlannedSortie* sortie) { return *sortie->slot_s; });
-    QStringList texts;
-    for (const PlannedSortie* sortie : landings)
-        texts << u"%1 %2"_s.arg(QString::fromStdString(sortie->uav), clockText(*sortie->slot_s));
-    return texts;
-}
-
 /** The least margin of all UAVs, the landing order, and the longest time without contact. */
 QStringList PlanPanel::sortieLines() const
 {
@@ -269,8 +253,11 @@ QStringList PlanPanel::sortieLines() const
     if (least != nullptr)
         lines << tr("Home %1 before the reserve (5 %: %2)")
                      .arg(marginText(*least->outlook.margin_s), marginText(*least->lowMargin_s));
-    if (const QStringList order = landingOrder(); !order.empty())
-        lines << tr("Recovery slots: %1").arg(order.join(u", "_s));
+    QStringList landings;
+    for (const PlannedSortie& sortie : landingOrder(m_sorties))
+        landings << u"%1 %2"_s.arg(QString::fromStdString(sortie.uav), clockText(*sortie.slot_s));
+    if (!landings.empty())
+        lines << tr("Recovery slots: %1").arg(landings.join(u", "_s));
     if (noContact_s >= 1)
         lines << tr("Out of radio range for %1").arg(clockText(noContact_s));
     return lines;

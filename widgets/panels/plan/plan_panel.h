@@ -67,7 +67,6 @@ private:
     [[nodiscard]] QStringList summaryLines() const;
     [[nodiscard]] QString summaryToolTip() const;
     [[nodiscard]] QStringList sortieLines() const;
-    [[nodiscard]] QStringList landingOrder() const;
     [[nodiscard]] QString boundText(const PlanOutlook& outlook) const;
     void setHovered(const std::string& id);
     void choose(const QModelIndex& index);
