@@ -83,7 +83,7 @@ private slots:
         Shown shown(ChartKind::Zeta);
         KnownBound bound = boundOf2000s();
         ZetaBound coarse = *bound.whole;
-        coarse.curve = {coarse.curve.front(), coarse.curve.back()};
+        coarse.curve = {coarse.curve.front(), coarse.curve[2000], coarse.curve.back()};
         bound.whole = std::make_shared<const ZetaBound>(coarse);
         shown.record.bound = bound;
         MissionSeries series(ChartKind::Zeta);

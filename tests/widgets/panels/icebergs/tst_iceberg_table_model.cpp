@@ -179,7 +179,7 @@ private slots:
         const FlightRecord whole = recordOf(mission);
         TableFixture f(scenario);
         int seenBefore = 0;
-        for (const std::size_t sample : {std::size_t{40}, std::size_t{200}, std::size_t{380}}) {
+        for (std::size_t sample = 40; sample < 390; sample += 20) {
             const double time_s = whole.history.samples[sample].time_s;
             f.model.showRecord(recordAt(mission, time_s));
             for (std::size_t i = 0; i < 4; ++i) {
