@@ -45,7 +45,8 @@ std::vector<Departure> candidates(const Departing& uav, std::int64_t steps)
         for (const double part : kRateParts)
             for (const double lead_s : kLeads_s) {
                 const double rate_radps = (turn % 2 == 1 ? -1 : 1) * part * own.motion.limit_radps;
-                const double turn_rad = kLargestTurn_rad * ((turn + 1) / 2) / kTurns;
+                const int size = (turn + 1) / 2;
+                const double turn_rad = kLargestTurn_rad * size / kTurns;
                 const std::int64_t lead = std::llround(lead_s / own.clock.command_s());
                 const std::int64_t turned =
                     lead + std::llround(turn_rad / std::abs(rate_radps) / own.clock.command_s());
