@@ -29,7 +29,7 @@ test "$(wc -c <painted/map.png)" -gt 20000
 
 # The window is there when it has changed a third of what the server shows.
 mkdir screen
-Xvfb :97 -screen 0 1280x800x24 -fbdir screen >xvfb.txt 2>&1 &
+Xvfb :97 -noreset -screen 0 1280x800x24 -fbdir screen >xvfb.txt 2>&1 &
 server=$!
 window=
 trap 'kill $window $server 2>/dev/null || true' EXIT
