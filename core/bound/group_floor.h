@@ -100,8 +100,8 @@ private:
     [[nodiscard]] int blocksPerLook(const BoundWindow& window) const;
     [[nodiscard]] std::vector<Unseen> unseenSets(const std::vector<int>& icebergs,
                                                  bool sinceStart) const;
-    /** What the icebergs of each set cost beside their chain that has that cost, and all others,
-     * unseen for so long since the window began. */
+    /** Adds to the cost of each set's chain what the floors of its icebergs add, and what the other
+     * icebergs cost, unseen since the window began. */
     void addOthers(std::vector<double>& cost_m2, const std::vector<int>& icebergs,
                    const std::vector<FloorLine>& lines, const BoundWindow& window,
                    double first_s) const;

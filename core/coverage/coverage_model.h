@@ -257,7 +257,7 @@ private:
 
     ViewWindow m_window;                     ///< of an iceberg whose place is known
     ViewWindow m_placeWindow;                ///< a view in it covers the place of a lost one
-    std::optional<ViewWindow> m_reachWindow; ///< the reach radius; none: what is in view is reached
+    std::optional<ViewWindow> m_reachWindow; ///< nullopt: icebergs in view are reached
     double m_reach_m; ///< no iceberg farther away than this is in view or reached
     bool m_paysForLooks;
     CoverageHorizon m_horizon;

@@ -17,7 +17,7 @@ struct FlightPicture
     DubinsState uav;
     Motion motion;
     SensorSpec sensor;
-    std::optional<double> reachRadius_m; ///< so near an iceberg flown to is reached; none: in view
+    std::optional<double> reachRadius_m; ///< an iceberg in view is reached if nullopt
     ObserverSpec observer;
     std::vector<Track> tracks; ///< one per id of the `PlanRequest`, in its order
     /** By track: so much its sigma counts in the search for a plan. Empty: 1 each. */

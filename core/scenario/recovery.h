@@ -28,7 +28,8 @@ inline constexpr double kRecoverySlot_s = 30;
  * layer for themselves. */
 [[nodiscard]] std::vector<double> withheldAtStart_s(const Scenario& scenario);
 
-/** When a sortie with so much withheld ends, after its take-off; none: the UAV needs no slot. */
+/** Returns when a sortie with so much withheld ends, after take-off; nullopt if it needs no slot.
+ */
 [[nodiscard]] std::optional<double> slotOfSortie_s(const Scenario& scenario, std::size_t uav,
                                                    double withheld_s);
 

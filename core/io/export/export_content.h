@@ -80,11 +80,10 @@ struct ExportUav
     std::vector<PlannedSearch> searches = {}; ///< for lost icebergs, on the aimed legs
     double circle_m = 0;                      ///< radius of the tightest circle over ground
     std::size_t laterSorties = 0;             ///< icebergs of the order that are left for them
-    std::optional<double> slot_s =
-        {};                         ///< home by then, in its recovery slot; none: it needs no slot
-    std::vector<Visit> visits = {}; ///< to come or made, in order; home is iceberg -1
-    TrackPoints track = {};         ///< of `Path` and `Track`
-    double flown_m = 0;             ///< through the air until now
+    std::optional<double> slot_s = {}; ///< end of its recovery slot; nullopt if it needs no slot
+    std::vector<Visit> visits = {};    ///< to come or made, in order; home is iceberg -1
+    TrackPoints track = {};            ///< of `Path` and `Track`
+    double flown_m = 0;                ///< through the air until now
 };
 
 enum class IcebergState

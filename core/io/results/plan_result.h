@@ -14,12 +14,11 @@ namespace berg {
 struct UavReport
 {
     std::string id;
-    std::vector<int> order;        ///< as printed: 1-based
-    std::vector<std::string> ids;  ///< iceberg ids in visiting order; empty for a bare problem
-    double distance_m = 0;         ///< of the order; in wind through the air
-    std::optional<int> thisSortie; ///< visits before home must be reached; none: all
-    std::optional<double> slot_s =
-        {}; ///< home by then, in its recovery slot; none: it needs no slot
+    std::vector<int> order;            ///< as printed: 1-based
+    std::vector<std::string> ids;      ///< iceberg ids in visiting order; empty for a bare problem
+    double distance_m = 0;             ///< of the order; in wind through the air
+    std::optional<int> thisSortie;     ///< visits before home must be reached; none: all
+    std::optional<double> slot_s = {}; ///< end of its recovery slot; nullopt if it needs no slot
 };
 
 /** A plan from a scenario's start, or of a bare problem. */
