@@ -9835,8 +9835,16 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>forskellige</translation>
     </message>
     <message>
-        <source>From %1 to %2</source>
-        <translation>Fra %1 til %2</translation>
+        <source>&quot;%1&quot; cannot be read. Type it like %2.</source>
+        <translation>&quot;%1&quot; kan ikke læses. Skriv det som %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is above the highest value. %2 was set.</source>
+        <translation>&quot;%1&quot; er over den højeste værdi. %2 blev valgt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is below the lowest value. %2 was set.</source>
+        <translation>&quot;%1&quot; er under den laveste værdi. %2 blev valgt.</translation>
     </message>
 </context>
 <context>
@@ -10300,6 +10308,10 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     <message>
         <source>Scenario locked</source>
         <translation>Scenariet er låst</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a time. Type it like 3:20 or 45 min.</source>
+        <translation>&quot;%1&quot; er ikke en tid. Skriv den som 3:20 eller 45 min.</translation>
     </message>
 </context>
 <context>

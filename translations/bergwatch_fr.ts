@@ -9835,8 +9835,16 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>divers</translation>
     </message>
     <message>
-        <source>From %1 to %2</source>
-        <translation>De %1 à %2</translation>
+        <source>&quot;%1&quot; cannot be read. Type it like %2.</source>
+        <translation>« %1 » est illisible. Écrivez-le comme %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is above the highest value. %2 was set.</source>
+        <translation>« %1 » dépasse la valeur maximale. La valeur %2 a été retenue.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is below the lowest value. %2 was set.</source>
+        <translation>« %1 » est inférieur à la valeur minimale. La valeur %2 a été retenue.</translation>
     </message>
 </context>
 <context>
@@ -10300,6 +10308,10 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     <message>
         <source>Scenario locked</source>
         <translation>Scénario verrouillé</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a time. Type it like 3:20 or 45 min.</source>
+        <translation>« %1 » n&apos;est pas un temps. Écrivez-le comme 3:20 ou 45 min.</translation>
     </message>
 </context>
 <context>

@@ -9835,8 +9835,16 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>ulike</translation>
     </message>
     <message>
-        <source>From %1 to %2</source>
-        <translation>Fra %1 til %2</translation>
+        <source>&quot;%1&quot; cannot be read. Type it like %2.</source>
+        <translation>«%1» kan ikke leses. Skriv det som %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is above the highest value. %2 was set.</source>
+        <translation>«%1» er over den høyeste verdien. %2 ble valgt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is below the lowest value. %2 was set.</source>
+        <translation>«%1» er under den laveste verdien. %2 ble valgt.</translation>
     </message>
 </context>
 <context>
@@ -10300,6 +10308,10 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     <message>
         <source>Scenario locked</source>
         <translation>Scenariet er låst</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a time. Type it like 3:20 or 45 min.</source>
+        <translation>«%1» er ikke en tid. Skriv den som 3:20 eller 45 min.</translation>
     </message>
 </context>
 <context>

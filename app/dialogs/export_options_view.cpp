@@ -1,11 +1,11 @@
 #include "app/dialogs/export_options_view.h"
 
+#include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/fields/wheel_guard.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -23,7 +23,7 @@ constexpr double kMostSpeed_mps = 500;
 constexpr double kMostAcceptance_m = 100'000;
 
 /** 0 stands for nothing entered. */
-std::optional<double> valueOf(const QDoubleSpinBox& box)
+std::optional<double> valueOf(const NumberField& box)
 {
     return box.value() > 0 ? std::optional(box.value()) : std::nullopt;
 }
@@ -57,10 +57,8 @@ ExportOptionsView::ExportOptionsView(const Scenario& scenario, bool flown,
         connect(box, &QComboBox::currentIndexChanged, this, &ExportOptionsView::edited);
     }
     connect(m_what, &QComboBox::currentIndexChanged, this, [this] { m_isWhatChosen = true; });
-    for (QDoubleSpinBox* box : {m_altitude, m_airspeed, m_acceptance}) {
-        guardWheel(*box);
-        connect(box, &QDoubleSpinBox::valueChanged, this, &ExportOptionsView::edited);
-    }
+    for (NumberField* box : {m_altitude, m_airspeed, m_acceptance})
+        connect(box, &NumberField::edited, this, &ExportOptionsView::edited);
     guardWheel(*m_loiter);
     connect(m_loiter, &QSpinBox::valueChanged, this, &ExportOptionsView::edited);
 }
@@ -92,16 +90,15 @@ void ExportOptionsView::addUavs(const Scenario& scenario)
     m_form->setRowVisible(m_uav, areToldApart(scenario.uavs));
 }
 
-QDoubleSpinBox* ExportOptionsView::addNumber(const QString& label, const QString& name,
-                                             const QString& unit, double most)
+NumberField* ExportOptionsView::addNumber(const QString& label, const QString& name,
+                                          const QString& unit, double most)
 {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new NumberField;
     box->setObjectName(name);
     box->setRange(0, most);
-    box->setDecimals(1);
-    box->setSuffix(u' ' + unit);
-    box->setSpecialValueText(tr("As in the scenario"));
-    m_form->addRow(label, box);
+    box->setNumberFormat({.least = 1, .most = 1}, u' ' + unit);
+    box->setLowestText(tr("As in the scenario"));
+    m_form->addRow(label, withRemark(box));
     return box;
 }
 
@@ -138,9 +135,9 @@ void ExportOptionsView::fill(const ExportOptions& options)
     if (m_isWhatChosen)
         choose(*m_what, static_cast<int>(*options.what));
     choose(*m_uav, QString::fromStdString(options.uav));
-    m_altitude->setValue(options.altitude_m.value_or(0));
-    m_airspeed->setValue(speedUnit().fromSi(options.airspeed_mps.value_or(0)));
-    m_acceptance->setValue(options.acceptance_m.value_or(0));
+    m_altitude->showValue(options.altitude_m.value_or(0));
+    m_airspeed->showValue(speedUnit().fromSi(options.airspeed_mps.value_or(0)));
+    m_acceptance->showValue(options.acceptance_m.value_or(0));
     m_loiter->setValue(options.loiterTurns);
     if (options.returnHome)
         choose(*m_return, *options.returnHome);

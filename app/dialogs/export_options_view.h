@@ -5,11 +5,12 @@
 #include <QWidget>
 
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QSpinBox;
 
 namespace berg {
+
+class NumberField;
 
 /** What of a mission is exported and with which numbers. */
 class ExportOptionsView : public QWidget
@@ -36,17 +37,17 @@ private:
     void addNumbers();
     void addReturn();
     void fill(const ExportOptions& options);
-    [[nodiscard]] QDoubleSpinBox* addNumber(const QString& label, const QString& name,
-                                            const QString& unit, double most);
+    [[nodiscard]] NumberField* addNumber(const QString& label, const QString& name,
+                                         const QString& unit, double most);
 
     bool m_isFlown = false;
     bool m_isWhatChosen = false; ///< by the user: it stays whatever the format
     QFormLayout* m_form = nullptr;
     QComboBox* m_what = nullptr;
     QComboBox* m_uav = nullptr;
-    QDoubleSpinBox* m_altitude = nullptr;
-    QDoubleSpinBox* m_airspeed = nullptr;
-    QDoubleSpinBox* m_acceptance = nullptr;
+    NumberField* m_altitude = nullptr;
+    NumberField* m_airspeed = nullptr;
+    NumberField* m_acceptance = nullptr;
     QSpinBox* m_loiter = nullptr;
     QComboBox* m_return = nullptr;
 };

@@ -4,6 +4,7 @@
 #include "core/scenario/presets.h"
 #include "tests/support/approx.h"
 #include "tests/support/window_fixture.h"
+#include "widgets/panels/fields/number_field.h"
 #include "widgets/print/export_painter.h"
 #include "widgets/theme/unit_settings.h"
 #include "widgets/words/export_text.h"
@@ -211,7 +212,7 @@ private slots:
         setShownUnits({.speed = SpeedUnit::Knots});
         const auto back = qScopeGuard([] { setShownUnits({}); });
         Exporting dialog(withUavs(1), {.formatId = "plan", .options = {.airspeed_mps = 18.52}});
-        auto& airspeed = dialog.at<QDoubleSpinBox>("exportAirspeed");
+        auto& airspeed = dialog.at<NumberField>("exportAirspeed");
         QCOMPARE(airspeed.value(), 36);
         QVERIFY(airspeed.text().endsWith(u"kn"_s));
         airspeed.setValue(45);
@@ -264,9 +265,9 @@ private slots:
         Exporting dialog(withUavs(2), {.formatId = "wpl"});
         QVERIFY(dialog.choice().options == ExportOptions{});
         dialog.at<QComboBox>("exportUav").setCurrentIndex(2);
-        dialog.at<QDoubleSpinBox>("exportAltitude").setValue(123);
-        dialog.at<QDoubleSpinBox>("exportAirspeed").setValue(25.5);
-        dialog.at<QDoubleSpinBox>("exportAcceptance").setValue(80);
+        dialog.at<NumberField>("exportAltitude").setValue(123);
+        dialog.at<NumberField>("exportAirspeed").setValue(25.5);
+        dialog.at<NumberField>("exportAcceptance").setValue(80);
         dialog.at<QSpinBox>("exportLoiter").setValue(3);
         dialog.at<QComboBox>("exportReturn").setCurrentIndex(1);
         const ExportOptions wanted{.uav = "uav-2",
@@ -292,7 +293,7 @@ private slots:
         QCOMPARE(dialog.choice().options.loiterTurns, 2);
         dialog.choose(u"gpx"_s);
         QVERIFY(!dialog.at<QSpinBox>("exportLoiter").isEnabled());
-        QVERIFY(dialog.at<QDoubleSpinBox>("exportAltitude").isEnabled());
+        QVERIFY(dialog.at<NumberField>("exportAltitude").isEnabled());
         QCOMPARE(dialog.choice().options.loiterTurns, 0);
         dialog.choose(u"zeta-csv"_s);
         QVERIFY(!dialog.at<QComboBox>("exportWhat").isEnabled());
@@ -307,11 +308,11 @@ private slots:
         scenario.wind_mps = Point(8, 0);
         Exporting dialog(scenario);
         QVERIFY(dialog.settles());
-        dialog.at<QDoubleSpinBox>("exportAirspeed").setValue(5);
+        dialog.at<NumberField>("exportAirspeed").setValue(5);
         QVERIFY(dialog.isRefused());
         QVERIFY(dialog.notes().contains(u"wind"_s));
         QVERIFY(!dialog.canExport());
-        dialog.at<QDoubleSpinBox>("exportAirspeed").setValue(0);
+        dialog.at<NumberField>("exportAirspeed").setValue(0);
         QVERIFY(dialog.settles());
     }
 

@@ -81,21 +81,29 @@ QString marginText(double time_s)
     return time_s < 0 ? u"\u2212"_s + clockText(-time_s) : clockText(time_s);
 }
 
-std::optional<double> clockValue(const QString& text)
+QString fieldDurationText(double time_s, int decimals, const QLocale& locale)
 {
-    const QStringList parts = text.trimmed().split(u':');
-    if (parts.size() > 3)
-        return std::nullopt;
-    double time_s = 0;
-    for (qsizetype i = 0; i < parts.size(); ++i) {
-        bool isNumber = false;
-        const double part = QLocale::c().toDouble(QString(parts[i]).replace(u',', u'.'), &isNumber);
-        const bool leads = i == 0;
-        if (!isNumber || !(part >= 0) || !std::isfinite(part) || (!leads && part >= 60))
-            return std::nullopt;
-        time_s = 60 * time_s + part;
-    }
-    return time_s;
+    constexpr double kMinute_s = 60;
+    const auto number = [&](double value, int least) {
+        QString text = QLocale::c().toString(value, 'f', decimals);
+        if (decimals > 0)
+            while (text.endsWith(u'0') || text.endsWith(u'.'))
+                if (const bool isPoint = text.endsWith(u'.'); text.chop(1), isPoint)
+                    break;
+        while (text.indexOf(u'.') < 0 ? text.size() < least : text.indexOf(u'.') < least)
+            text.prepend(u'0');
+        return text.replace(u'.', locale.decimalPoint());
+    };
+    const double scale = std::pow(10.0, decimals);
+    const double rounded_s = std::round(time_s * scale) / scale;
+    if (rounded_s >= kMinute_s && std::fmod(rounded_s, kMinute_s) == 0)
+        return QuantityText::tr("%1 min").arg(number(rounded_s / kMinute_s, 1));
+    if (rounded_s < kMinute_s)
+        return QuantityText::tr("%1 s").arg(number(rounded_s, 1));
+    const auto minutes = static_cast<long long>(rounded_s / kMinute_s);
+    return u"%1:%2:%3"_s.arg(minutes / 60)
+        .arg(minutes % 60, 2, 10, QChar(u'0'))
+        .arg(number(rounded_s - kMinute_s * static_cast<double>(minutes), 2));
 }
 
 ShownUnit distanceUnit()

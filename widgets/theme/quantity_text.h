@@ -44,8 +44,8 @@ struct ShownUnit
 /** The same with a sign where it is negative, as a margin may be. */
 [[nodiscard]] QString marginText(double time_s);
 
-/** Seconds of "90", "mm:ss" or "h:mm:ss", fractions with either decimal sign; none: no time. */
-[[nodiscard]] std::optional<double> clockValue(const QString& text);
+/** "45 s", "45 min" or "0:16:40": a duration in a field, exact to `decimals` of a second. */
+[[nodiscard]] QString fieldDurationText(double time_s, int decimals, const QLocale& locale);
 
 /** "850 m", "1.85 km" or "0.999 nmi" with so many significant digits. */
 [[nodiscard]] QString distanceText(double distance_m, const QLocale& locale, int digits = 3,

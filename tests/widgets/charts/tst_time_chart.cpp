@@ -2,7 +2,7 @@
 #include "widgets/charts/chart_image.h"
 #include "widgets/charts/figure_painter.h"
 #include "widgets/charts/time_chart.h"
-#include "widgets/theme/quantity_text.h"
+#include "widgets/theme/typed_quantity.h"
 
 #include <QChart>
 #include <QLineSeries>

@@ -144,30 +144,15 @@ private slots:
         QCOMPARE(longitudeText(179.99, 1, kEnglish), u"179° 59.4′ E"_s);
     }
 
-    void clockValues_data()
+    void durationsOfFields()
     {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<double>("time_s"); // negative: no time
-        QTest::newRow("seconds") << u"90"_s << 90.0;
-        QTest::newRow("minutes") << u"3:20"_s << 200.0;
-        QTest::newRow("hours") << u" 1:02:05 "_s << 3725.0;
-        QTest::newRow("tenths") << u"0:01.5"_s << 1.5;
-        QTest::newRow("decimal comma") << u"0:01,5"_s << 1.5;
-        QTest::newRow("many minutes") << u"90:00"_s << 5400.0;
-        QTest::newRow("sixty seconds") << u"1:60"_s << -1.0;
-        QTest::newRow("negative") << u"-5"_s << -1.0;
-        QTest::newRow("words") << u"soon"_s << -1.0;
-        QTest::newRow("nothing") << QString() << -1.0;
-        QTest::newRow("half") << u"3:"_s << -1.0;
-        QTest::newRow("days") << u"1:1:1:1"_s << -1.0;
-        QTest::newRow("infinite") << u"inf"_s << -1.0;
-    }
-
-    void clockValues()
-    {
-        QFETCH(QString, text);
-        QFETCH(double, time_s);
-        QCOMPARE(clockValue(text).value_or(-1), time_s);
+        QCOMPARE(fieldDurationText(0, 2, kEnglish), u"0 s"_s);
+        QCOMPARE(fieldDurationText(0.25, 2, kEnglish), u"0.25 s"_s);
+        QCOMPARE(fieldDurationText(45, 1, kEnglish), u"45 s"_s);
+        QCOMPARE(fieldDurationText(2700, 1, kEnglish), u"45 min"_s);
+        QCOMPARE(fieldDurationText(7200, 0, kEnglish), u"120 min"_s);
+        QCOMPARE(fieldDurationText(1000, 1, kEnglish), u"0:16:40"_s);
+        QCOMPARE(fieldDurationText(3605.5, 1, kEnglish), u"1:00:05.5"_s);
     }
 };
 

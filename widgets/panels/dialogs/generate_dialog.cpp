@@ -35,8 +35,11 @@ constexpr double kHeight_m = 4000;
 void addRow(QFormLayout& form, const QString& text, std::initializer_list<QWidget*> widgets)
 {
     auto* row = new QHBoxLayout;
-    for (QWidget* widget : widgets)
-        row->addWidget(widget, qobject_cast<QLabel*>(widget) == nullptr ? 1 : 0);
+    for (QWidget* widget : widgets) {
+        auto* number = qobject_cast<NumberField*>(widget);
+        row->addWidget(number != nullptr ? withRemark(number) : widget,
+                       qobject_cast<QLabel*>(widget) == nullptr ? 1 : 0);
+    }
     auto* label = new QLabel(text);
     label->setBuddy(*widgets.begin());
     form.addRow(label, row);

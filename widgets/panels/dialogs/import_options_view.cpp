@@ -179,7 +179,7 @@ void ImportOptionsView::addArea()
         connect(edge, &NumberField::edited, this, &ImportOptionsView::edited);
         const int column = i % 2 == 0 ? 0 : 2;
         grid->addWidget(new QLabel(words[qsizetype(i)]), static_cast<int>(i / 2), column);
-        grid->addWidget(edge, static_cast<int>(i / 2), column + 1);
+        grid->addWidget(withRemark(edge), static_cast<int>(i / 2), column + 1);
         m_edges[i] = edge;
     }
     grid->setColumnStretch(1, 1);
@@ -202,7 +202,7 @@ NumberField* ImportOptionsView::addNumber(const QString& name, const QString& la
     field->limit(0, highest);
     field->showValue(value);
     connect(field, &NumberField::edited, this, &ImportOptionsView::edited);
-    m_form->addRow(label, field);
+    m_form->addRow(label, withRemark(field));
     return field;
 }
 

@@ -2,11 +2,14 @@
 
 #include "widgets/panels/fields/entry_field.h"
 #include "widgets/panels/fields/wheel_guard.h"
+#include "widgets/theme/quantity_text.h"
+#include "widgets/theme/typed_quantity.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
-#include <QToolTip>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +37,7 @@ void NumberField::setNumberFormat(Decimals decimals, const QString& unit)
     m_leastDecimals = decimals.least;
     m_unit = unit;
     setDecimals(decimals.most);
-    setSuffix(m_mixed ? QString() : m_unit);
+    setSuffix(m_mixed || isDuration() ? QString() : m_unit);
 }
 
 void NumberField::setLowestText(const QString& text)
@@ -67,6 +70,7 @@ void NumberField::showNumber(double value, bool mixed)
         return;
     m_shown = value;
     m_typed.reset();
+    emit remarked({});
     setMixed(mixed);
     setValue(value);
 }
@@ -78,7 +82,7 @@ void NumberField::setMixed(bool mixed)
     m_mixed = mixed;
     lineEdit()->setPlaceholderText(m_mixed ? tr("mixed") : QString());
     // Nothing may stand in the field, or the placeholder does not show.
-    setSuffix(m_mixed ? QString() : m_unit);
+    setSuffix(m_mixed || isDuration() ? QString() : m_unit);
     setSpecialValueText(m_mixed ? QString() : m_lowestText);
 }
 
@@ -97,6 +101,12 @@ void NumberField::noteTyping(const QString& text)
     m_typed.reset();
     if (m_mixed && validate(copy, position) == QValidator::Acceptable)
         m_typed = valueFromText(copy);
+    m_typedNumber = numberIn(text); // before an edit shows another unit
+    m_typing = text;
+    if (!suffix().isEmpty() && m_typing.endsWith(suffix()))
+        m_typing.chop(suffix().size());
+    m_typing = m_typing.trimmed();
+    emit remarked({});
 }
 
 void NumberField::commit(double value)
@@ -113,47 +123,102 @@ void NumberField::finish()
     if (m_typed)
         commit(*m_typed);
     settleTyping(*lineEdit());
+    remark();
     if (!std::exchange(m_editing, false))
         return;
     emit editFinished();
 }
 
-/** A number beyond the limits can be typed to its end; else its first digits would be taken. */
-QValidator::State NumberField::validate(QString& text, int& position) const
+/** Says what became of what was typed where that is something else. */
+void NumberField::remark()
 {
-    const QValidator::State state = QDoubleSpinBox::validate(text, position);
-    if (state != QValidator::Invalid)
-        return state;
-    const std::optional<double> number = numberIn(text);
-    return number && (*number < minimum() || *number > maximum()) ? QValidator::Intermediate
-                                                                  : QValidator::Invalid;
+    const QString typing = std::exchange(m_typing, QString());
+    if (typing.isEmpty() || typing == m_lowestText)
+        return;
+    const double half = 0.5 * std::pow(10.0, -decimals());
+    if (!m_typedNumber)
+        emit remarked(
+            tr("\"%1\" cannot be read. Type it like %2.").arg(typing, shownText(m_shown)));
+    else if (*m_typedNumber > maximum() + half)
+        emit remarked(
+            tr("\"%1\" is above the highest value. %2 was set.").arg(typing, shownText(maximum())));
+    else if (*m_typedNumber < minimum() - half)
+        emit remarked(
+            tr("\"%1\" is below the lowest value. %2 was set.").arg(typing, shownText(minimum())));
 }
 
-/** Makes it the nearest one that can be set, and says so. */
+/** What is half typed may become a number: only what cannot is refused, key by key. */
+QValidator::State NumberField::validate(QString& text, int& position) const
+{
+    constexpr int kLongest = 40;
+    if (m_mixed && text.isEmpty())
+        return QValidator::Intermediate;
+    if (!m_lowestText.isEmpty() && text == m_lowestText)
+        return QValidator::Acceptable;
+    if (hasOtherUnits(m_unit)) {
+        QString body = text;
+        if (!suffix().isEmpty() && body.endsWith(suffix()))
+            body.chop(suffix().size());
+        const auto isWritten = [](QChar c) { return c.isLetter() || c == u'%' || c == u'°'; };
+        if (std::any_of(body.cbegin(), body.cend(), isWritten)) {
+            text = body; // a unit of its own takes the place of the one that was there
+            position = std::min(position, static_cast<int>(text.size()));
+        }
+        if (text.size() > kLongest)
+            return QValidator::Invalid;
+    } else if (const QValidator::State state = QDoubleSpinBox::validate(text, position);
+               state != QValidator::Invalid) {
+        return state;
+    }
+    const std::optional<double> number = numberIn(text);
+    const bool isInside = number && *number >= minimum() && *number <= maximum();
+    if (hasOtherUnits(m_unit))
+        return isInside ? QValidator::Acceptable : QValidator::Intermediate;
+    return number && !isInside ? QValidator::Intermediate : QValidator::Invalid;
+}
+
+double NumberField::valueFromText(const QString& text) const
+{
+    if (!m_lowestText.isEmpty() && text == m_lowestText)
+        return minimum();
+    return numberIn(text).value_or(value());
+}
+
+/** A number that is out of range becomes the nearest one that can be set. */
 void NumberField::fixup(QString& text) const
 {
-    const std::optional<double> number = numberIn(text);
-    if (!number)
-        return;
-    text = prefix() + textFromValue(std::clamp(*number, minimum(), maximum())) + suffix();
-    QToolTip::showText(mapToGlobal(rect().bottomLeft()),
-                       tr("From %1 to %2").arg(textFromValue(minimum()), textFromValue(maximum())));
+    if (const std::optional<double> number = numberIn(text))
+        text = shownText(std::clamp(*number, minimum(), maximum()));
 }
 
 std::optional<double> NumberField::numberIn(QString text) const
 {
-    constexpr int kLongest = 20;
-    if (text.endsWith(suffix()))
+    constexpr double kMinute_s = 60;
+    if (isDuration()) {
+        const bool inMinutes =
+            !m_mixed && m_shown >= kMinute_s && std::fmod(m_shown, kMinute_s) == 0;
+        return clockValue(text, inMinutes ? kMinute_s : 1, locale());
+    }
+    if (!suffix().isEmpty() && text.endsWith(suffix()))
         text.chop(suffix().size());
-    bool isNumber = false;
-    const double number = locale().toDouble(text.trimmed(), &isNumber);
-    return isNumber && std::isfinite(number) && text.size() <= kLongest ? std::optional(number)
-                                                                        : std::nullopt;
+    return typedNumber(text, m_unit, locale());
+}
+
+bool NumberField::isDuration() const
+{
+    return m_unit == u" s"_s;
+}
+
+QString NumberField::shownText(double value) const
+{
+    return !m_lowestText.isEmpty() && value == minimum() ? m_lowestText
+                                                         : textFromValue(value) + suffix();
 }
 
 void NumberField::finishTyping()
 {
-    if (!lineEdit()->isModified())
+    // A unit that comes back makes the line forget that it was modified.
+    if (!lineEdit()->isModified() && m_typing.isEmpty())
         return;
     interpretText();
     finish();
@@ -163,6 +228,8 @@ QString NumberField::textFromValue(double value) const
 {
     if (m_mixed)
         return {};
+    if (isDuration())
+        return fieldDurationText(value, decimals(), locale());
     QLocale plain = locale();
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
     QString text = plain.toString(value, 'f', decimals());
@@ -194,6 +261,27 @@ QSize NumberField::sizeHint() const
 QSize NumberField::minimumSizeHint() const
 {
     return sizeHint();
+}
+
+QWidget* withRemark(NumberField* field)
+{
+    auto* whole = new QWidget;
+    auto* remark = new QLabel;
+    remark->setObjectName(field->objectName() + u"Fault"_s);
+    remark->setWordWrap(true);
+    remark->hide();
+    auto* column = new QVBoxLayout(whole);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addWidget(field);
+    column->addWidget(remark);
+    whole->setFocusProxy(field);
+    QObject::connect(field, &NumberField::remarked, remark, [remark](const QString& sentence) {
+        remark->setText(sentence);
+        remark->setAccessibleName(sentence);
+        remark->setVisible(!sentence.isEmpty());
+    });
+    return whole;
 }
 
 } // namespace berg

@@ -5,12 +5,15 @@
 #include "widgets/panels/flight/run_time_line.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/theme/typed_quantity.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
+#include <QStatusTipEvent>
 #include <QToolButton>
 
 #include <algorithm>
@@ -176,6 +179,11 @@ void PlaybackBar::finishTime()
 {
     const std::optional<double> time_s = clockValue(m_time->text());
     const bool isNew = m_time->isModified() && time_s.has_value();
+    if (m_time->isModified() && !time_s) {
+        QStatusTipEvent said(
+            tr("\"%1\" is not a time. Type it like 3:20 or 45 min.").arg(m_time->text().trimmed()));
+        QCoreApplication::sendEvent(window(), &said);
+    }
     m_time->setModified(false);
     m_time->setText(m_timeText); // until the picture of that time is there
     if (isNew)

@@ -5,9 +5,11 @@
 #include "widgets/panels/icebergs/iceberg_table_model.h"
 #include "widgets/theme/icons.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
+#include <QStatusTipEvent>
 
 #include <algorithm>
 
@@ -158,7 +160,13 @@ QWidget* IcebergTableDelegate::createEditor(QWidget* parent, const QStyleOptionV
     QWidget* editor = nullptr;
     if (spec.number) {
         auto* field = new CellField(parent);
-        field->setNumberFormat(spec.number->decimals, {});
+        field->setNumberFormat(spec.number->decimals, spec.number->unit);
+        field->setSuffix({}); // the heading names the unit
+        connect(field, &NumberField::remarked, parent->window(),
+                [window = parent->window()](const QString& sentence) {
+                    QStatusTipEvent tip(sentence); // the cell has no room for a remark
+                    QCoreApplication::sendEvent(window, &tip);
+                });
         field->setSingleStep(spec.number->step);
         const Limits range = spec.number->range(Scenario());
         field->limit(range.low, range.high);

@@ -122,8 +122,10 @@ void InspectorForm::addInput(const RowWords& words, QWidget* input)
     input->setObjectName(words.key);
     input->setAccessibleName(words.label);
     input->setToolTip(words.toolTip);
-    m_form->addRow(newLabel(words.label, input), input);
-    showWhere(words, input);
+    auto* number = qobject_cast<NumberField*>(input);
+    QWidget* row = number != nullptr ? withRemark(number) : input;
+    m_form->addRow(newLabel(words.label, input), row);
+    showWhere(words, row);
     if (m_first == nullptr)
         m_first = input;
 }
@@ -396,6 +398,9 @@ void InspectorForm::edit(const RowWords& words,
 
 void InspectorForm::showObjects(std::vector<std::string> ids)
 {
+    if (ids != m_ids)
+        for (NumberField* field : findChildren<NumberField*>())
+            emit field->remarked({}); // it is about another one
     m_ids = std::move(ids);
     showAll();
 }

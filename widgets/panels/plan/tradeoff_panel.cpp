@@ -177,7 +177,7 @@ void TradeoffPanel::addTau()
     shortest->setAlignment(Qt::AlignRight | Qt::AlignTop);
 
     grid->addWidget(label, 0, 0);
-    grid->addWidget(m_tau, 0, 1, Qt::AlignRight);
+    grid->addWidget(withRemark(m_tau), 0, 1, Qt::AlignRight);
     grid->addWidget(m_slider, 1, 0, 1, 2);
     grid->addWidget(m_strip, 2, 0, 1, 2);
     grid->addWidget(uncertain, 3, 0, Qt::AlignTop);

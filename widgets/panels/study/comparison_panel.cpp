@@ -142,7 +142,7 @@ void ComparisonPanel::addActions()
     auto* row = new QHBoxLayout;
     row->setSpacing(kGap_px);
     row->addWidget(m_tauLabel);
-    row->addWidget(m_tau);
+    row->addWidget(withRemark(m_tau));
     row->addWidget(m_fly);
     row->addStretch();
     row->addWidget(m_open);

@@ -112,7 +112,7 @@ void SolveTimePanel::addSettings()
         auto* pair = new QVBoxLayout;
         pair->setSpacing(1);
         pair->addWidget(caption);
-        pair->addWidget(field);
+        pair->addWidget(withRemark(field));
         row->addLayout(pair);
         return field;
     };

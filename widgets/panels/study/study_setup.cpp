@@ -81,7 +81,7 @@ NumberField* StudySetup::addNumber(QBoxLayout& row, const NumberSpec& spec)
     auto* pair = new QVBoxLayout;
     pair->setSpacing(1);
     pair->addWidget(caption);
-    pair->addWidget(field);
+    pair->addWidget(withRemark(field));
     row.addLayout(pair, 1);
     connect(field, &NumberField::edited, this, [this, field] {
         if (field == m_from || field == m_to || field == m_step)

@@ -242,7 +242,7 @@ private slots:
         for (const QString& row : rows)
             QVERIFY2(f.isShown(row), qPrintable(row));
         QCOMPARE(test::child<NumberField>(f.panel, u"uavHomeEast"_s).value(), -500.0); // the start
-        f.type(u"uavTurnaround"_s, u"300"_s);
+        f.type(u"uavTurnaround"_s, u"300 s"_s);
         QCOMPARE(f.scenario().uavs[0].turnaround_s, 300.0);
         f.type(u"uavHomeEast"_s, u"0"_s);
         QVERIFY(*f.scenario().uavs[0].home_m == Point(0, 500)); // what is not typed stays
@@ -331,8 +331,9 @@ private slots:
             const QWidget* field = label->buddy();
             if (field == nullptr || !label->isVisible())
                 continue;
-            QVERIFY2(label->geometry().top() <= field->geometry().center().y() &&
-                         label->geometry().right() < field->geometry().left(),
+            const QRect at(field->mapTo(label->parentWidget(), QPoint()), field->size());
+            QVERIFY2(label->geometry().top() <= at.center().y() &&
+                         label->geometry().right() < at.left(),
                      qPrintable(label->text()));
             for (const QString& word : label->text().split(QRegularExpression(u"[ -]"_s)))
                 QVERIFY2(label->fontMetrics().horizontalAdvance(word) <= label->width(),
