@@ -35,6 +35,13 @@ bool opensMenu(const QKeyEvent& key)
     return key.key() == Qt::Key_F10 && key.modifiers() == Qt::ShiftModifier;
 }
 
+/** The line that is typed in; null where the widget has none. */
+const QLineEdit* lineOf(QObject& widget)
+{
+    const auto* box = qobject_cast<QAbstractSpinBox*>(&widget);
+    return box != nullptr ? box->findChild<QLineEdit*>() : qobject_cast<QLineEdit*>(&widget);
+}
+
 /**
  * Whether the window is asked, not the field that is typed in: a space is no number, there is
  * nothing typed to take back, and Ctrl+E would be the end of the line.
@@ -261,6 +268,17 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
             return true;
         }
     return QMainWindow::eventFilter(watched, event);
+}
+
+/** Esc that nothing else has a use for leaves the tool, whatever has the focus. */
+void MainWindow::keyPressEvent(QKeyEvent* event)
+{
+    const QLineEdit* line = focusWidget() != nullptr ? lineOf(*focusWidget()) : nullptr;
+    const bool isTyping = line != nullptr && line->isModified();
+    if (event->key() != Qt::Key_Escape || event->modifiers() != Qt::NoModifier || isTyping)
+        return QMainWindow::keyPressEvent(event);
+    m_panels.map->setFocus();
+    QCoreApplication::sendEvent(m_panels.map, event);
 }
 
 /** The next one that can be seen: a field behind another tab would be changed unseen. */
