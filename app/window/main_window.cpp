@@ -35,6 +35,24 @@ bool opensMenu(const QKeyEvent& key)
     return key.key() == Qt::Key_F10 && key.modifiers() == Qt::ShiftModifier;
 }
 
+/** A key that writes a character: a field with the focus has it, whether or not it takes it. */
+bool isPrintable(const QKeyEvent& key)
+{
+    const Qt::KeyboardModifiers others =
+        key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+    return (others == Qt::NoModifier || others == Qt::GroupSwitchModifier) &&
+           !key.text().isEmpty() && key.text().front().isPrint();
+}
+
+bool isField(const QObject& watched)
+{
+    const auto* combo = qobject_cast<const QComboBox*>(&watched);
+    return qobject_cast<const QLineEdit*>(&watched) != nullptr ||
+           qobject_cast<const QAbstractSpinBox*>(&watched) != nullptr ||
+           qobject_cast<const QPlainTextEdit*>(&watched) != nullptr ||
+           (combo != nullptr && combo->isEditable());
+}
+
 /** The line that is typed in; null where the widget has none. */
 const QLineEdit* lineOf(QObject& widget)
 {
@@ -43,8 +61,8 @@ const QLineEdit* lineOf(QObject& widget)
 }
 
 /**
- * Whether the window is asked, not the field that is typed in: a space is no number, there is
- * nothing typed to take back, and Ctrl+E would be the end of the line.
+ * Whether the window is asked, not the field that is typed in: there is nothing typed to take back,
+ * and Ctrl+E would be the end of the line.
  */
 bool goesToWindow(const QKeyEvent& key, QObject& watched)
 {
@@ -53,15 +71,12 @@ bool goesToWindow(const QKeyEvent& key, QObject& watched)
     if (const auto* page = qobject_cast<QPlainTextEdit*>(&watched))
         return isHistory && !page->document()->isUndoAvailable() &&
                !(isRedo && page->document()->isRedoAvailable());
-    const auto* box = qobject_cast<QAbstractSpinBox*>(&watched);
-    const auto* field =
-        box != nullptr ? box->findChild<QLineEdit*>() : qobject_cast<QLineEdit*>(&watched);
+    const QLineEdit* field = lineOf(watched);
     if (field == nullptr)
         return false;
     if (key.modifiers() == Qt::ControlModifier && key.key() == Qt::Key_E)
         return true;
-    return (box != nullptr && key.key() == Qt::Key_Space && key.modifiers() == Qt::NoModifier) ||
-           (isHistory && !field->isModified() && !(isRedo && field->isRedoAvailable()));
+    return isHistory && !field->isModified() && !(isRedo && field->isRedoAvailable());
 }
 
 } // namespace
@@ -248,6 +263,10 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
         const auto& key = *static_cast<QKeyEvent*>(event);
         if (goesToWindow(key, *watched)) {
             event->ignore();
+            return true;
+        }
+        if (isPrintable(key) && isField(*watched)) {
+            event->accept();
             return true;
         }
         const bool plain = key.modifiers() == Qt::NoModifier;

@@ -88,8 +88,8 @@ class TestMainWindowKeys : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    /** What is typed in a field is taken with Return; then the keys are those of the window. */
-    void fieldsLeaveTheKeysOfTheWindow()
+    /** While a field has the focus all that writes is its own; Esc leaves it for the map. */
+    void fieldsKeepTheirKeysUntilEscape()
     {
         WindowFixture w(randomScenario(1, {.icebergs = 4}));
         const double before = w.scenario().planner.tau;
@@ -107,6 +107,10 @@ private slots:
         QCOMPARE(w.scenario().planner.tau, before);
         QVERIFY(w.untilReady());
         QTest::keyClick(&tau, Qt::Key_Space);
+        QVERIFY(!w.workspace.inFlight());
+        QTest::keyClick(&tau, Qt::Key_Escape);
+        QCOMPARE(QApplication::focusWidget(), &w.map());
+        QTest::keyClick(&w.map(), Qt::Key_Space);
         QVERIFY(w.until([&] { return w.workspace.isPlaying(); }));
         QVERIFY(!tau.text().isEmpty());
     }

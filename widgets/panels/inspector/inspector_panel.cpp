@@ -8,6 +8,7 @@
 #include "widgets/theme/palette.h"
 #include "widgets/words/issue_text.h"
 
+#include <QApplication>
 #include <QFormLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -201,6 +202,9 @@ void InspectorPanel::setLocked(bool locked)
     m_locked = locked;
     m_lock.row->setVisible(locked);
     lockInputs();
+    if (const QWidget* focused = QApplication::focusWidget();
+        locked && focused != nullptr && isAncestorOf(focused))
+        emit left(); // a locked field has no use for the keys of a flight
 }
 
 void InspectorPanel::lockInputs()
