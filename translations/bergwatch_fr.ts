@@ -3108,10 +3108,6 @@
         <translation>Début (UTC)</translation>
     </message>
     <message>
-        <source>Date and time of the start, such as 2024-05-01T06:00:00Z; empty: times are relative.</source>
-        <translation>Date et heure du début, par exemple 2024-05-01T06:00:00Z ; vide : les temps sont relatifs.</translation>
-    </message>
-    <message>
         <source>Change start</source>
         <translation>Modifier le début</translation>
     </message>
@@ -3960,6 +3956,10 @@ Zone adjacente %4</translation>
     <message>
         <source>and %1 more</source>
         <translation>et %1 de plus</translation>
+    </message>
+    <message>
+        <source>Date and time of the start, such as 2026-11-29 12:00 or 29 Nov 2026 12:00; 1200Z keeps the date. Empty: times are relative.</source>
+        <translation>Date et heure du départ, par exemple 2026-11-29 12:00 ou 29 Nov 2026 12:00 ; 1200Z garde la date. Vide : les temps sont relatifs.</translation>
     </message>
 </context>
 <context>
@@ -7571,6 +7571,21 @@ Zone adjacente %4</translation>
     <message>
         <source>Time, mm:ss</source>
         <translation>Temps, mm:ss</translation>
+    </message>
+</context>
+<context>
+    <name>TimeEntry</name>
+    <message>
+        <source>Day and month of &quot;%1&quot; can be read either way. Type it like 2026-11-29 12:00.</source>
+        <translation>Le jour et le mois de « %1 » peuvent se lire de deux façons. Écrivez-le comme 2026-11-29 12:00.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no date. Type it like 2026-11-29 12:00.</source>
+        <translation>« %1 » n&apos;a pas de date. Écrivez-le comme 2026-11-29 12:00.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a date and time. Type it like 2026-11-29 12:00 or 29 Nov 2026 12:00.</source>
+        <translation>« %1 » n&apos;est pas une date avec heure. Écrivez-la comme 2026-11-29 12:00 ou 29 Nov 2026 12:00.</translation>
     </message>
 </context>
 <context>

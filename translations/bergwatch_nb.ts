@@ -3108,10 +3108,6 @@
         <translation>Starttid (UTC)</translation>
     </message>
     <message>
-        <source>Date and time of the start, such as 2024-05-01T06:00:00Z; empty: times are relative.</source>
-        <translation>Dato og klokkeslett for start, som 2024-05-01T06:00:00Z; tomt: tidene er relative.</translation>
-    </message>
-    <message>
         <source>Change start</source>
         <translation>Endre starttid</translation>
     </message>
@@ -3960,6 +3956,10 @@ Tilstøtende område %4</translation>
     <message>
         <source>Remove airspace</source>
         <translation>Fjern luftrom</translation>
+    </message>
+    <message>
+        <source>Date and time of the start, such as 2026-11-29 12:00 or 29 Nov 2026 12:00; 1200Z keeps the date. Empty: times are relative.</source>
+        <translation>Dato og klokkeslett for start, som 2026-11-29 12:00 eller 29 Nov 2026 12:00; 1200Z beholder datoen. Tomt: tidene er relative.</translation>
     </message>
 </context>
 <context>
@@ -7571,6 +7571,21 @@ Tilstøtende område %4</translation>
     <message>
         <source>Time, mm:ss</source>
         <translation>Tid, mm:ss</translation>
+    </message>
+</context>
+<context>
+    <name>TimeEntry</name>
+    <message>
+        <source>Day and month of &quot;%1&quot; can be read either way. Type it like 2026-11-29 12:00.</source>
+        <translation>Dag og måned i «%1» kan leses på to måter. Skriv det som 2026-11-29 12:00.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no date. Type it like 2026-11-29 12:00.</source>
+        <translation>«%1» har ingen dato. Skriv det som 2026-11-29 12:00.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a date and time. Type it like 2026-11-29 12:00 or 29 Nov 2026 12:00.</source>
+        <translation>«%1» er ikke en dato med klokkeslett. Skriv det som 2026-11-29 12:00 eller 29 Nov 2026 12:00.</translation>
     </message>
 </context>
 <context>

@@ -58,7 +58,7 @@ std::optional<UtcTime> timeOf(const std::string& option, const std::string& text
 {
     if (text.empty())
         return std::nullopt;
-    const std::optional<UtcTime> time = parseUtc(text);
+    const std::optional<UtcTime> time = parseTypedTime(text);
     if (!time)
         throw UsageError(
             QT_TRANSLATE_NOOP("CommandLine", "%1: %2 is no UTC time such as 2026-05-01T12:00:00Z"),

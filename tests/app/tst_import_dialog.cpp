@@ -331,7 +331,7 @@ private slots:
         QCOMPARE(import.dialog().choice()->scenario.startUtc, std::string("2021-02-05T00:00:00Z"));
         QVERIFY(!scene.text().contains(u"05/02/2021"_s) && scene.text().contains(u"Kalman"_s));
         QVERIFY(import.at<QComboBox>(u"importDates"_s).isVisible()); // to choose anew
-        QCOMPARE(import.at<QDateTimeEdit>(u"importSince"_s).date(), QDate(2021, 2, 5));
+        QVERIFY(import.at<QLineEdit>(u"importSince"_s).text().startsWith(u"2021-02-05 "_s));
     }
 
     /** Each finding has words of its own, also in the core. */

@@ -7,12 +7,11 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDateTimeEdit>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTableView>
-#include <QTimeZone>
 #include <QtTest>
 
 namespace berg::test {
@@ -72,8 +71,7 @@ public:
     void setTime(const QString& name, const char* text)
     {
         check(name + QStringLiteral("Box"));
-        at<QDateTimeEdit>(name).setDateTime(
-            QDateTime::fromMSecsSinceEpoch(utc(text).time_since_epoch().count(), QTimeZone::utc()));
+        enter(at<QLineEdit>(name), QString::fromLatin1(text));
     }
 
 private:

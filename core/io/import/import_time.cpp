@@ -126,14 +126,16 @@ std::optional<sys_days> readDay(Scanner& scanner, DateOrder order)
     if (first.size() == 7 || first.size() == 8)
         return compactDay(first);
     const char separator = scanner.front();
-    if (separator != '-' && separator != '/' && separator != '.')
+    if (separator != '-' && separator != '/' && separator != '.' && separator != ' ')
         return std::nullopt;
     scanner.take(separator);
+    scanner.blanks();
     const std::string_view second = scanner.digits();
     const std::optional<int> named = second.empty() ? monthOfName(scanner.letters()) : std::nullopt;
     const std::optional<int> middle = named ? named : numberOf(second);
-    if (!scanner.take(separator))
+    if (!scanner.take(separator) || (separator == ' ' && !named))
         return std::nullopt;
+    scanner.blanks();
     const std::string_view third = scanner.digits();
     const std::optional<int> a = numberOf(first);
     const std::optional<int> c = numberOf(third);
@@ -212,6 +214,16 @@ std::optional<milliseconds> readSuffix(Scanner& scanner, milliseconds clock)
     return sign == '+' ? clock - offset : clock + offset;
 }
 
+/** A time of day with what stands behind it, to the end of the text. */
+std::optional<milliseconds> readRest(Scanner& scanner)
+{
+    std::optional<milliseconds> clock = readClock(scanner);
+    if (clock)
+        clock = readSuffix(scanner, *clock);
+    scanner.blanks();
+    return scanner.done() ? clock : std::nullopt;
+}
+
 } // namespace
 
 std::optional<UtcTime> parseSightingTime(std::string_view text, DateOrder order)
@@ -225,13 +237,15 @@ std::optional<UtcTime> parseSightingTime(std::string_view text, DateOrder order)
         scanner.blanks();
     if (scanner.done())
         return UtcTime(*date);
-    std::optional<milliseconds> clock = readClock(scanner);
-    if (clock)
-        clock = readSuffix(scanner, *clock);
+    const std::optional<milliseconds> clock = readRest(scanner);
+    return clock ? std::optional(UtcTime(*date) + *clock) : std::nullopt;
+}
+
+std::optional<milliseconds> parseTimeOfDay(std::string_view text)
+{
+    Scanner scanner(text);
     scanner.blanks();
-    if (!clock || !scanner.done())
-        return std::nullopt;
-    return UtcTime(*date) + *clock;
+    return readRest(scanner);
 }
 
 bool hasTwoReadings(std::string_view text)
@@ -239,6 +253,15 @@ bool hasTwoReadings(std::string_view text)
     const std::optional<UtcTime> monthFirst = parseSightingTime(text, DateOrder::MonthFirst);
     const std::optional<UtcTime> dayFirst = parseSightingTime(text, DateOrder::DayFirst);
     return monthFirst && dayFirst && *monthFirst != *dayFirst;
+}
+
+std::optional<UtcTime> parseTypedTime(std::string_view text)
+{
+    const std::optional<UtcTime> monthFirst = parseSightingTime(text, DateOrder::MonthFirst);
+    const std::optional<UtcTime> dayFirst = parseSightingTime(text, DateOrder::DayFirst);
+    if (monthFirst && dayFirst && *monthFirst != *dayFirst)
+        return std::nullopt;
+    return monthFirst ? monthFirst : dayFirst;
 }
 
 std::optional<DateOrder> dateOrderOf(std::string_view text)

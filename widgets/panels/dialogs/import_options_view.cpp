@@ -1,17 +1,17 @@
 #include "widgets/panels/dialogs/import_options_view.h"
 
+#include "widgets/panels/fields/entry_field.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/fields/wheel_guard.h"
+#include "widgets/words/time_entry.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDateTimeEdit>
+#include <QDateTime>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
-#include <QTimeZone>
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +25,18 @@ constexpr int kGap_px = 5;
 constexpr double kHighestError_m = 1e6;
 constexpr double kHighestGrowth_m2ps = 1e6;
 
-UtcTime utcOf(const QDateTimeEdit& edit)
+/** In a form that `readTime` reads. */
+QString lineText(UtcTime time)
 {
-    return UtcTime(std::chrono::milliseconds(edit.dateTime().toMSecsSinceEpoch()));
+    return QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count(), Qt::UTC)
+        .toString(u"yyyy-MM-dd HH:mm:ss 'UTC'"_s);
+}
+
+std::optional<UtcTime> timeIn(const QString& text)
+{
+    const auto read = readTime(text, std::nullopt);
+    const auto* time = std::get_if<UtcTime>(&read);
+    return time != nullptr ? std::optional(*time) : std::nullopt;
 }
 
 } // namespace
@@ -135,21 +144,24 @@ void ImportOptionsView::addDates()
 ImportOptionsView::TimeRow ImportOptionsView::addTime(const QString& name, const QString& text,
                                                       const QString& toolTip)
 {
-    const TimeRow row{.box = new QCheckBox(text), .edit = new QDateTimeEdit};
-    row.box->setObjectName(name + u"Box"_s);
-    row.box->setToolTip(toolTip);
-    row.edit->setObjectName(name);
-    row.edit->setToolTip(toolTip);
-    row.edit->setAccessibleName(QString(text).remove(u'&'));
-    // Qt 6.8 deprecates the setter, and Qt 6.4 does not have setTimeZone() in its place.
-    row.edit->setProperty("timeSpec", QVariant::fromValue(Qt::UTC));
-    row.edit->setDisplayFormat(u"yyyy-MM-dd HH:mm:ss 'UTC'"_s);
-    guardWheel(*row.edit);
+    auto* box = new QCheckBox(text);
+    box->setObjectName(name + u"Box"_s);
+    box->setToolTip(toolTip);
+    const auto whyNot = [](const QString& typed) {
+        const auto read = readTime(typed, std::nullopt);
+        const auto* fault = std::get_if<QString>(&read);
+        return fault != nullptr ? *fault : QString();
+    };
+    const TimeRow row{.box = box,
+                      .edit = new EntryField(
+                          {.key = name, .label = QString(text).remove(u'&'), .toolTip = toolTip},
+                          EntryField::Says::WhenFinished, whyNot)};
+    row.edit->showText(lineText(UtcTime(std::chrono::seconds(946'684'800)))); // 2000
     connect(row.box, &QCheckBox::toggled, this, [this] {
         enableInputs();
         emit edited();
     });
-    connect(row.edit, &QDateTimeEdit::dateTimeChanged, this, &ImportOptionsView::edited);
+    connect(row.edit, &EntryField::edited, this, &ImportOptionsView::edited);
     m_form->addRow(row.box, row.edit);
     return row;
 }
@@ -246,10 +258,8 @@ void ImportOptionsView::showFile(const SightingSummary& file)
     if (!file.first || !file.last)
         return;
     const auto show = [](const TimeRow& row, UtcTime time) {
-        const QSignalBlocker nobodyEdited(row.edit);
         if (!row.box->isChecked())
-            row.edit->setDateTime(
-                QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count(), QTimeZone::utc()));
+            row.edit->showText(lineText(time));
     };
     show(m_at, *file.last);
     show(m_since, *file.first);
@@ -287,7 +297,7 @@ std::optional<DateOrder> ImportOptionsView::dates() const
 ImportOptions ImportOptionsView::options() const
 {
     const auto timeOf = [](const TimeRow& row) {
-        return row.box->isChecked() ? std::optional(utcOf(*row.edit)) : std::nullopt;
+        return row.box->isChecked() ? timeIn(row.edit->text()) : std::nullopt;
     };
     ImportOptions options{.at = timeOf(m_at), .since = timeOf(m_since), .until = timeOf(m_until)};
     if (m_areaBox->isChecked())

@@ -9,12 +9,12 @@
 
 class QCheckBox;
 class QComboBox;
-class QDateTimeEdit;
 class QFormLayout;
 class QPushButton;
 
 namespace berg {
 
+class EntryField;
 class NumberField;
 
 /** The smallest box round a closed outline that goes round what is wanted, a pole included. */
@@ -51,7 +51,7 @@ private:
     struct TimeRow
     {
         QCheckBox* box = nullptr;
-        QDateTimeEdit* edit = nullptr;
+        EntryField* edit = nullptr;
     };
     void addDates();
     void addTarget(const QString& presentName, bool intoNew);

@@ -46,6 +46,8 @@ public:
 
     /** `placeholder` is what an empty line says. */
     void showText(const QString& text, const QString& placeholder = {});
+    /** What was taken last. */
+    [[nodiscard]] QString text() const { return m_shown; }
     void setLocked(bool locked);
     /** Takes what is typed as if Return had been pressed. */
     void finishTyping();

@@ -199,8 +199,6 @@ void InspectorForm::addLine(const TextRow& row)
     auto* line = new QLineEdit;
     addInput(row.words, line);
     connect(line, &QLineEdit::textEdited, this, [this, row](const QString& text) {
-        if (row.isAllowed && !row.isAllowed(text.toStdString()))
-            return; // not yet, or not at all
         edit(row.words, [&](Scenario& scenario, const std::string& id) {
             row.write(scenario, id, text.toStdString());
         });
@@ -208,12 +206,11 @@ void InspectorForm::addLine(const TextRow& row)
     connect(line, &QLineEdit::editingFinished, this, [this, line] {
         m_document.endGesture();
         settleTyping(*line);
-        showAll(); // in place of what could not be taken
     });
     m_shows.emplace_back([this, row, line] {
         const std::optional<std::string> value = common(row.read);
         const QString text = QString::fromStdString(value.value_or(""));
-        line->setPlaceholderText(value ? row.placeholder : tr("mixed"));
+        line->setPlaceholderText(value ? QString() : tr("mixed"));
         if (text != line->text()) {
             line->setText(text);
             line->setCursorPosition(0);
@@ -279,7 +276,7 @@ void InspectorForm::add(const EntryRow& row)
     });
     m_shows.emplace_back([this, row, field] {
         const std::optional<QString> text = commonText(row.read);
-        field->showText(text.value_or(QString()), text ? QString() : tr("mixed"));
+        field->showText(text.value_or(QString()), text ? row.placeholder : tr("mixed"));
     });
 }
 

@@ -49,9 +49,6 @@ struct TextRow
 {
     RowWords words;
     bool multiLine = false;
-    QString placeholder; ///< in an empty line
-    /** Texts that are not are never written; null: all are. */
-    std::function<bool(const std::string&)> isAllowed;
     std::function<std::string(const Scenario&, const std::string& id)> read;
     std::function<void(Scenario&, const std::string& id, const std::string&)> write;
 };
@@ -66,6 +63,7 @@ struct EntryRow
         take;
     /** Why several objects do not take the same text; null: they do. */
     std::function<QString(const QString& text)> faultForSeveral{};
+    QString placeholder{}; ///< in an empty line
 };
 
 struct FlagRow

@@ -1,6 +1,7 @@
 #include "widgets/model/scenario_edits.h"
 #include "widgets/model/wind.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
+#include "widgets/words/time_entry.h"
 
 #include <cmath>
 
@@ -175,6 +176,31 @@ ActionRow layersRow()
             .act = &separateLayers};
 }
 
+EntryRow startRow()
+{
+    return {.words = {.key = u"scenarioStart"_s,
+                      .label = InspectorRows::tr("Start (UTC)"),
+                      .toolTip = InspectorRows::tr("Date and time of the start, such as 2026-11-29 "
+                                                   "12:00 or 29 Nov 2026 12:00; 1200Z keeps the "
+                                                   "date. Empty: times are relative."),
+                      .undoText = InspectorRows::tr("Change start")},
+            .read = [](const Scenario& scenario, const std::string&,
+                       const QLocale&) { return QString::fromStdString(scenario.startUtc); },
+            .take = [](Scenario& scenario, const std::string&, const QString& text,
+                       const QLocale&) -> QString {
+                if (text.trimmed().isEmpty()) {
+                    scenario.startUtc.clear();
+                    return {};
+                }
+                const auto start = readTime(text, parseUtc(scenario.startUtc));
+                if (const auto* fault = std::get_if<QString>(&start))
+                    return *fault;
+                scenario.startUtc = utcText(std::get<UtcTime>(start), 0);
+                return {};
+            },
+            .placeholder = InspectorRows::tr("relative times")};
+}
+
 std::vector<InspectorRow> placeRows()
 {
     const auto degrees = [](const QString& key, const QString& label, const QString& toolTip,
@@ -188,15 +214,6 @@ std::vector<InspectorRow> placeRows()
         row.step = 0.1;
         return row;
     };
-    TextRow start = textRow({.key = u"scenarioStart"_s,
-                             .label = InspectorRows::tr("Start (UTC)"),
-                             .toolTip = InspectorRows::tr("Date and time of the start, such as "
-                                                          "2024-05-01T06:00:00Z; empty: times are "
-                                                          "relative."),
-                             .undoText = InspectorRows::tr("Change start")},
-                            ofScenario(&Scenario::startUtc));
-    start.placeholder = InspectorRows::tr("relative times");
-    start.isAllowed = [](const std::string& text) { return text.empty() || isUtcTime(text); };
     return {degrees(
                 u"scenarioLatitude"_s, InspectorRows::tr("Latitude"),
                 InspectorRows::tr("Of the origin, north positive; everything moves along with it."),
@@ -214,7 +231,7 @@ std::vector<InspectorRow> placeRows()
                                 latitudeText(scenario.origin.latitude_deg, 3, locale),
                                 longitudeText(scenario.origin.longitude_deg, 3, locale));
                         }},
-            start};
+            startRow()};
 }
 
 } // namespace

@@ -35,6 +35,8 @@ private slots:
         row("06-02-2021 0", "2021-06-02T00:00:00Z");
         row("02.06.2021 16:41", "2021-06-02T16:41:00Z");
         row("2-Jun-21", "2021-06-02T00:00:00Z");
+        row("29 Nov 2026 12:00", "2026-11-29T12:00:00Z");
+        row("2 june 2021 1200Z", "2021-06-02T12:00:00Z");
         row("02-JUNE-2021 4:05 PM", "2021-06-02T16:05:00Z");
         row("6/2/2021 12:05 AM", "2021-06-02T00:05:00Z");
         row("6/2/2021 12:05 pm", "2021-06-02T12:05:00Z");
@@ -84,6 +86,17 @@ private slots:
         QVERIFY(time);
         QCOMPARE(utcText(*time, 0), std::string("2021-04-03T00:00:00Z"));
         QVERIFY(!parseSightingTime("04/31/2021", DateOrder::DayFirst));
+        QVERIFY(!parseTypedTime("03/04/2021"));
+        QVERIFY(parseTypedTime("13/04/2021") == parseTypedTime("2021-04-13"));
+    }
+
+    void timesOfADay()
+    {
+        QVERIFY(parseTimeOfDay("1200Z") == std::chrono::hours(12));
+        QVERIFY(parseTimeOfDay("12:30 UTC") == std::chrono::minutes(750));
+        QVERIFY(!parseTimeOfDay("2026-11-29"));
+        QVERIFY(!parseTimeOfDay("noon"));
+        QVERIFY(!parseTimeOfDay(""));
     }
 
     void orderIsTold()
