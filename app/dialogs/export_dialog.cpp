@@ -1,5 +1,6 @@
 #include "app/dialogs/export_dialog.h"
 
+#include "app/dialogs/escape_key.h"
 #include "app/dialogs/export_options_view.h"
 #include "widgets/model/mission_runner.h"
 #include "widgets/theme/accessible_roles.h"
@@ -12,7 +13,6 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QShortcut>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -62,8 +62,7 @@ ExportDialog::ExportDialog(MissionRunner& runner, const ExportOffer& offer, QWid
     column->addLayout(sides, 1);
     column->addLayout(makeFile());
     column->addWidget(makeButtons());
-    // The map, too, would take it.
-    connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QDialog::reject);
+    closeOnEscape(*this);
     connect(&m_runner, &MissionRunner::exportPreviewReady, this, &ExportDialog::take);
     // What it shows is of a scenario that is not there any more.
     connect(&m_runner, &MissionRunner::begun, this, &QDialog::reject);

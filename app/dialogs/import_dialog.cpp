@@ -1,5 +1,6 @@
 #include "app/dialogs/import_dialog.h"
 
+#include "app/dialogs/escape_key.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/panels/dialogs/import_columns_view.h"
@@ -16,7 +17,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QShortcut>
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QTableView>
@@ -81,8 +81,7 @@ ImportDialog::ImportDialog(ImportRunner& runner, const ImportOffer& offer, QWidg
     column->addLayout(makeFoot());
     setCaptionTheme(*this, offer.theme);
     m_map->setTheme(offer.theme);
-    // The map, too, would take it.
-    connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QDialog::reject);
+    closeOnEscape(*this);
     connect(&m_runner, &ImportRunner::ready, this, &ImportDialog::take);
     resize(kSize_px);
     request(true);
