@@ -3,6 +3,7 @@
 #include "app/cli/console.h"
 #include "app/window/run_settings.h"
 #include "app/window/scenario_files.h"
+#include "app/window/screen_fit.h"
 #include "app/window/start_guide.h"
 #include "app/window/window_holder.h"
 #include "core/io/text/atomic_file.h"
@@ -18,7 +19,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QScreen>
 #include <QTextStream>
 
 #include <cstdio>
@@ -139,17 +139,12 @@ void greet(MainWindow& window, Interaction& interaction, const QSettings& settin
     window.offerRecoveries();
 }
 
-/** As asked for; else as designed, or all of the screen where that is too small for it. */
-void giveSize(MainWindow& window, const std::optional<QSize>& size_px, bool picture)
+/** As asked for, else as it was left, else as designed. */
+void giveSize(MainWindow& window, const std::optional<QSize>& size_px, bool wasLeft)
 {
     constexpr QSize kDesigned_px(1280, 800);
-    constexpr int kFrame_px = 40; // title of the window, at least
-    const QSize screen_px = window.screen()->availableSize();
-    window.resize(size_px.value_or(kDesigned_px));
-    if (!size_px && !picture &&
-        (screen_px.width() < kDesigned_px.width() ||
-         screen_px.height() < kDesigned_px.height() + kFrame_px))
-        window.setWindowState(Qt::WindowMaximized);
+    if (size_px || !wasLeft)
+        window.resize(size_px.value_or(kDesigned_px));
 }
 
 } // namespace
@@ -177,8 +172,10 @@ int runWindow(const WindowOptions& options)
     MainWindow& window = holder.window();
     if (!picture && !settings.contains(u"window/state"_s))
         window.showFirstLayout();
-    if (options.size_px || picture || !settings.contains(u"window/geometry"_s))
-        giveSize(window, options.size_px, picture); // of the layout, which may ask for more room
+    // Of the layout, which may ask for more room.
+    giveSize(window, options.size_px, !picture && settings.contains(u"window/geometry"_s));
+    if (!options.size_px && !picture)
+        keepOnScreen(window);
     if (options.dark)
         window.applyTheme(*options.dark ? Theme::dark() : Theme::light());
     if (picture)

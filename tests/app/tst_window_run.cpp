@@ -1,5 +1,6 @@
 #include "app/dialogs/interaction.h"
 #include "app/window/main_window.h"
+#include "app/window/screen_fit.h"
 #include "app/window/window_run.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/study/study_json.h"
@@ -20,6 +21,7 @@
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QScreen>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -120,7 +122,7 @@ private slots:
     void windowKeepsItsSize()
     {
         const QString config = path(u"size.ini"_s);
-        const QSize left_px(1111, 766);
+        const QSize left_px(800, 730); // within the screen of the tests
         const auto open = [&](const std::optional<QSize>& asked_px, const auto& look) {
             QSize seen_px;
             runUntil({.config = config, .size_px = asked_px}, [&] {
@@ -140,6 +142,35 @@ private slots:
         const auto nothing = [](MainWindow&) {};
         QCOMPARE(open(std::nullopt, nothing), left_px);
         QCOMPARE(open(QSize(1300, 760), nothing), QSize(1300, 760));
+    }
+
+    /** Whatever was left, e.g. with smaller text: the screen of the tests is smaller than that. */
+    void windowFitsTheScreen()
+    {
+        const QSize screen_px = QApplication::primaryScreen()->availableSize();
+        const auto stateOfNext = [&](const QByteArray& geometry) {
+            const QString config = path(u"fit.ini"_s);
+            {
+                QSettings settings(config, QSettings::IniFormat);
+                settings.setValue("window/geometry", geometry);
+            }
+            Qt::WindowStates state;
+            runUntil({.config = config}, [&] {
+                const MainWindow* window = mainWindow();
+                if (window == nullptr || !window->isVisible())
+                    return false;
+                state = window->windowState();
+                return true;
+            });
+            return state;
+        };
+        QWidget left;
+        left.resize(screen_px + QSize(400, 400));
+        QVERIFY(stateOfNext(left.saveGeometry()).testFlag(Qt::WindowMaximized));
+        QVERIFY(stateOfNext("of another screen").testFlag(Qt::WindowMaximized));
+        QVERIFY(fitsScreen(QSize(1280, 800), QSize(1366, 840)));
+        QVERIFY(!fitsScreen(QSize(1280, 800), QSize(1366, 768)));
+        QVERIFY(!fitsScreen(QSize(1280, 800), QSize(910, 512))); // of text at 150 %
     }
 
     /** All that Qt itself writes: buttons, the dialog for files. */
