@@ -1,5 +1,6 @@
 #include "widgets/panels/fields/entry_field.h"
 
+#include <QApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
@@ -21,7 +22,7 @@ void setLockedLook(QWidget& input, bool locked)
 {
     QPalette colours;
     if (locked)
-        colours.setColor(QPalette::Base, input.palette().color(QPalette::Window));
+        colours.setColor(QPalette::Base, QApplication::palette().color(QPalette::Window));
     input.setPalette(colours);
 }
 
