@@ -101,6 +101,8 @@ bool ScenarioFiles::newScenario()
         return false;
     Scenario scenario = randomScenario(1, {.icebergs = 0});
     scenario.name = tr("New scenario").toStdString();
+    for (Uav& uav : scenario.uavs)
+        uav.position_m = Point::Zero(); // the place that is typed is where it starts
     workspace().document().reset(scenario);
     return true;
 }

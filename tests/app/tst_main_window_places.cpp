@@ -213,6 +213,21 @@ private slots:
         COMPARE_NEAR(w.scenario().origin.latitude_deg, -75, 1e-9);
     }
 
+    /** At the place that is typed the UAV starts. */
+    void newScenarioStartsAtThePlace()
+    {
+        WindowFixture w(fourIcebergs());
+        auto& field = test::child<QLineEdit>(w.window(), u"findField"_s);
+        w.trigger(u"newAction"_s);
+        QTest::keyClicks(&field, u"48 45 N 52 56 W"_s);
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(w.scenario().uavs.size(), std::size_t{1});
+        const LatLon start =
+            LocalFrame(w.scenario().origin).toGeographic(w.scenario().uavs.front().position_m);
+        COMPARE_NEAR(start.latitude_deg, 48.75, 1e-9);
+        COMPARE_NEAR(start.longitude_deg, -52 - 56 / 60.0, 1e-9);
+    }
+
     void chosenUnitsAreEverywhere()
     {
         WindowFixture w(fourIcebergs());
