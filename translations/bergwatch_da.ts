@@ -809,6 +809,25 @@
         <source>Cancel</source>
         <translation>Annuller</translation>
     </message>
+    <message>
+        <source>Remove icebergs</source>
+        <translation>Fjern isbjerge</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n icebergs from this run?</source>
+        <translation>
+            <numerusform>Fjern %n isbjerg fra denne flyvning?</numerusform>
+            <numerusform>Fjern %n isbjerge fra denne flyvning?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the UAV visits them no more. In flight, Undo does not bring them back.</source>
+        <translation>%1: dronen besøger dem ikke mere. Under flyvning henter Fortryd dem ikke tilbage.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Fjern</translation>
+    </message>
 </context>
 <context>
     <name>DriftArrow</name>

@@ -19,6 +19,16 @@
     </message>
 </context>
 <context>
+    <name>Dialogs</name>
+    <message numerus="yes">
+        <source>Remove %n icebergs from this run?</source>
+        <translation>
+            <numerusform>Remove %n iceberg from this run?</numerusform>
+            <numerusform>Remove %n icebergs from this run?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ErrorText</name>
     <message numerus="yes">
         <source>… and %n more</source>

@@ -809,6 +809,25 @@
         <source>Cancel</source>
         <translation>Annuler</translation>
     </message>
+    <message>
+        <source>Remove icebergs</source>
+        <translation>Retirer des icebergs</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n icebergs from this run?</source>
+        <translation>
+            <numerusform>Retirer %n iceberg de ce vol ?</numerusform>
+            <numerusform>Retirer %n icebergs de ce vol ?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the UAV visits them no more. In flight, Undo does not bring them back.</source>
+        <translation>%1 : le drone ne les visite plus. En vol, Annuler ne les ramène pas.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
 </context>
 <context>
     <name>DriftArrow</name>

@@ -809,6 +809,25 @@
         <source>Cancel</source>
         <translation>Avbryt</translation>
     </message>
+    <message>
+        <source>Remove icebergs</source>
+        <translation>Fjern isfjell</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n icebergs from this run?</source>
+        <translation>
+            <numerusform>Fjerne %n isfjell fra denne flygingen?</numerusform>
+            <numerusform>Fjerne %n isfjell fra denne flygingen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the UAV visits them no more. In flight, Undo does not bring them back.</source>
+        <translation>%1: UAV-en besøker dem ikke mer. Under flyging henter ikke Angre dem tilbake.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Fjern</translation>
+    </message>
 </context>
 <context>
     <name>DriftArrow</name>

@@ -224,6 +224,21 @@ Interaction::Overwrite DialogInteraction::askOverwrite(QWidget* parent, const QS
     return box.clickedButton() == saveAs ? Overwrite::SaveAs : Overwrite::Cancel;
 }
 
+bool DialogInteraction::askRemove(QWidget* parent, const QStringList& names)
+{
+    QMessageBox box(
+        QMessageBox::Question, Dialogs::tr("Remove icebergs"),
+        Dialogs::tr("Remove %n icebergs from this run?", nullptr, static_cast<int>(names.size())),
+        QMessageBox::NoButton, parent);
+    box.setInformativeText(Dialogs::tr("%1: the UAV visits them no more. In flight, Undo does not "
+                                       "bring them back.")
+                               .arg(names.join(u", "_s)));
+    QPushButton* remove = box.addButton(Dialogs::tr("&Remove"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(box.addButton(QMessageBox::Cancel));
+    box.exec();
+    return box.clickedButton() == remove;
+}
+
 bool DialogInteraction::askReload(QWidget* parent, const QString& fileName)
 {
     QMessageBox box(QMessageBox::Question, Dialogs::tr("File changed"),

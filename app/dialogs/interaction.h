@@ -5,6 +5,7 @@
 #include "widgets/theme/theme.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <functional>
 #include <memory>
@@ -120,6 +121,8 @@ public:
     /** The window is closed over a run that is in no file. */
     [[nodiscard]] virtual Unsaved askUnsavedRun(QWidget* parent, bool isUnderWay) = 0;
     [[nodiscard]] virtual bool askEndFlight(QWidget* parent, FlightEnd why) = 0;
+    /** In flight: icebergs leave the run, `names` for the user. Whether they are to. */
+    [[nodiscard]] virtual bool askRemove(QWidget* parent, const QStringList& names) = 0;
     /** Empty: cancelled. `filter` as in `QFileDialog`. */
     [[nodiscard]] virtual QString openPath(QWidget* parent, const QString& filter) = 0;
     [[nodiscard]] virtual QString savePath(QWidget* parent, const QString& suggested,
@@ -168,6 +171,7 @@ public:
     [[nodiscard]] Unsaved askUnsaved(QWidget* parent, const UnsavedWork& work) override;
     [[nodiscard]] Unsaved askUnsavedRun(QWidget* parent, bool isUnderWay) override;
     [[nodiscard]] bool askEndFlight(QWidget* parent, FlightEnd why) override;
+    [[nodiscard]] bool askRemove(QWidget* parent, const QStringList& names) override;
     [[nodiscard]] QString openPath(QWidget* parent, const QString& filter) override;
     [[nodiscard]] QString savePath(QWidget* parent, const QString& suggested,
                                    const QString& filter) override;

@@ -9,6 +9,8 @@
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/message_list.h"
 #include "widgets/panels/flight/playback_bar.h"
+#include "widgets/panels/icebergs/iceberg_table.h"
+#include "widgets/panels/plan/plan_panel.h"
 #include "widgets/panels/study/solve_time_panel.h"
 
 #include <QAbstractButton>
@@ -51,6 +53,17 @@ bool isField(const QObject& watched)
            qobject_cast<const QAbstractSpinBox*>(&watched) != nullptr ||
            qobject_cast<const QPlainTextEdit*>(&watched) != nullptr ||
            (combo != nullptr && combo->isEditable());
+}
+
+/** Whether Delete in this widget means what is selected: on the map and in the lists of icebergs.
+ */
+bool showsSelection(const Panels& panels, const QWidget& widget)
+{
+    const auto isIn = [&](const QWidget* panel) {
+        return panel == &widget || panel->isAncestorOf(&widget);
+    };
+    return &widget == widget.window() || isIn(panels.map) || isIn(panels.icebergs) ||
+           isIn(panels.plan);
 }
 
 /** The line that is typed in; null where the widget has none. */
@@ -270,6 +283,12 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
             return true;
         }
         const bool plain = key.modifiers() == Qt::NoModifier;
+        const QWidget* focused = QApplication::focusWidget(); // its parents are asked after it
+        if (key.matches(QKeySequence::Delete) && watched == focused && focused->window() == this &&
+            !showsSelection(m_panels, *focused)) {
+            event->accept();
+            return true;
+        }
         const bool isButton = qobject_cast<QAbstractButton*>(watched) != nullptr;
         const bool isList = qobject_cast<QComboBox*>(watched) != nullptr;
         if (plain && ((key.key() == Qt::Key_Space && (isButton || isList)) ||

@@ -1,5 +1,6 @@
 #include "app/window/map_links.h"
 
+#include "app/dialogs/interaction.h"
 #include "app/window/docks.h"
 #include "app/window/panels.h"
 #include "widgets/map/paint/overview_inset.h"
@@ -146,7 +147,15 @@ void MapLinks::connectMap(const Docks& docks)
     connect(map, &MapView::assetMoved, &workspace(), &Workspace::moveAsset);
     connect(map, &MapView::icebergPlaced, &workspace(), &Workspace::addIceberg);
     connect(map, &MapView::removalRequested, this, [this](const std::vector<std::string>& ids) {
-        if (const int count = workspace().remove(ids); count > 0)
+        if (workspace().refuseIntervention())
+            return;
+        const std::vector<std::string> flown = workspace().flownAmong(ids);
+        QStringList names;
+        for (const std::string& id : flown)
+            names << QString::fromStdString(id);
+        if (flown.empty() || !interaction().askRemove(panels().map, names))
+            return;
+        if (const int count = workspace().remove(flown); count > 0)
             showMessage(tr("%n icebergs removed from this run. To undo that, look back to before "
                            "it and choose Continue from here.",
                            nullptr, count),

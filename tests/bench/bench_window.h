@@ -48,6 +48,7 @@ public:
     }
     Unsaved askUnsavedRun(QWidget*, bool) override { return Unsaved::Discard; }
     bool askEndFlight(QWidget*, FlightEnd) override { return true; }
+    bool askRemove(QWidget*, const QStringList&) override { return false; }
     bool askReload(QWidget*, const QString&) override { return false; }
     RecoveryAnswer askRecovery(QWidget*, const std::vector<RecoveryOffer>&) override { return {}; }
     void waitUntil(QWidget*, const QString&, const std::function<bool()>&, bool) override {}

@@ -21,6 +21,8 @@ public:
     Overwrite overwrite = Overwrite::Cancel;
     bool reload = false;
     bool endsFlight = false;
+    bool removes = true;
+    QStringList removals; ///< names in the questions about icebergs that leave a run
     std::vector<RecoveryAnswer> recoveryAnswers; ///< one after the other, then Later
     std::optional<ExportRequest> exportChoice;
     std::function<void()> whileExportIsChosen; ///< what happens while the dialog is on screen
@@ -72,6 +74,12 @@ public:
     }
     /** What happens while a question about an import, a file or the wind is open. */
     std::function<void()> meanwhile;
+    [[nodiscard]] bool askRemove(QWidget*, const QStringList& names) override
+    {
+        removals << names;
+        passTime();
+        return removes;
+    }
     [[nodiscard]] QString openPath(QWidget*, const QString&) override
     {
         ++openQuestions;
