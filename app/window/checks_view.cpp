@@ -10,6 +10,8 @@
 #include "widgets/panels/plan/tradeoff_panel.h"
 #include "widgets/words/issue_text.h"
 
+#include <QDockWidget>
+
 using namespace Qt::StringLiterals;
 
 namespace berg {
@@ -39,6 +41,14 @@ void ChecksView::openChecks()
 {
     m_docks.raise(Dock::Checks);
     panels().checks->setFocus();
+}
+
+void ChecksView::toggleChecks()
+{
+    if (!m_docks.isInFront(Dock::Checks))
+        return openChecks();
+    m_docks.dock(Dock::Checks)->close();
+    panels().map->setFocus();
 }
 
 /** Selects what a finding is about, brings it to the middle and shows where it can be changed. */

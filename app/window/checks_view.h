@@ -18,6 +18,8 @@ public:
 
     void showChecks();
     void openChecks();
+    /** Closes the list where it is in front, else opens it. */
+    void toggleChecks();
 
 private:
     void showCulprit(const Issue& issue);

@@ -36,6 +36,7 @@ constexpr int kLayoutVersion = 3;       ///< of the docks' saved places
 constexpr QSize kStudyFrame_px(24, 48); ///< title and edges of the window of a study
 
 constexpr const char* kLayoutKey = "window/layout";
+constexpr const char* kWasBehind = "wasBehind"; ///< property of a dock: as it was toggled
 
 /** Where the settings keep how it was left. */
 QString keyOf(Layout layout)
@@ -103,9 +104,15 @@ QDockWidget* Docks::add(const char* name, const QString& title, QWidget* content
         },
         Qt::QueuedConnection);
     widget->toggleViewAction()->setObjectName(QStringLiteral("%1Action").arg(QLatin1String(name)));
+    // Behind another tab it is not seen: then its command shows it, and closes it only in front.
+    connect(widget->toggleViewAction(), &QAction::toggled, widget, [widget](bool isShown) {
+        widget->setProperty(kWasBehind, !isShown && isBehindATab(*widget));
+    });
     connect(widget->toggleViewAction(), &QAction::triggered, widget, [widget](bool isShown) {
-        if (isShown)
-            widget->raise(); // among its tabs
+        if (!isShown && !widget->property(kWasBehind).toBool())
+            return;
+        widget->show();
+        widget->raise(); // among its tabs
     });
     m_docks.push_back(widget);
     return widget;
@@ -193,6 +200,11 @@ void Docks::raise(Dock which) const
 {
     dock(which)->show();
     dock(which)->raise();
+}
+
+bool Docks::isInFront(Dock which) const
+{
+    return dock(which)->isVisible() && !isBehindATab(*dock(which));
 }
 
 void Docks::openFloating(Dock which, const QSize& best_px) const

@@ -52,6 +52,8 @@ public:
     [[nodiscard]] const std::vector<QDockWidget*>& all() const { return m_docks; }
     /** Shows it, before the others of its tabs. */
     void raise(Dock which) const;
+    /** Whether it is seen: shown, and not behind another tab. */
+    [[nodiscard]] bool isInFront(Dock which) const;
     /** A study wants more room than the docks have: a window of its own, as long as one wants it.
      */
     void openFloating(Dock which, const QSize& best_px) const;

@@ -173,7 +173,8 @@ void Menus::buildViewMenu()
 {
     QMenu& menu = addMenu(tr("&View"));
     buildMapActions(menu);
-    add(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7}, [this] { m_parts.checks.openChecks(); });
+    add(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7},
+        [this] { m_parts.checks.toggleChecks(); });
     add(menu, {"studyAction", tr("S&tudy of τ and policies")},
         [this] { m_parts.study.showStudy(); });
     add(menu, {"solveTimeAction", tr("&Solve time study")}, [this] { m_parts.solveTimes.show(); });
