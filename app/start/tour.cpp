@@ -161,7 +161,8 @@ bool Tour::eventFilter(QObject* watched, QEvent* event)
         place();
     if (event->type() == QEvent::KeyPress && watched != parentWidget()) {
         const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_Left || key == Qt::Key_Right) {
+        if (key == Qt::Key_Left || key == Qt::Key_Right ||
+            (key == Qt::Key_Space && m_steps[m_step].spaceFlies)) {
             keyPressEvent(static_cast<QKeyEvent*>(event));
             return true;
         }
@@ -182,6 +183,12 @@ void Tour::keyPressEvent(QKeyEvent* event)
         return;
     case Qt::Key_Left:
         back();
+        return;
+    case Qt::Key_Space:
+        if (m_steps[m_step].spaceFlies) {
+            emit finished();
+            emit flightRequested();
+        }
         return;
     default:
         event->accept();

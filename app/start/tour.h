@@ -18,11 +18,13 @@ struct TourStep
     QPointer<QWidget> target;
     QString title;
     QString text;
+    bool spaceFlies = false; ///< as its words say: Space ends the tour and flies
 };
 
 /**
  * Walks through the window: dims it but for one part and says what that is for. Enter or Right
- * goes on, Left back, Esc ends it. Covers its parent; ends for good with `finished`.
+ * goes on, Left back, Esc ends it, Space flies where the step says so. Covers its parent; ends for
+ * good with `finished`.
  */
 class Tour : public QWidget
 {
@@ -37,6 +39,8 @@ public:
 
 signals:
     void finished();
+    /** After `finished`: Space was pressed in a step that says so. */
+    void flightRequested();
 
 protected:
     bool event(QEvent* event) override;

@@ -10,6 +10,7 @@
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/playback_bar.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMainWindow>
@@ -128,7 +129,8 @@ void StartGuide::startTour()
              "shorter. Ticks mark where another order becomes the best one.")},
          {panels().playback, tr("3. Press Space"),
           tr("Space flies the plan and pauses it; drag along the time line to look back. Stop and "
-             "edit goes back to the start.")}},
+             "edit goes back to the start."),
+          true}},
         theme(), &window());
     connect(m_tour, &Tour::finished, this, [this] {
         m_tour->hide();
@@ -136,6 +138,8 @@ void StartGuide::startTour()
         m_tour = nullptr;
         panels().map->setFocus();
     });
+    connect(m_tour, &Tour::flightRequested, this,
+            [this] { window().findChild<QAction*>(u"playAction"_s)->trigger(); });
 }
 
 void StartGuide::setTheme(const Theme& theme)

@@ -393,6 +393,18 @@ private slots:
         QVERIFY(w.until([&] { return w.window().findChild<Tour*>() == nullptr; }));
         QCOMPARE(QApplication::focusWidget(), &w.map());
     }
+
+    /** "Press Space", says the last step. */
+    void spaceFliesWhereTheTourSaysSo()
+    {
+        WindowFixture w(three());
+        w.trigger(u"tourAction"_s);
+        StartWindow::press(Qt::Key_Right);
+        StartWindow::press(Qt::Key_Right);
+        StartWindow::press(Qt::Key_Space);
+        QVERIFY(w.until([&] { return w.workspace.inFlight(); }));
+        QVERIFY(w.until([&] { return w.window().findChild<Tour*>() == nullptr; }));
+    }
 };
 
 QTEST_MAIN(TestStartPage)
