@@ -25,8 +25,11 @@
 #include "widgets/theme/icons.h"
 
 #include <QCoreApplication>
+#include <QResizeEvent>
 #include <QUndoView>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace berg {
 
@@ -35,6 +38,52 @@ namespace {
 struct PanelText
 {
     Q_DECLARE_TR_FUNCTIONS(PanelText)
+};
+
+/**
+ * Alarms, map and playback below each other. The first line of the alarms has room of its own;
+ * more lines lie over the map, which stays where it is.
+ */
+class Centre final : public QWidget
+{
+public:
+    Centre(AlarmStrip& alarms, MapView& map, QWidget& playback)
+        : m_alarms(alarms), m_map(map), m_column(new QVBoxLayout(this))
+    {
+        alarms.setParent(this);
+        m_column->setSpacing(0);
+        m_column->addWidget(&map, 1);
+        m_column->addWidget(&playback);
+        alarms.installEventFilter(this);
+        place();
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        if (event->type() == QEvent::LayoutRequest)
+            place();
+        return QWidget::eventFilter(watched, event);
+    }
+    void resizeEvent(QResizeEvent* event) override
+    {
+        QWidget::resizeEvent(event);
+        place();
+    }
+
+private:
+    void place()
+    {
+        const int height_px = m_alarms.sizeHint().height();
+        m_column->setContentsMargins(0, m_alarms.lineHeight(), 0, 0);
+        m_alarms.setGeometry(0, 0, width(), height_px);
+        m_alarms.raise();
+        m_map.setCover(std::max(0, height_px - m_alarms.lineHeight()));
+    }
+
+    AlarmStrip& m_alarms;
+    MapView& m_map;
+    QVBoxLayout* m_column;
 };
 
 } // namespace
@@ -108,14 +157,7 @@ void Panels::finishTyping() const
 
 QWidget* Panels::makeCentre() const
 {
-    auto* centre = new QWidget;
-    auto* column = new QVBoxLayout(centre);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(alarms);
-    column->addWidget(map, 1);
-    column->addWidget(playback);
-    return centre;
+    return new Centre(*alarms, *map, *playback);
 }
 
 } // namespace berg

@@ -53,7 +53,8 @@ StatusLine::StatusLine(WindowContext& context)
         label->setContentsMargins(kLabelMargin_px, 0, kLabelMargin_px, 0);
     QStatusBar& bar = *window().statusBar();
     bar.addWidget(m_hint, 1);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_findings, m_state, m_cursor,
+    // What comes and goes with the pointer is leftmost, where it moves nothing.
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_cursor, m_findings, m_state,
                                                            m_autosaved, panels().announcer})
         bar.addPermanentWidget(widget);
 

@@ -38,6 +38,7 @@ struct MapStyle
 {
     const Theme& theme;
     QLocale locale;
+    double cover_px = 0;  ///< at the top of the map, below what lies over it
     QSizeF inset_px = {}; ///< kept free below the north arrow; empty: nothing
     MapPanelStates panels = {};
     MapLayers layers = {};

@@ -41,13 +41,19 @@ auto& panelOf(Layout& layout, MapPanel which)
     return layout.title;
 }
 
-/** As the user wants it: hidden, an icon in the same corner, or elsewhere; on the map. */
-void rearrange(MapLayout& layout, const MapPanelStates& states)
+/** Where overlays may be. */
+QRectF innerOf(const MapLayout& layout, const MapStyle& style)
 {
-    const QRectF inner =
-        layout.rect.adjusted(kOverlayGap_px, kOverlayGap_px, -kOverlayGap_px, -kOverlayGap_px);
+    return layout.rect.adjusted(kOverlayGap_px, style.cover_px + kOverlayGap_px, -kOverlayGap_px,
+                                -kOverlayGap_px);
+}
+
+/** As the user wants it: hidden, an icon in the same corner, or elsewhere; on the map. */
+void rearrange(MapLayout& layout, const MapStyle& style)
+{
+    const QRectF inner = innerOf(layout, style);
     for (std::size_t i = 0; i < kMapPanels; ++i) {
-        const MapPanelState& state = states[i];
+        const MapPanelState& state = style.panels[i];
         QRectF& rect = panelOf(layout, static_cast<MapPanel>(i));
         layout.moved_px[i] = {};
         if (rect.isNull() || state == MapPanelState{})
@@ -121,8 +127,7 @@ void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle&
 {
     layout.title = layout.legend = layout.scaleBar = layout.north = layout.wind = layout.inset = {};
     layout.icons = {};
-    const QRectF inner =
-        layout.rect.adjusted(kOverlayGap_px, kOverlayGap_px, -kOverlayGap_px, -kOverlayGap_px);
+    const QRectF inner = innerOf(layout, style);
     const QSizeF title = titleSize(picture, style, 0.6 * layout.rect.width());
     if (!title.isEmpty() && title.width() >= 120 && title.height() <= 0.4 * layout.rect.height())
         layout.title = QRectF(inner.topLeft(), title);
@@ -148,7 +153,12 @@ void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle&
         layout.inset = inset;
     if (layout.legend.isNull() && fits(legend, layout.rect))
         layout.legend = freePlace(layout, inner, legend);
-    rearrange(layout, style.panels);
+    rearrange(layout, style);
+    constexpr auto kLegend = static_cast<std::size_t>(MapPanel::Legend);
+    const QRectF icon(inner.left(), inner.bottom() - kFolded_px, kFolded_px, kFolded_px);
+    if (style.isLive && !legend.isEmpty() && layout.legend.isNull() &&
+        !style.panels[kLegend].isHidden && layout.icons[kLegend].isNull() && isClear(layout, icon))
+        layout.icons[kLegend] = icon; // it is shown, says its menu, but there is no room
 }
 
 std::vector<QRectF> MapLayout::overlays() const

@@ -320,6 +320,12 @@ std::optional<MapPanel> MapScene::panelAt(const QPointF& at)
     return std::nullopt;
 }
 
+void MapScene::setCover(double cover_px)
+{
+    m_cover_px = cover_px;
+    m_layout.reset();
+}
+
 void MapScene::setPanels(const MapPanelStates& panels)
 {
     m_panels = panels;

@@ -47,6 +47,7 @@ public:
 
     /** Keeps room for a widget of this size; empty: none. Its place is in the layout. */
     void setInset(const QSizeF& inset_px);
+    void setCover(double cover_px);
 
     /** Keeps the drift arrows at one scale while one of them is being drawn; none: as it suits. */
     void setDriftTime(std::optional<double> driftTime_s);
@@ -108,6 +109,7 @@ private:
     {
         return {.theme = m_theme,
                 .locale = m_locale,
+                .cover_px = m_cover_px,
                 .inset_px = m_inset_px,
                 .panels = m_panels,
                 .layers = m_layers,
@@ -120,6 +122,7 @@ private:
     Theme m_theme;
     QLocale m_locale;
     QSizeF m_inset_px;
+    double m_cover_px = 0;
     MapPanelStates m_panels;
     MapLayers m_layers;
     std::optional<QPointF> m_pointer;

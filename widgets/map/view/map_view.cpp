@@ -124,6 +124,13 @@ void MapView::fit()
     emit outlineChanged();
 }
 
+void MapView::setCover(int cover_px)
+{
+    m_scene.setCover(cover_px);
+    placeInset();
+    update();
+}
+
 void MapView::setInset(QWidget* inset)
 {
     if (m_inset != nullptr && m_inset != inset)

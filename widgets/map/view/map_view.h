@@ -47,6 +47,8 @@ public:
     [[nodiscard]] MapToolKind tool() const { return m_toolKind; }
 
     void fit();
+    /** At the top something lies over the map: panels on it are below that. */
+    void setCover(int cover_px);
     /** Shows a widget of its size hint below the north arrow, where there is room; null: none. */
     void setInset(QWidget* inset);
     [[nodiscard]] bool hasInset() const { return m_inset != nullptr; }

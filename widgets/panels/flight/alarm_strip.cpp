@@ -189,6 +189,11 @@ void AlarmStrip::setTheme(const Theme& theme)
     fillState();
 }
 
+int AlarmStrip::lineHeight() const
+{
+    return m_state->minimumHeight();
+}
+
 void AlarmStrip::showState(bool inFlight, std::optional<double> lookBack_s, const QString& fault)
 {
     m_isInFlight = inFlight;

@@ -33,6 +33,8 @@ public:
     explicit AlarmStrip(QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
+    /** Of the first line, which is always there. */
+    [[nodiscard]] int lineHeight() const;
     /**
      * `lookBack_s`: the instant looked back at; none: the newest is shown. `fault`: why nothing
      * can be planned; empty: nothing stands in the way.

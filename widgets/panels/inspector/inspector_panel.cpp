@@ -88,10 +88,18 @@ InspectorPanel::InspectorPanel(ScenarioDocument& document, Selection& selection,
     heading->addWidget(m_title, 1);
     column->addLayout(heading);
     column->addWidget(m_subtitle);
-    m_lock = addNotice(*column, u"inspectorLock"_s);
+    auto* notices = new QVBoxLayout;
+    notices->setSpacing(0);
+    m_lock = addNotice(*notices, u"inspectorLock"_s);
     m_lock.text->setText(tr("Locked in flight. Stop the flight to edit."));
     m_lock.row->hide();
-    m_issues = addNotice(*column, u"inspectorIssues"_s);
+    m_issues = addNotice(*notices, u"inspectorIssues"_s);
+    notices->addStretch(1);
+    auto* room = new QWidget; // of three lines: rows below stay where they are
+    room->setLayout(notices);
+    notices->setContentsMargins(0, 0, 0, 0);
+    room->setFixedHeight(3 * std::max(kMark_px, fontMetrics().lineSpacing()));
+    column->addWidget(room);
     column->addSpacing(2);
     addForms(*column);
     column->addStretch();
@@ -331,6 +339,7 @@ void InspectorPanel::showIssues()
             texts << issueText(issue);
     texts.removeDuplicates(); // the same of several icebergs
     m_issues.text->setText(texts.join(u'\n'));
+    m_issues.text->setToolTip(m_issues.text->text()); // of which there may be more than room
     m_issues.row->setVisible(!texts.isEmpty());
 }
 
