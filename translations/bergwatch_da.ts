@@ -6779,6 +6779,10 @@ Tilstødende område %4</translation>
         <comment>status</comment>
         <translation>ingen rækkefølge fundet</translation>
     </message>
+    <message>
+        <source>No plan while the UAV returns, holds or is on the ground</source>
+        <translation>Ingen plan, mens dronen vender hjem, venter eller er på jorden</translation>
+    </message>
 </context>
 <context>
     <name>PolicyText</name>

@@ -6779,6 +6779,10 @@ Zone adjacente %4</translation>
         <comment>status</comment>
         <translation>aucun ordre trouvé</translation>
     </message>
+    <message>
+        <source>No plan while the UAV returns, holds or is on the ground</source>
+        <translation>Pas de plan pendant que le drone rentre, attend ou est au sol</translation>
+    </message>
 </context>
 <context>
     <name>PolicyText</name>

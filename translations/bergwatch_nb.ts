@@ -6779,6 +6779,10 @@ Tilstøtende område %4</translation>
         <comment>status</comment>
         <translation>ingen rekkefølge funnet</translation>
     </message>
+    <message>
+        <source>No plan while the UAV returns, holds or is on the ground</source>
+        <translation>Ingen plan mens UAV-en er på vei hjem, holder eller er på bakken</translation>
+    </message>
 </context>
 <context>
     <name>PolicyText</name>

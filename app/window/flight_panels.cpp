@@ -75,6 +75,7 @@ void FlightPanels::showPlan()
     const QString fault = planFault(workspace());
     std::vector<PlanSection> sections = planSections(record.shown(), record.scenario);
     PlanReadout readout = readoutOf(record, fault);
+    readout.isHeld = !sections.empty() && std::ranges::none_of(sections, &PlanSection::isPlanned);
     const auto leavesVisits = [](const PlanEvent& plan) { // for the next sortie
         return plan.thisSortie && *plan.thisSortie < static_cast<int>(plan.order.size());
     };

@@ -130,6 +130,10 @@ PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
         return {PlanVerdict::Fault, readout.fault, {}};
     if (readout.isOver)
         return {PlanVerdict::None, PlanText::tr("Run complete"), {}};
+    if (readout.isHeld)
+        return {PlanVerdict::None,
+                PlanText::tr("No plan while the UAV returns, holds or is on the ground"),
+                {}};
     if (!readout.plan)
         return {PlanVerdict::None,
                 readout.solving ? PlanText::tr("Planning…") : PlanText::tr("No plan yet"),
@@ -170,7 +174,8 @@ std::size_t PlanReadout::icebergs() const
 PlanState planState(const PlanReadout& readout, const QLocale& locale)
 {
     PlanState state = stateOf(readout, locale);
-    if (readout.plan && !readout.isOver && (isSolved(*readout.plan) || readout.plan->fellBack))
+    if (readout.plan && !readout.isOver && !readout.isHeld &&
+        (isSolved(*readout.plan) || readout.plan->fellBack))
         state.details = detailsOf(*readout.plan, locale);
     return state;
 }
@@ -178,7 +183,7 @@ PlanState planState(const PlanReadout& readout, const QLocale& locale)
 PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
 {
     PlanFigures figures;
-    if (!readout.plan || readout.isOver || readout.icebergs() == 0)
+    if (!readout.plan || readout.isOver || readout.isHeld || readout.icebergs() == 0)
         return figures;
     const PlanEvent& plan = *readout.plan;
     if (plan.status == SolveStatus::None || plan.source == AnswerSource::KeptRoute)

@@ -16,6 +16,7 @@ struct PlanReadout
     std::optional<PlanEvent> plan; ///< of several UAVs that of one of them
     bool solving = false;
     bool isOver = false; ///< the run has ended: nothing is left of the plan
+    bool isHeld = false; ///< every UAV returns, holds or is on the ground: no plan is in force
     QString fault;       ///< why nothing can be planned; empty: nothing stands in the way
     OrdersByUav others;  ///< of the UAVs that were planned together with it
     std::optional<double> distance_m = {}; ///< of what lies ahead of all UAVs; none: as solved
