@@ -11857,6 +11857,10 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
         <translation>En plan for én vej slutter ved det sidste isbjerg; en rundtur omfatter hjemturen.</translation>
     </message>
+    <message>
+        <source>Locked while looking back. Choose Back to latest or Continue from here to change it.</source>
+        <translation>Låst, mens du ser tilbage. Vælg Tilbage til seneste eller Fortsæt herfra for at ændre det.</translation>
+    </message>
 </context>
 <context>
     <name>berg::ValueTable</name>

@@ -11857,6 +11857,10 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
         <translation>Un plan en aller simple se termine au dernier iceberg ; une boucle comprend le retour.</translation>
     </message>
+    <message>
+        <source>Locked while looking back. Choose Back to latest or Continue from here to change it.</source>
+        <translation>Verrouillé pendant le retour en arrière. Choisissez Revenir au dernier instant ou Continuer d&apos;ici pour le modifier.</translation>
+    </message>
 </context>
 <context>
     <name>berg::ValueTable</name>

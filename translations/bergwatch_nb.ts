@@ -11857,6 +11857,10 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
         <translation>Én vei slutter ved det siste isfjellet; en rundtur regner også med tilbakeveien.</translation>
     </message>
+    <message>
+        <source>Locked while looking back. Choose Back to latest or Continue from here to change it.</source>
+        <translation>Låst mens du ser tilbake. Velg Tilbake til siste eller Fly videre herfra for å endre det.</translation>
+    </message>
 </context>
 <context>
     <name>berg::ValueTable</name>

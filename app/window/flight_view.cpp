@@ -90,6 +90,7 @@ void FlightView::showFlight()
     const std::optional<double> lookBack_s =
         record.instant ? std::optional(record.shown().time_s) : workspace().lookedAt_s();
     panels().alarms->showState(record.inFlight(), lookBack_s, fault);
+    panels().tradeoff->setLookingBack(record.inFlight() && workspace().lookedAt_s().has_value());
     panels().alarms->showNotices(flightNotices(record, locale()));
     showPhase(record.now.phase, fault);
     m_flightPanels.showSoon();

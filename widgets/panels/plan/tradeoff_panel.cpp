@@ -361,6 +361,16 @@ void TradeoffPanel::setInFlight(bool inFlight)
     updateEnabled();
 }
 
+void TradeoffPanel::setLookingBack(bool looksBack)
+{
+    if (looksBack == m_looksBack)
+        return;
+    m_looksBack = looksBack;
+    if (looksBack)
+        finishTyping(); // of the flight as it is now
+    updateEnabled();
+}
+
 void TradeoffPanel::updateEnabled()
 {
     const bool usesTau = traitsOf(m_settings.policy).usesTau;
@@ -372,12 +382,13 @@ void TradeoffPanel::updateEnabled()
         input.setEnabled(whyNot.isEmpty());
         input.setToolTip(whyNot.isEmpty() ? toolTip : whyNot);
     };
-    const QString tauWhyNot = usesTau ? QString() : noUse;
+    const QString tauWhyNot = m_looksBack ? lookingBackText() : usesTau ? QString() : noUse;
     set(*m_slider, tauWhyNot,
         tr("Small: icebergs of great uncertainty come first. Large: the route gets short. Arrow "
            "keys change τ by 0.01, Page keys by 0.25."));
     set(*m_tau, tauWhyNot, tr("Trade-off τ from 0 to 100."));
-    m_strip->setEnabled(usesTau); // its tool tips are its own
+    m_strip->setEnabled(tauWhyNot.isEmpty()); // its tool tips are its own
+    m_policy->setEnabled(!m_looksBack);
     updateForecast();
     set(*m_backend, m_inFlight ? locked : (usesSolver ? QString() : noUse),
         tr("What makes the plan. Automatic proves small problems and searches in large ones."));
@@ -385,10 +396,17 @@ void TradeoffPanel::updateEnabled()
         tr("A one-way plan ends at the last iceberg; a round trip includes the return."));
 }
 
+QString TradeoffPanel::lookingBackText()
+{
+    return tr("Locked while looking back. Choose Back to latest or Continue from here to change "
+              "it.");
+}
+
 void TradeoffPanel::updateForecast()
 {
-    m_policy->setToolTip(m_policy->currentData(Qt::ToolTipRole).toString());
-    m_forecast->setText(m_policy->summary());
+    m_policy->setToolTip(m_looksBack ? lookingBackText()
+                                     : m_policy->currentData(Qt::ToolTipRole).toString());
+    m_forecast->setText(m_looksBack ? lookingBackText() : m_policy->summary());
 }
 
 void TradeoffPanel::showForecasts(const PolicyForecastList& forecasts)

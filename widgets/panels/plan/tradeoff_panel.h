@@ -38,6 +38,8 @@ public:
     void showSettings(const PlannerSettings& settings);
     /** In flight only tau and policy can be changed. */
     void setInFlight(bool inFlight);
+    /** At an instant before the latest nothing can be changed. */
+    void setLookingBack(bool looksBack);
     void showPlan(const PlanReadout& readout);
     /** Objective and distance weight of the plan. */
     void setDetailsShown(bool isShown);
@@ -80,6 +82,7 @@ private:
     void showChoices();
     void updateEnabled();
     void updateForecast();
+    [[nodiscard]] static QString lookingBackText();
     void updateHeight();
 
     NumberField* m_tau = nullptr;
@@ -93,6 +96,7 @@ private:
     PlannerSettings m_settings; ///< shown
     PlanReadout m_readout;
     bool m_inFlight = false;
+    bool m_looksBack = false;
     bool m_isHeightLimited = false;
     bool m_tauEditing = false;
     QTimer m_tauRest; ///< ends a row of keys or wheel turns, which have no end of their own
