@@ -229,6 +229,9 @@ LabelSurroundings surroundingsOf(const MapLayout& layout, const MapPicture& pict
     for (const QRectF& label : layout.uavLabels)
         if (!label.isNull())
             around.solids.push_back(label);
+    for (const MapRoute& route : picture.routes)
+        if (!route.toNoReturn_m.empty())
+            around.solids.push_back(noReturnRect(layout.view.toPixel(route.toNoReturn_m.back())));
     for (const auto& place_m :
          {picture.asset ? std::optional(picture.asset->position_m) : std::nullopt,
           picture.station ? std::optional(picture.station->position_m) : std::nullopt})

@@ -136,8 +136,11 @@ QSizeF titleSize(const MapPicture& picture, const MapStyle& style, double widest
     }
     if (!picture.readouts.empty()) {
         double row_px = -kReadoutGap_px;
-        for (const MapReadout& readout : picture.readouts)
+        for (MapReadout readout : picture.readouts) {
+            if (style.isLive && !readout.unit.isEmpty() && readout.value.size() < 6)
+                readout.value = u"88 888"_s; // it grows in flight, the card does not
             row_px += readoutWidth(readout, style.theme) + kReadoutGap_px;
+        }
         width_px = std::max(width_px, row_px);
         height_px += textHeight(style.theme.small()) + textHeight(style.theme.figure()) + 8;
     }
@@ -173,6 +176,8 @@ void paintTitle(QPainter& painter, const QRectF& rect, const MapPicture& picture
     const QFontMetricsF small(theme.small());
     const QFontMetricsF large(theme.figure());
     for (const MapReadout& readout : picture.readouts) {
+        if (at.x() + readoutWidth(readout, theme) > rect.right() - kPadding_px / 2)
+            break; // half a figure would be read as another
         painter.setFont(theme.small());
         painter.setPen(theme.mutedText);
         painter.drawText(at + QPointF(0, small.ascent()), readout.caption);

@@ -250,6 +250,11 @@ void drawStation(QPainter& painter, const QPointF& centre, const Theme& theme)
     painter.drawEllipse(QPointF(0, -5), 2, 2);
 }
 
+QRectF noReturnRect(const QPointF& centre)
+{
+    return {centre.x() - 16, centre.y() - 22, 32, 28};
+}
+
 void drawNoReturn(QPainter& painter, const QPointF& centre, const QColor& colour,
                   const Theme& theme)
 {

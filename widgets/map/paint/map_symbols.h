@@ -48,6 +48,8 @@ void drawHome(QPainter& painter, const QPointF& centre, const QColor& colour, co
 /** Where the radio link is kept from: a mast. */
 void drawStation(QPainter& painter, const QPointF& centre, const Theme& theme);
 
+/** What a point of no return takes with the letters above it, which names keep clear of. */
+[[nodiscard]] QRectF noReturnRect(const QPointF& centre);
 /** A point of no return on a plan of this colour. */
 void drawNoReturn(QPainter& painter, const QPointF& centre, const QColor& colour,
                   const Theme& theme);

@@ -133,6 +133,11 @@ void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle&
         layout.title = QRectF(inner.topLeft(), title);
     layout.isLegendCompact = layout.rect.height() < kLowMap_px;
     QSizeF legend = legendSize(picture, style, layout.symbols, layout.isLegendCompact);
+    if (style.isLive && !layout.isLegendCompact && !fits(legend, layout.rect)) {
+        layout.isLegendCompact = true; // it grows in flight: rather small than away
+        legend = legendSize(picture, style, layout.symbols, true);
+        layout.leastLegend_px = {};
+    }
     if (!legend.isEmpty())
         legend = legend.expandedTo(layout.leastLegend_px);
     const QRectF usual(QPointF(inner.left(), inner.bottom() - legend.height()), legend);

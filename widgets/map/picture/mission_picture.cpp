@@ -47,7 +47,10 @@ std::optional<MapReadout> enduranceReadout(const FlightRecord& record,
                       .unit = uavs[*least].label};
 }
 
-/** Of the UAV that has the least; none: unlimited, if ordered home as well, or on the ground. */
+/**
+ * Of the UAV that has the least, without a figure where none is in the air or all are ordered home;
+ * nullopt if all are unlimited. The column is there before take-off, too: the card keeps its size.
+ */
 std::optional<MapReadout> homeMarginReadout(const FlightRecord& record)
 {
     std::optional<double> least_s;
@@ -56,10 +59,12 @@ std::optional<MapReadout> homeMarginReadout(const FlightRecord& record)
     for (std::size_t uav = 0; uav < uavs; ++uav)
         if (margins_s[uav] && record.scenario.uavs[uav].spec.endurance_s > 0)
             least_s = std::min(least_s.value_or(*margins_s[uav]), *margins_s[uav]);
-    if (!least_s)
+    const auto isUnlimited = [](const Uav& uav) { return uav.spec.endurance_s <= 0; };
+    if (std::ranges::all_of(record.scenario.uavs, isUnlimited))
         return std::nullopt;
-    return MapReadout{
-        .caption = MissionPicture::tr("Home margin"), .value = marginText(*least_s), .unit = {}};
+    return MapReadout{.caption = MissionPicture::tr("Home margin"),
+                      .value = least_s ? marginText(*least_s) : u"–"_s,
+                      .unit = {}};
 }
 
 /** None: UAVs in one altitude layer have kept well apart. */

@@ -163,7 +163,9 @@ private slots:
         record.now.world.uavs[0].aloft_s = 300;
         record.now.world.uavs[1].aloft_s = 1500;
         record.now.world.uavs[2].aloft_s = 5000;
-        const MapReadout left = missionPicture(record, kLocale).readouts.back();
+        const std::vector<MapReadout> readouts = missionPicture(record, kLocale).readouts;
+        QCOMPARE(readouts.back().value, u"–"_s); // of the margin, whose column is there already
+        const MapReadout& left = readouts[readouts.size() - 2];
         QCOMPARE(left.caption, u"Endurance left"_s);
         QCOMPARE(left.value, u"05:00"_s); // 20 % of the 2250 s are the reserve
         QCOMPARE(left.unit, u"two"_s);
