@@ -12,6 +12,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimeZone>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ constexpr double kHighestGrowth_m2ps = 1e6;
 /** In a form that `readTime` reads. */
 QString lineText(UtcTime time)
 {
-    return QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count(), Qt::UTC)
+    return QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count(), QTimeZone::utc())
         .toString(u"yyyy-MM-dd HH:mm:ss 'UTC'"_s);
 }
 
