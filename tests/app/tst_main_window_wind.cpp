@@ -7,6 +7,7 @@
 #include "widgets/map/picture/mission_picture.h"
 #include "widgets/model/wind.h"
 #include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/flight/alarm_strip.h"
 
 #include <QLabel>
 #include <QMenu>
@@ -36,8 +37,11 @@ Scenario windyScenario()
 
 QPoint windTipOf(WindowFixture& w)
 {
+    QTest::qWait(0);
+    const auto& alarms = test::child<AlarmStrip>(w.window(), u"alarmStrip"_s);
     MapScene scene;
     scene.setRect(QRectF(w.map().rect()));
+    scene.setCover(alarms.height() - alarms.lineHeight()); // panels are below its lines
     MapPicture picture = missionPicture(w.record(), QLocale());
     if (!w.workspace.inFlight())
         picture = withScenario(std::move(picture), w.scenario());
