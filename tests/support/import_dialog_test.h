@@ -5,6 +5,7 @@
 #include "tests/support/panel_test.h"
 #include "widgets/map/view/map_view.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
@@ -72,6 +73,19 @@ public:
     {
         check(name + QStringLiteral("Box"));
         enter(at<QLineEdit>(name), QString::fromLatin1(text));
+    }
+
+    /** Opens a list; Escape then closes it, and not the dialog. */
+    [[nodiscard]] bool escapeClosesListAlone(const QString& combo)
+    {
+        auto& box = at<QComboBox>(combo);
+        const QWidget& list = *box.view();
+        box.setFocus();
+        QTest::keyClick(&box, Qt::Key_Space);
+        if (!QTest::qWaitFor([&list] { return list.isVisible(); }))
+            return false;
+        QTest::keyClick(box.view(), Qt::Key_Escape);
+        return QTest::qWaitFor([&list] { return !list.isVisible(); }) && m_dialog.isVisible();
     }
 
 private:
