@@ -98,7 +98,7 @@ NumberField* ExportOptionsView::addNumber(const QString& label, const QString& n
     box->setRange(0, most);
     box->setNumberFormat({.least = 1, .most = 1}, u' ' + unit);
     box->setLowestText(tr("As in the scenario"));
-    m_form->addRow(label, withRemark(box));
+    addNumberRow(*m_form, label, box);
     return box;
 }
 

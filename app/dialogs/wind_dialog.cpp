@@ -50,8 +50,8 @@ WindDialog::WindDialog(const Point& wind_mps, double airspeed_mps, QWidget* pare
     set->setObjectName(u"setWindButton"_s);
 
     auto* form = new QFormLayout(this);
-    form->addRow(tr("S&peed"), withRemark(m_speed));
-    form->addRow(tr("Blows &from"), withRemark(m_from));
+    addNumberRow(*form, tr("S&peed"), m_speed);
+    addNumberRow(*form, tr("Blows &from"), m_from);
     form->addRow(m_note);
     form->addRow(buttons);
     set->setDefault(true);

@@ -52,8 +52,8 @@ private slots:
         QTest::addColumn<double>("endurance_s");
         QTest::addColumn<QString>("shown");
         QTest::newRow("minutes") << u"45 min"_s << 2700.0 << u"45 min"_s;
-        QTest::newRow("clock") << u"0:45:00"_s << 2700.0 << u"45 min"_s;
-        QTest::newRow("minutes and seconds") << u"16:40"_s << 1000.0 << u"0:16:40"_s;
+        QTest::newRow("clock") << u"0:45"_s << 2700.0 << u"45 min"_s;
+        QTest::newRow("with seconds") << u"0:16:40"_s << 1000.0 << u"0:16:40"_s;
         QTest::newRow("hours") << u"2 h"_s << 7200.0 << u"120 min"_s;
         QTest::newRow("seconds") << u"1000 s"_s << 1000.0 << u"0:16:40"_s;
     }

@@ -14,6 +14,8 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
+constexpr double kMinute_s = 60;
+
 /** A name as the texts that are shown have it in the language of the window. */
 QString shownName(const char* pattern)
 {
@@ -55,7 +57,7 @@ std::array<NamedUnit, 15> namedUnits()
          {u"kn"_s, shownName("kn"), u"kt"_s, u"kts"_s, u"knots"_s, u"nd"_s}},
         {Dimension::Time, 1, {u"s"_s, shownName("%1 s"), u"sec"_s, u"seconds"_s, u"sek"_s}},
         {Dimension::Time,
-         60,
+         kMinute_s,
          {u"min"_s, shownName("%1 min"), u"m"_s, u"mins"_s, u"minutes"_s, u"′"_s}},
         {Dimension::Time,
          kHour_s,
@@ -133,7 +135,8 @@ std::vector<Part> partsOf(QString text)
     return parts;
 }
 
-std::optional<double> colonTime(const QStringList& parts)
+/** Seconds of parts from the largest to the one that counts `last_s`. */
+std::optional<double> colonTime(const QStringList& parts, double last_s)
 {
     if (parts.size() > 3)
         return std::nullopt;
@@ -145,7 +148,7 @@ std::optional<double> colonTime(const QStringList& parts)
             return std::nullopt;
         time_s = 60 * time_s + *part;
     }
-    return time_s;
+    return time_s * last_s;
 }
 
 /** Of numbers with units, the largest first; their sum. */
@@ -169,12 +172,19 @@ std::optional<double> sumOf(const std::vector<Part>& parts, Dimension dimension,
 
 } // namespace
 
-std::optional<double> clockValue(const QString& text, double plain_s, const QLocale& locale)
+std::optional<double> clockValue(const QString& text)
+{
+    const QStringList parts = text.trimmed().split(u':');
+    return parts.size() > 1 ? colonTime(parts, 1) : durationValue(text, 1, QLocale::c());
+}
+
+std::optional<double> durationValue(const QString& text, double plain_s, const QLocale& locale)
 {
     const QString trimmed = text.trimmed();
+    const QStringList parts = trimmed.split(u':');
     const std::optional<double> time_s =
-        trimmed.contains(u':') ? colonTime(trimmed.split(u':'))
-                               : sumOf(partsOf(trimmed), Dimension::Time, plain_s, locale);
+        parts.size() > 1 ? colonTime(parts, parts.size() == 2 ? kMinute_s : 1)
+                         : sumOf(partsOf(trimmed), Dimension::Time, plain_s, locale);
     return time_s && *time_s >= 0 ? time_s : std::nullopt;
 }
 
@@ -190,7 +200,7 @@ std::optional<double> typedNumber(const QString& text, const QString& unit, cons
     if (!own)
         return numberOf(trimmed, locale);
     if (own->dimension == Dimension::Time && trimmed.contains(u':')) {
-        const std::optional<double> time_s = clockValue(trimmed);
+        const std::optional<double> time_s = durationValue(trimmed, 1, locale);
         return time_s ? std::optional(*time_s / own->inSi) : std::nullopt;
     }
     const std::vector<Part> parts = partsOf(trimmed);

@@ -43,6 +43,24 @@ private slots:
         QCOMPARE(clockValue(text).value_or(-1), time_s);
     }
 
+    void durations_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("duration_s"); // negative: none
+        QTest::newRow("hours and minutes") << u"0:45"_s << 2700.0;
+        QTest::newRow("with seconds") << u"1:02:05"_s << 3725.0;
+        QTest::newRow("number") << u"2"_s << 120.0;
+        QTest::newRow("unit") << u"90 s"_s << 90.0;
+        QTest::newRow("sixty minutes") << u"0:60"_s << -1.0;
+    }
+
+    void durations()
+    {
+        QFETCH(QString, text);
+        QFETCH(double, duration_s);
+        QCOMPARE(durationValue(text, 60, QLocale::c()).value_or(-1), duration_s);
+    }
+
     void otherUnits_data()
     {
         QTest::addColumn<QString>("text");

@@ -215,7 +215,7 @@ NumberField* ImportOptionsView::addNumber(const QString& name, const QString& la
     field->limit(0, highest);
     field->showValue(value);
     connect(field, &NumberField::edited, this, &ImportOptionsView::edited);
-    m_form->addRow(label, withRemark(field));
+    addNumberRow(*m_form, label, field);
     return field;
 }
 

@@ -5,6 +5,7 @@
 #include "widgets/theme/quantity_text.h"
 #include "widgets/theme/typed_quantity.h"
 
+#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QStyle>
@@ -197,7 +198,7 @@ std::optional<double> NumberField::numberIn(QString text) const
     if (isDuration()) {
         const bool inMinutes =
             !m_mixed && m_shown >= kMinute_s && std::fmod(m_shown, kMinute_s) == 0;
-        return clockValue(text, inMinutes ? kMinute_s : 1, locale());
+        return durationValue(text, inMinutes ? kMinute_s : 1, locale());
     }
     if (!suffix().isEmpty() && text.endsWith(suffix()))
         text.chop(suffix().size());
@@ -282,6 +283,13 @@ QWidget* withRemark(NumberField* field)
         remark->setVisible(!sentence.isEmpty());
     });
     return whole;
+}
+
+void addNumberRow(QFormLayout& form, const QString& text, NumberField* field)
+{
+    auto* label = new QLabel(text);
+    form.addRow(label, withRemark(field));
+    label->setBuddy(field); // the form gave it what surrounds the field
 }
 
 } // namespace berg

@@ -4,6 +4,8 @@
 
 #include <optional>
 
+class QFormLayout;
+
 namespace berg {
 
 /** Decimals of a number: trailing zeros beyond `least` are not written. */
@@ -17,7 +19,7 @@ struct Decimals
  * A number to be edited. Shows what it is given without telling anybody; tells what the user made
  * of it. Typing counts when it is finished (Return, focus leaves). It can stand for several things
  * with different numbers: then it is empty and says "mixed". Other units and clock times are
- * converted ("15 kn", "45 min", "0:45:00"); a number alone is in the unit that was shown. Seconds
+ * converted ("15 kn", "45 min", "0:45" for hours and minutes); a number alone is in the unit that was shown. Seconds
  * are shown as durations: "45 s", "45 min" or "0:16:40". A number beyond the limits becomes the
  * nearest that can be set, and `remarked` says so. The wheel needs the focus.
  */
@@ -86,5 +88,8 @@ private:
 
 /** The field and below it, while there is one, its remark: named after the field and "Fault". */
 [[nodiscard]] QWidget* withRemark(NumberField* field);
+
+/** Adds a row of a form: the label is of the field, and the field has its remark. */
+void addNumberRow(QFormLayout& form, const QString& label, NumberField* field);
 
 } // namespace berg
