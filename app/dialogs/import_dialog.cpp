@@ -3,6 +3,7 @@
 #include "app/dialogs/escape_key.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_view.h"
+#include "widgets/model/flight_sightings.h"
 #include "widgets/panels/dialogs/import_columns_view.h"
 #include "widgets/panels/dialogs/import_options_view.h"
 #include "widgets/panels/fields/panel_labels.h"
@@ -113,6 +114,7 @@ QWidget* ImportDialog::makeSettings()
     column->addSpacing(8);
     const QString name = QString::fromStdString(m_offer.present->name);
     m_options = new ImportOptionsView(name, m_offer.intoNew);
+    m_options->setInFlight(m_offer.inFlight);
     connect(m_options, &ImportOptionsView::edited, this, [this] { request(false); });
     connect(m_options, &ImportOptionsView::presentViewRequested, this,
             [this] { m_options->setArea(boxRound(m_map->outline())); });
@@ -145,7 +147,8 @@ QWidget* ImportDialog::makeResults()
     m_summary->setObjectName(u"importSummary"_s);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_summary->setFont(m_offer.theme.strong());
-    m_legend = new CaptionLabel(tr("+ new   * updated"));
+    m_legend = new CaptionLabel(m_offer.inFlight ? tr("+ appears   * reported seen")
+                                                 : tr("+ new   * updated"));
     auto* line = new QHBoxLayout;
     line->addWidget(m_summary);
     m_intoNew = new QPushButton(tr("Import into a &new scenario"));
@@ -185,7 +188,8 @@ QLayout* ImportDialog::makeFoot()
     m_progress->setFixedWidth(kProgress_px);
     m_progress->setTextVisible(false);
     auto* buttons = new QDialogButtonBox;
-    m_import = buttons->addButton(tr("Im&port"), QDialogButtonBox::AcceptRole);
+    m_import = buttons->addButton(m_offer.inFlight ? tr("Re&port") : tr("Im&port"),
+                                  QDialogButtonBox::AcceptRole);
     m_import->setObjectName(u"importButton"_s);
     m_import->setDefault(true);
     QPushButton* cancel = buttons->addButton(QDialogButtonBox::Cancel);
@@ -214,14 +218,16 @@ void ImportDialog::changeFormat()
 
 void ImportDialog::request(bool atOnce)
 {
-    m_runner.start({.path = m_offer.path,
-                    .reading = {.format = m_format->currentData().toString().toStdString(),
-                                .mapping = m_columns->mapping(),
-                                .dates = m_options->dates()},
-                    .oneIceberg = m_options->oneIceberg(),
-                    .base = m_options->intoNew() ? m_new : m_offer.present,
-                    .options = m_options->options()},
-                   atOnce);
+    const ImportOptions options = m_options->options();
+    m_runner.start(
+        {.path = m_offer.path,
+         .reading = {.format = m_format->currentData().toString().toStdString(),
+                     .mapping = m_columns->mapping(),
+                     .dates = m_options->dates()},
+         .oneIceberg = m_options->oneIceberg(),
+         .base = m_options->intoNew() ? m_new : m_offer.present,
+         .options = m_offer.inFlight ? optionsInFlight(options, *m_offer.present) : options},
+        atOnce);
     showState();
 }
 
@@ -294,8 +300,8 @@ void ImportDialog::showState()
     m_import->setEnabled(usable);
     m_legend->setVisible(usable);
     // Sightings that do not fit to the scenario that is shown do to one of their own.
-    const bool isOffered =
-        !busy && !usable && m_preview && m_preview->file && !m_options->intoNew();
+    const bool isOffered = !busy && !usable && m_preview && m_preview->file &&
+                           !m_options->intoNew() && !m_offer.inFlight;
     m_intoNew->setVisible(isOffered);
     QStringList lines;
     if (usable && !m_preview->file->guessedDate.empty())
@@ -348,7 +354,9 @@ std::optional<ImportChoice> ImportDialog::choice() const
     const ImportResult& result = m_preview->result;
     return ImportChoice{.scenario = result.scenario,
                         .intoNew = m_options->intoNew(),
-                        .icebergs = static_cast<int>(result.added + result.updated)};
+                        .icebergs = static_cast<int>(result.added + result.updated),
+                        .reports =
+                            m_offer.inFlight ? reportsOf(*m_preview) : std::vector<Intervention>()};
 }
 
 } // namespace berg

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scenario/move_origin.h"
+#include "core/sim/intervention.h"
 #include "widgets/model/export_preview.h"
 #include "widgets/theme/theme.h"
 
@@ -35,15 +36,17 @@ struct ImportOffer
     QString path;
     std::shared_ptr<const Scenario> present; ///< on screen
     bool intoNew = false;                    ///< chosen at first: a new scenario
+    bool inFlight = false;                   ///< they are reports to it; `present` is `scenarioNow`
     Theme theme;
 };
 
 /** What the user wants imported. */
 struct ImportChoice
 {
-    Scenario scenario;    ///< that comes out
-    bool intoNew = false; ///< in place of the present one, not a change of it
-    int icebergs = 0;     ///< new or updated
+    Scenario scenario;                 ///< that comes out
+    bool intoNew = false;              ///< in place of the present one, not a change of it
+    int icebergs = 0;                  ///< new or updated
+    std::vector<Intervention> reports; ///< in flight, instead of all that
 };
 
 /** What is in no file, and about to be lost. */

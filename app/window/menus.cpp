@@ -110,8 +110,8 @@ void Menus::buildEditMenu()
                        [map] { map->edits().cutSelected(); });
     m_shared.copy = add(menu, {"copyAction", tr("&Copy"), QKeySequence::Copy},
                         [map] { map->edits().copySelected(); });
-    QAction* paste = add(menu, {"pasteAction", tr("&Paste"), QKeySequence::Paste},
-                         [map] { map->edits().paste(); });
+    add(menu, {"pasteAction", tr("&Paste"), QKeySequence::Paste},
+        [this] { m_parts.sightings.paste(); });
     add(menu,
         {"copyPictureAction", tr("Copy p&icture of the map"),
          QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)},
@@ -133,7 +133,7 @@ void Menus::buildEditMenu()
     QAction* move = add(menu, {"moveScenarioAction", tr("&Move the scenario…")}, [this] {
         m_parts.dialogs.moveScenario(workspace().document().scenario().origin);
     });
-    m_editActions = {m_shared.undo,   m_shared.redo, m_shared.cut,      paste, m_shared.duplicate,
+    m_editActions = {m_shared.undo,   m_shared.redo, m_shared.cut,      m_shared.duplicate,
                      m_shared.remove, addUav,        m_shared.generate, move};
 }
 
@@ -175,9 +175,9 @@ void Menus::buildViewMenu()
     buildMapActions(menu);
     add(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7},
         [this] { m_parts.checks.toggleChecks(); });
-    add(menu, {"studyAction", tr("S&tudy of τ and policies")},
+    add(menu, {"studyAction", tr("S&tudy")},
         [this] { m_parts.study.showStudy(); });
-    add(menu, {"solveTimeAction", tr("&Solve time study")}, [this] { m_parts.solveTimes.show(); });
+    add(menu, {"solveTimeAction", tr("&Solve time")}, [this] { m_parts.solveTimes.show(); });
     menu.addSeparator();
     addLayouts(*menu.addMenu(tr("La&youts")));
     QMenu& docks = *menu.addMenu(tr("&Panels"));

@@ -6,9 +6,12 @@
 #include "app/window/start_guide.h"
 #include "core/io/text/atomic_file.h"
 #include "widgets/map/view/map_view.h"
+#include "widgets/model/flight_sightings.h"
 #include "widgets/model/workspace.h"
 #include "widgets/words/issue_text.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QDropEvent>
 #include <QFile>
 #include <QFileInfo>
@@ -97,14 +100,14 @@ bool SightingsImport::mayImport()
 {
     if (!workspace().inFlight())
         return true;
-    showMessage(tr("In flight nothing can be imported. Stop the flight to import it."),
+    showMessage(tr("Airspace cannot be imported in flight. Stop the flight to import it."),
                 kMessage_ms);
     return false;
 }
 
 void SightingsImport::chooseSightings()
 {
-    if (!mayImport())
+    if (workspace().inFlight() && workspace().refuseIntervention())
         return;
     const QString path = interaction().openPath(
         &window(),
@@ -178,16 +181,35 @@ void SightingsImport::tellLeftOut(const AirspaceResult& result, const QString& s
                                       text.join(u'\n').toHtmlEscaped().replace(u'\n', u"<br>"_s));
 }
 
+void SightingsImport::paste()
+{
+    const QMimeData* data = QApplication::clipboard()->mimeData();
+    const QString text = data == nullptr ? QString() : data->text();
+    const bool isTable = text.trimmed().contains(u'\n') && !text.trimmed().startsWith(u'{');
+    if (!isTable && !workspace().inFlight()) {
+        panels().map->edits().paste();
+        return;
+    }
+    const QString path = m_pasted.filePath(tr("Clipboard"));
+    if (!attempt([&] {
+            writeFileAtomically(QFile::encodeName(path).toStdString(), text.toStdString());
+        }))
+        return;
+    importSightings(path);
+}
+
 void SightingsImport::importSightings(const QString& path)
 {
-    if (!mayImport())
-        return;
     const QString ending = QFileInfo(path).suffix().toLower();
     if ((ending == u"txt"_s || !sightingEndings().contains(ending)) && holdsOpenAir(path)) {
         readAirspace(path);
         return;
     }
     panels().finishTyping();
+    if (workspace().inFlight()) {
+        importInFlight(path);
+        return;
+    }
     const Scenario& present = workspace().document().scenario();
     const std::optional<ImportChoice> choice = interaction().chooseImport(
         &window(), workspace().imports(),
@@ -197,6 +219,50 @@ void SightingsImport::importSightings(const QString& path)
          .theme = theme()});
     if (choice && m_files.mayAnswer(false))
         acceptImport(*choice, QFileInfo(path).fileName());
+}
+
+/** Of the instant at which it pauses. */
+void SightingsImport::importInFlight(const QString& path)
+{
+    if (workspace().refuseIntervention())
+        return;
+    const auto isPaused = [this] { return workspace().record().now.phase != RunPhase::Flying; };
+    disconnect(m_pause);
+    if (isPaused()) {
+        askReports(path);
+        return;
+    }
+    m_pause = connect(&workspace(), &Workspace::flightChanged, this, [this, path, isPaused] {
+        if (!isPaused())
+            return;
+        disconnect(m_pause);
+        QTimer::singleShot(0, this, [this, path] { askReports(path); });
+    });
+    workspace().pause();
+}
+
+void SightingsImport::askReports(const QString& path)
+{
+    if (!workspace().inFlight() || workspace().refuseIntervention())
+        return;
+    const double now_s = workspace().record().now.time_s;
+    const std::optional<ImportChoice> choice = interaction().chooseImport(
+        &window(), workspace().imports(),
+        {.path = path,
+         .present = std::make_shared<const Scenario>(scenarioNow(workspace().record())),
+         .inFlight = true,
+         .theme = theme()});
+    if (!choice)
+        return;
+    if (!workspace().inFlight() || workspace().record().now.time_s != now_s) {
+        showMessage(tr("The flight has gone on meanwhile: nothing was reported."), kLongMessage_ms);
+        return;
+    }
+    workspace().report(choice->reports);
+    showMessage(
+        tr("Reported %n icebergs from %1", nullptr, static_cast<int>(choice->reports.size()))
+            .arg(QFileInfo(path).fileName()),
+        kMessage_ms);
 }
 
 void SightingsImport::acceptImport(const ImportChoice& choice, const QString& fileName)

@@ -4,6 +4,8 @@
 #include "core/io/import/import_airspace.h"
 #include "widgets/model/latest_task.h"
 
+#include <QTemporaryDir>
+
 #include <memory>
 
 namespace berg {
@@ -12,7 +14,10 @@ class ScenarioFiles;
 class StartGuide;
 struct ImportChoice;
 
-/** Sightings of real icebergs from files of others; files dropped on the window. */
+/**
+ * Sightings of real icebergs from files of others or from the clipboard; files dropped on the
+ * window. In flight they are reports: `reportsOf`.
+ */
 class SightingsImport : public WindowPart
 {
     Q_OBJECT
@@ -22,6 +27,8 @@ public:
 
     void chooseSightings();
     void chooseAirspace();
+    /** Icebergs copied here or elsewhere, or a table of sightings, which the dialog reads. */
+    void paste();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -47,12 +54,16 @@ private:
     void takeAirspace(const Airspace& airspace);
     void tellLeftOut(const AirspaceResult& result, const QString& summary);
     void importSightings(const QString& path);
+    void importInFlight(const QString& path);
+    void askReports(const QString& path);
     void acceptImport(const ImportChoice& choice, const QString& fileName);
     void openDropped(const QString& path);
 
     ScenarioFiles& m_files;
     StartGuide& m_start;
     LatestTask<AirspaceRequest, AirspacePointer> m_airspace;
+    QMetaObject::Connection m_pause; ///< until the flight pauses to take reports
+    QTemporaryDir m_pasted;          ///< for the text of the clipboard
 };
 
 } // namespace berg

@@ -23,7 +23,7 @@ void apply(const Intervention& intervention, Simulation& world,
     if (intervention.appears)
         world.addIceberg(*intervention.appears);
     if (intervention.seen)
-        world.reportSighting(indexOfId(icebergs, *intervention.seen));
+        world.reportSighting(indexOfId(icebergs, *intervention.seen), intervention.seenAge_s);
     if (intervention.removed)
         world.removeIceberg(indexOfId(icebergs, *intervention.removed));
     if (intervention.assigned)

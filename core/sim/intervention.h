@@ -31,7 +31,8 @@ struct Intervention
     std::optional<Point> wind_mps;      ///< from now on
     std::optional<Asset> asset;         ///< protected from now on; its position is that at time 0
     std::optional<Iceberg> appears;     ///< a new iceberg, here and now
-    std::optional<std::string> seen;    ///< id of one that somebody else sees now
+    std::optional<std::string> seen;    ///< id of one that somebody else sees now, or saw
+    double seenAge_s = 0;               ///< so long ago
     std::optional<std::string> removed; ///< id of one that is none, or is not to be watched
     std::optional<Assignment> assigned;
     std::optional<UavCommand> commanded;

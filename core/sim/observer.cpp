@@ -70,18 +70,30 @@ void Observer::addIceberg(const Iceberg& iceberg)
         m_tracks.back().seen(truth_m, m_world.time_s());
 }
 
-void Observer::reportSighting(int iceberg, StepReport& report)
+void Observer::reportSighting(int iceberg, double age_s, StepReport& report)
 {
     require(active(iceberg), "reportSighting: the iceberg has not appeared");
+    require(age_s >= 0, "reportSighting: a sighting in the future");
     Track& track = m_tracks[toIndex(iceberg)];
+    const double growth_m2 = age_s * track.q_m2ps;
+    if (age_s > 0 && growth_m2 >= track.sigma_m2 && track.status == TrackStatus::Tracked)
+        return;
     const bool inView = track.inView;
+    const double seen_s = std::max(track.seen_s, m_world.time_s() - age_s);
     if (m_world.observer().model == ObserverModel::Simple) {
         track.seen(m_world.truth_m(iceberg), m_world.time_s());
+        track.sigma_m2 = growth_m2;
         if (track.status != TrackStatus::Tracked)
             found(iceberg, -1, report);
     } else
-        measure(iceberg, m_world.truth_m(iceberg), -1, report);
+        measure(iceberg, m_world.truth_m(iceberg), lookVariance_m2() + growth_m2, -1, report);
+    track.seen_s = seen_s;
     track.inView = inView;
+}
+
+double Observer::lookVariance_m2() const
+{
+    return m_world.observer().positionSd_m * m_world.observer().positionSd_m;
 }
 
 void Observer::setWind(const Point& wind_mps)
@@ -217,16 +229,17 @@ void Observer::lookForMeasurements(double dt_s, StepReport& report)
         // One look of several UAVs at once has the luck of one.
         const LookDraw draw = m_world.lookDraw(i, m_world.step() / m_lookSteps);
         if (draw.chance < m_world.observer().detection)
-            measure(i, truth_m + m_world.observer().positionSd_m * draw.noise, seenBy, report);
+            measure(i, truth_m + m_world.observer().positionSd_m * draw.noise, lookVariance_m2(),
+                    seenBy, report);
         else
             miss(i, views, middles, report);
     }
 }
 
-void Observer::measure(int iceberg, const Point& measured_m, int seenBy, StepReport& report)
+void Observer::measure(int iceberg, const Point& measured_m, double variance_m2, int seenBy,
+                       StepReport& report)
 {
     Track& track = m_tracks[toIndex(iceberg)];
-    const double variance_m2 = m_world.observer().positionSd_m * m_world.observer().positionSd_m;
     if (!track.inView && !track.left)
         m_newlySeen.push_back({.iceberg = iceberg, .uav = seenBy});
     track.inView = true;

@@ -55,8 +55,11 @@ public:
     void addIceberg(const Iceberg& iceberg);
     /** It has left, for good: nothing is seen or learnt of it any more. */
     void removeIceberg(int iceberg);
-    /** Its position is known now as if it were in view. */
-    void reportSighting(int iceberg, StepReport& report);
+    /**
+     * Somebody else saw it `age_s` ago: its position is known as if it had been in view then and
+     * the uncertainty had grown since; what is known better already stays.
+     */
+    void reportSighting(int iceberg, double age_s, StepReport& report);
 
     /** Of an iceberg that is lost or given up. */
     void beginSearch(int uav, Search search);
@@ -73,8 +76,11 @@ private:
     void insert(const Iceberg& iceberg, DriftNoise noise, double start_s, std::int64_t appearsStep);
     void lookAround(StepReport& report);
     void look(int iceberg, StepReport& report);
+    /** Of a position seen by a camera, along one axis. */
+    [[nodiscard]] double lookVariance_m2() const;
     void lookForMeasurements(double dt_s, StepReport& report);
-    void measure(int iceberg, const Point& measured_m, int seenBy, StepReport& report);
+    void measure(int iceberg, const Point& measured_m, double variance_m2, int seenBy,
+                 StepReport& report);
     void miss(int iceberg, std::span<const FieldOfView> views, std::span<const FieldOfView> middles,
               StepReport& report);
     void watchEstimates(StepReport& report);

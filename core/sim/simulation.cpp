@@ -78,9 +78,9 @@ void Simulation::order(int uav, FlightOrder order)
     requestPlan();
 }
 
-void Simulation::reportSighting(int iceberg)
+void Simulation::reportSighting(int iceberg, double age_s)
 {
-    m_fleet.observer().reportSighting(iceberg, m_fleet.report());
+    m_fleet.observer().reportSighting(iceberg, age_s, m_fleet.report());
     requestPlan();
 }
 

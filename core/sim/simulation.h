@@ -86,10 +86,10 @@ public:
     /** The UAV does so, and the others get a new plan; `FlightOrder::None`: as planned again. */
     void order(int uav, FlightOrder order);
     /**
-     * An iceberg that has appeared is reported by somebody else: its position is known now as if it
-     * were in view, and a new plan is needed.
+     * An iceberg that has appeared was seen by somebody else `age_s` ago: its position is known as
+     * if it had been in view then, and a new plan is needed.
      */
-    void reportSighting(int iceberg);
+    void reportSighting(int iceberg, double age_s = 0);
     /** Adds an iceberg that appears now; its index is the new last one. */
     void addIceberg(const Iceberg& iceberg);
     /** It is monitored no more; a new plan is needed. */

@@ -222,19 +222,23 @@ private slots:
         QVERIFY(w.interaction.errors.isEmpty());
     }
 
-    void inFlightItIsRefused()
+    /** Then they are reports to the flight, whose t = 0 is now: `tst_main_window_reports`. */
+    void inFlightTheyAreReports()
     {
         WindowFixture w(randomScenario(31, {.icebergs = 3}));
         w.trigger(u"stepAction"_s);
         QVERIFY(w.until([&] { return w.workspace.inFlight(); }));
+        QVERIFY(w.until(RunPhase::Paused));
         w.interaction.path = fixturePath("usnic.csv");
         w.trigger(u"importAction"_s);
-        QVERIFY(w.window().statusBar()->currentMessage().startsWith(u"In flight"_s));
-        w.window().statusBar()->clearMessage();
         drop(w.window(), w.interaction.path);
-        QVERIFY(w.until([&] { return !w.window().statusBar()->currentMessage().isEmpty(); }));
-        QVERIFY(w.interaction.importOffers.empty());
-        QCOMPARE(w.interaction.openQuestions, 0);
+        QVERIFY(w.until([&] { return w.interaction.importOffers.size() == 2; }));
+        for (const ImportOffer& offer : w.interaction.importOffers)
+            QVERIFY(offer.inFlight && !offer.intoNew && offer.present->icebergs.size() == 3);
+        w.interaction.path = written(w.file(u"zones.openair"_s), zoneAt(w.scenario().origin));
+        w.trigger(u"airspaceAction"_s);
+        QVERIFY(w.window().statusBar()->currentMessage().startsWith(u"Airspace"_s));
+        QVERIFY(w.scenario().airspace.empty());
     }
 
     void droppedFilesAreImported_data()

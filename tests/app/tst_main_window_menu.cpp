@@ -4,6 +4,7 @@
 #include "widgets/model/places.h"
 
 #include <QClipboard>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPointer>
@@ -64,6 +65,25 @@ class TestMainWindowMenu : public QObject
 
 private slots:
     void init() { test::failOnWarnings(); }
+
+    /** One panel has one name. */
+    void panelsAreNamedAlike_data()
+    {
+        QTest::addColumn<QString>("action");
+        QTest::addColumn<QString>("dock");
+        QTest::newRow("checks") << u"checksAction"_s << u"checksDock"_s;
+        QTest::newRow("study") << u"studyAction"_s << u"studyDock"_s;
+        QTest::newRow("solve time") << u"solveTimeAction"_s << u"solveTimeDock"_s;
+    }
+
+    void panelsAreNamedAlike()
+    {
+        QFETCH(QString, action);
+        QFETCH(QString, dock);
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QCOMPARE(w.action(action).text().remove(u'&'),
+                 test::child<QDockWidget>(w.window(), dock).windowTitle());
+    }
 
     /** Where there is no menu key. */
     void shiftF10OpensIt()
@@ -257,8 +277,8 @@ private slots:
         QVERIFY(texts.contains(u"Report as seen now"_s));
         QVERIFY(texts.contains(u"Show in the inspector"_s));
         QVERIFY(texts.contains(u"Copy"_s));
-        for (const QString& name : {u"cutAction"_s, u"pasteAction"_s, u"duplicateAction"_s,
-                                    u"assetTool"_s, u"areaTool"_s})
+        for (const QString& name :
+             {u"cutAction"_s, u"duplicateAction"_s, u"assetTool"_s, u"areaTool"_s})
             QVERIFY2(!w.action(name).isEnabled(), qPrintable(name));
         QVERIFY(w.action(u"measureTool"_s).isEnabled());
     }

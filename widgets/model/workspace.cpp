@@ -240,10 +240,18 @@ void Workspace::setPolicy(PolicyKind policy)
 
 void Workspace::reportSeen(const std::vector<std::string>& ids)
 {
+    std::vector<Intervention> sightings;
+    for (const std::string& id : flownAmong(ids))
+        sightings.push_back({.seen = id});
+    report(sightings);
+}
+
+void Workspace::report(const std::vector<Intervention>& sightings)
+{
     if (!inFlight() || refuseIntervention())
         return;
-    for (const std::string& id : flownAmong(ids))
-        m_runner.intervene({.seen = id});
+    for (const Intervention& sighting : sightings)
+        m_runner.intervene(sighting);
 }
 
 int Workspace::remove(const std::vector<std::string>& ids)

@@ -83,6 +83,8 @@ public:
     void setPolicy(PolicyKind policy);
     /** In flight: somebody else sees those of them now that are icebergs. */
     void reportSeen(const std::vector<std::string>& ids);
+    /** In flight: sightings of others, each an intervention (`reportsOf`). */
+    void report(const std::vector<Intervention>& sightings);
     /** In flight: those of them that are icebergs are monitored no more. Returns how many. */
     int remove(const std::vector<std::string>& ids);
     /** They are to be visited by this UAV alone; empty: by any. */

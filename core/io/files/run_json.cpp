@@ -51,6 +51,7 @@ std::string interventionText(const Intervention& intervention)
         object.addText("appears", objectText(*intervention.appears));
     if (intervention.seen)
         object.add("seen", *intervention.seen);
+    object.addUnless("seen_age_s", intervention.seenAge_s, 0.0);
     if (intervention.removed)
         object.add("removed", *intervention.removed);
     if (intervention.assigned) {
@@ -160,6 +161,7 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
                 readObject<Iceberg>(*appears, object.path("appears"), run.faults());
         if (object.find("seen") != nullptr)
             intervention.seen = object.text("seen");
+        intervention.seenAge_s = object.number("seen_age_s", 0, limits::kTime_s);
         if (object.find("removed") != nullptr)
             intervention.removed = object.text("removed");
         if (const Json* assigned = object.find("assigned"))

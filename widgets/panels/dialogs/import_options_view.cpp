@@ -279,6 +279,12 @@ void ImportOptionsView::setArea(const GeoBox& box)
         m_areaBox->setChecked(true);
 }
 
+void ImportOptionsView::setInFlight(bool inFlight)
+{
+    for (QWidget* input : std::initializer_list<QWidget*>{m_target, m_at.edit, m_tracks})
+        m_form->setRowVisible(input, !inFlight);
+}
+
 bool ImportOptionsView::intoNew() const
 {
     return m_target->currentIndex() == 1;

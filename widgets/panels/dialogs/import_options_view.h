@@ -31,6 +31,8 @@ public:
 
     [[nodiscard]] ImportOptions options() const;
     [[nodiscard]] bool intoNew() const;
+    /** Nothing but sightings can be taken then, and t = 0 stays. */
+    void setInFlight(bool inFlight);
     /** As by hand. */
     void chooseNew();
     /** None: as the file suggests. */
