@@ -36,6 +36,7 @@ constexpr int kLayoutVersion = 3;       ///< of the docks' saved places
 constexpr QSize kStudyFrame_px(24, 48); ///< title and edges of the window of a study
 
 constexpr const char* kLayoutKey = "window/layout";
+constexpr const char* kFoldedKey = "inspector/folded";
 constexpr const char* kWasBehind = "wasBehind"; ///< property of a dock: as it was toggled
 
 /** Where the settings keep how it was left. */
@@ -135,10 +136,15 @@ void Docks::addRight()
     connect(dock(Dock::Tradeoff), &QDockWidget::topLevelChanged, this, limitHeight);
     limitHeight();
     QDockWidget* plan = add("planDock", tr("Plan"), panels().plan, kArea);
+    if (settings().contains(kFoldedKey))
+        panels().inspector->foldGroups(settings().value(kFoldedKey).toStringList());
+    connect(panels().inspector, &InspectorPanel::folded, this, [this] {
+        settings().setValue(kFoldedKey, panels().inspector->foldedGroups());
+    });
     connect(panels().inspector, &InspectorPanel::left, panels().map,
             qOverload<>(&QWidget::setFocus));
     QDockWidget* inspector = add("inspectorDock", tr("Inspector"), panels().inspector, kArea);
-    QDockWidget* pareto = add("paretoDock", tr("Trade-offs"), panels().pareto, kArea);
+    QDockWidget* pareto = add("paretoDock", tr("Trade-off curve"), panels().pareto, kArea);
     window().tabifyDockWidget(plan, inspector);
     window().tabifyDockWidget(inspector, pareto);
     QDockWidget* history = add("historyDock", tr("History"), panels().history, kArea);
@@ -150,8 +156,8 @@ void Docks::addRight()
 void Docks::addBottom()
 {
     constexpr auto kArea = Qt::BottomDockWidgetArea;
-    QDockWidget* zeta = add("zetaDock", tr("Chart"), panels().charts.front(), kArea);
-    QDockWidget* sigma = add("sigmaDock", tr("Chart 2"), panels().charts.back(), kArea);
+    QDockWidget* zeta = add("zetaDock", tr("First chart"), panels().charts.front(), kArea);
+    QDockWidget* sigma = add("sigmaDock", tr("Second chart"), panels().charts.back(), kArea);
     add("eventsDock", tr("Events"), panels().events, kArea);
     window().splitDockWidget(zeta, sigma, Qt::Horizontal);
     QDockWidget* comparisonChart =

@@ -76,8 +76,12 @@ QString areaText(const std::vector<Point>& corners_m, const QLocale& locale)
 std::vector<InspectorRow> assetRows()
 {
     std::vector<InspectorRow> rows{nameRow<Asset>(u"assetName"_s)};
+    rows.emplace_back(GroupRow{.key = u"assetPositionGroup"_s,
+                               .title = InspectorRows::tr("Position and course")});
     append(rows, positionRows<Asset>(u"asset"_s));
     append(rows, wayRows());
+    rows.emplace_back(
+        GroupRow{.key = u"assetProtectionGroup"_s, .title = InspectorRows::tr("Protection")});
     rows.emplace_back(
         asDistance(assetRow({.key = u"assetRange"_s,
                              .label = InspectorRows::tr("Range"),

@@ -166,8 +166,13 @@ PartRow trackRow()
 std::vector<InspectorRow> icebergRows()
 {
     std::vector<InspectorRow> rows{nameRow<Iceberg>(u"icebergName"_s)};
+    rows.emplace_back(
+        GroupRow{.key = u"icebergPositionGroup"_s, .title = InspectorRows::tr("Position")});
     append(rows, positionRows<Iceberg>(u"iceberg"_s));
+    rows.emplace_back(GroupRow{.key = u"icebergDriftGroup"_s, .title = InspectorRows::tr("Drift")});
     append(rows, driftRows());
+    rows.emplace_back(
+        GroupRow{.key = u"icebergUncertaintyGroup"_s, .title = InspectorRows::tr("Uncertainty")});
     append(rows, uncertaintyRows());
     rows.emplace_back(objectRow<Iceberg>(
         {.key = u"icebergObserved"_s,
@@ -176,6 +181,8 @@ std::vector<InspectorRow> icebergRows()
                                       "since."),
          .undoText = InspectorRows::tr("Change time last seen")},
         InspectorRows::tr(" s ago", "unit after a number"), &Iceberg::observed_s, limits::kTime_s));
+    rows.emplace_back(
+        GroupRow{.key = u"icebergVisitGroup"_s, .title = InspectorRows::tr("Size and visits")});
     rows.emplace_back(objectRow<Iceberg>(
         {.key = u"icebergAppears"_s,
          .label = InspectorRows::tr("Appears at"),

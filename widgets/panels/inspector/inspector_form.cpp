@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "widgets/panels/fields/entry_field.h"
+#include "widgets/panels/fields/fold_heading.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/fields/wheel_guard.h"
@@ -88,7 +89,7 @@ bool isAlike(const Value& a, const Value& b)
 
 InspectorForm::InspectorForm(ScenarioDocument& document, const std::vector<InspectorRow>& rows,
                              QWidget* parent)
-    : QWidget(parent), m_document(document), m_form(new QFormLayout(this))
+    : QWidget(parent), m_document(document), m_form(new QFormLayout(this)), m_groups(*m_form)
 {
     m_form->setContentsMargins(0, 0, 0, 0);
     m_form->setVerticalSpacing(kRowGap_px);
@@ -124,10 +125,20 @@ void InspectorForm::addInput(const RowWords& words, QWidget* input)
     input->setToolTip(words.toolTip);
     auto* number = qobject_cast<NumberField*>(input);
     QWidget* row = number != nullptr ? withRemark(number) : input;
-    m_form->addRow(newLabel(words.label, input), row);
+    m_groups.add(newLabel(words.label, input), row);
     showWhere(words, row);
     if (m_first == nullptr)
         m_first = input;
+}
+
+void InspectorForm::add(const GroupRow& row)
+{
+    const FoldHeading* heading = m_groups.begin(row.key, row.title, row.isFolded);
+    connect(heading, &FoldHeading::toggled, this, [this] {
+        finishTyping(); // in what is hidden nobody types
+        m_groups.show();
+    });
+    connect(heading, &FoldHeading::clicked, this, &InspectorForm::folded);
 }
 
 /** Only while the row matters to one of what is edited. */
@@ -139,7 +150,7 @@ void InspectorForm::showWhere(const RowWords& words, QWidget* input)
         const auto matters = [&](const std::string& id) {
             return isShown(m_document.scenario(), id);
         };
-        m_form->setRowVisible(input, std::any_of(m_ids.begin(), m_ids.end(), matters));
+        m_groups.setMatters(input, std::any_of(m_ids.begin(), m_ids.end(), matters));
     });
 }
 
@@ -264,7 +275,7 @@ void InspectorForm::add(const EntryRow& row)
     auto* field = new EntryField(
         {.key = row.words.key, .label = row.words.label, .toolTip = row.words.toolTip},
         EntryField::Says::WhenFinished, whyNot);
-    m_form->addRow(newLabel(row.words.label, field), field);
+    m_groups.add(newLabel(row.words.label, field), field);
     showWhere(row.words, field);
     connect(field, &EntryField::edited, this, [this, row](const QString& text) {
         m_document.endGesture();
@@ -327,7 +338,7 @@ void InspectorForm::add(const ActionRow& row)
     auto* button = new QPushButton(row.words.undoText);
     button->setObjectName(row.words.key);
     button->setToolTip(row.words.toolTip);
-    m_form->addRow(button);
+    m_groups.add(nullptr, button);
     showWhere(row.words, button);
     if (m_first == nullptr)
         m_first = button;
@@ -350,7 +361,7 @@ void InspectorForm::add(const PartRow& row)
     button->setAccessibleName(row.words.undoText);
     line->addWidget(text, 1);
     line->addWidget(button);
-    m_form->addRow(newLabel(row.words.label, part), part);
+    m_groups.add(newLabel(row.words.label, part), part);
     connect(button, &QPushButton::clicked, this, [this, row] {
         edit(row.words, row.remove);
         m_document.endGesture();
@@ -363,7 +374,7 @@ void InspectorForm::add(const InfoRow& row)
     auto* text = new CaptionLabel;
     text->setObjectName(row.key);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_form->addRow(QString(), text);
+    m_groups.add(new QLabel, text);
     showText(row.text, *text, text);
 }
 
@@ -373,7 +384,7 @@ void InspectorForm::showText(const ReadText& read, QLabel& label, QWidget* row)
     m_shows.emplace_back([this, read, &label, row] {
         const QString text = commonText(read).value_or(tr("mixed"));
         label.setText(text);
-        m_form->setRowVisible(row, !text.isEmpty());
+        m_groups.setMatters(row, !text.isEmpty());
     });
 }
 
@@ -406,8 +417,9 @@ void InspectorForm::showAll()
 {
     if (m_ids.empty())
         return;
-    for (const auto& show : m_shows)
-        show();
+    for (const auto& showInput : m_shows)
+        showInput();
+    m_groups.show();
 }
 
 void InspectorForm::setLocked(bool locked)
@@ -429,7 +441,7 @@ void InspectorForm::setLocked(bool locked)
         setLockedLook(*page, locked);
     }
     for (QAbstractButton* button : findChildren<QAbstractButton*>())
-        button->setEnabled(!locked);
+        button->setEnabled(!locked || qobject_cast<FoldHeading*>(button) != nullptr);
     for (QComboBox* combo : findChildren<QComboBox*>())
         combo->setEnabled(!locked);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/model/scenario_document.h"
+#include "widgets/panels/inspector/form_groups.h"
 #include "widgets/panels/inspector/inspector_rows.h"
 
 #include <QWidget>
@@ -35,9 +36,15 @@ public:
     void setLocked(bool locked);
     /** Takes what is being typed as if Return had been pressed. */
     void finishTyping();
+    [[nodiscard]] FormGroups& groups() { return m_groups; }
+
+signals:
+    /** A group was folded or opened by the user. */
+    void folded();
 
 private:
     void showWhere(const RowWords& words, QWidget* input);
+    void add(const GroupRow& row);
     void add(const NumberRow& row);
     void add(const TextRow& row);
     void add(const EntryRow& row);
@@ -60,6 +67,7 @@ private:
 
     ScenarioDocument& m_document;
     QFormLayout* m_form;
+    FormGroups m_groups;
     QWidget* m_top = nullptr;
     QWidget* m_first = nullptr;
     std::vector<std::function<void()>> m_shows; ///< of the inputs: what there is of `m_ids`

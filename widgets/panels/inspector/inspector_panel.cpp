@@ -166,8 +166,24 @@ void InspectorPanel::addForms(QVBoxLayout& column)
     m_uavId = addIdField(*m_uavForm, u"uav"_s,
                          tr("Names the UAV in files and lists; each id is there once."),
                          tr("A UAV needs an id."), m_uavs);
-    for (InspectorForm* form : m_forms)
+    for (InspectorForm* form : m_forms) {
         column.addWidget(form);
+        connect(form, &InspectorForm::folded, this, &InspectorPanel::folded);
+    }
+}
+
+QStringList InspectorPanel::foldedGroups() const
+{
+    QStringList keys;
+    for (InspectorForm* form : m_forms)
+        keys += form->groups().folded();
+    return keys;
+}
+
+void InspectorPanel::foldGroups(const QStringList& keys)
+{
+    for (InspectorForm* form : m_forms)
+        form->groups().fold(keys);
 }
 
 /** On top of its form: of the one object of `shown`, which changes with the selection. */

@@ -36,7 +36,13 @@ public:
     /** Takes what is being typed as if Return had been pressed, e.g. before saving. */
     void finishTyping();
 
+    /** Keys of the groups of rows that are folded away. */
+    [[nodiscard]] QStringList foldedGroups() const;
+    void foldGroups(const QStringList& keys);
+
 signals:
+    /** A group of rows was folded or opened by the user. */
+    void folded();
     /** Esc, where nothing is being typed. */
     void left();
 

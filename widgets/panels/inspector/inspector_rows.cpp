@@ -87,15 +87,7 @@ std::vector<InspectorRow> positionRows(const QString& kind)
                                             {}, number, limits::kCoordinate_m,
                                             kPositionArrowStep_m));
     };
-    return {row(
-                u"East"_s, InspectorRows::tr("East"),
-                InspectorRows::tr("Position at the start, east of the scenario's origin."),
-                [](auto& object) -> auto& { return object.position_m.x(); }),
-            row(
-                u"North"_s, InspectorRows::tr("North"),
-                InspectorRows::tr("Position at the start, north of the scenario's origin."),
-                [](auto& object) -> auto& { return object.position_m.y(); }),
-            angleRow<Object>(
+    return {angleRow<Object>(
                 {.key = kind + u"Latitude"_s,
                  .label = InspectorRows::tr("Latitude"),
                  .toolTip = InspectorRows::tr("In any form; a whole coordinate sets both."),
@@ -106,7 +98,15 @@ std::vector<InspectorRow> positionRows(const QString& kind)
                  .label = InspectorRows::tr("Longitude"),
                  .toolTip = InspectorRows::tr("In any form; a whole coordinate sets both."),
                  .undoText = InspectorRows::tr("Change position")},
-                PlaceHalf::Longitude)};
+                PlaceHalf::Longitude),
+            row(
+                u"East"_s, InspectorRows::tr("East"),
+                InspectorRows::tr("Position at the start, east of the scenario's origin."),
+                [](auto& object) -> auto& { return object.position_m.x(); }),
+            row(
+                u"North"_s, InspectorRows::tr("North"),
+                InspectorRows::tr("Position at the start, north of the scenario's origin."),
+                [](auto& object) -> auto& { return object.position_m.y(); })};
 }
 
 template TextRow nameRow<Iceberg>(const QString& key);

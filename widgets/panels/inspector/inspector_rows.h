@@ -112,8 +112,16 @@ struct InfoRow
     ReadText text;
 };
 
-using InspectorRow =
-    std::variant<NumberRow, TextRow, EntryRow, FlagRow, PickRow, ActionRow, PartRow, InfoRow>;
+/** Heads the rows that follow, until the next one. */
+struct GroupRow
+{
+    QString key;
+    QString title;
+    bool isFolded = false; ///< at first: what is rarely changed
+};
+
+using InspectorRow = std::variant<NumberRow, TextRow, EntryRow, FlagRow, PickRow, ActionRow,
+                                  PartRow, InfoRow, GroupRow>;
 
 [[nodiscard]] std::vector<InspectorRow> icebergRows();
 [[nodiscard]] std::vector<InspectorRow> uavRows();

@@ -106,7 +106,7 @@ std::vector<InspectorRow> currentRows()
          .speeds_mps = always(limits::kSpeed_mps)});
 }
 
-std::vector<InspectorRow> runRows()
+NumberRow durationRow()
 {
     NumberRow duration =
         scenarioRow({.key = u"scenarioDuration"_s,
@@ -118,6 +118,11 @@ std::vector<InspectorRow> runRows()
                                       .high = limits::kDuration_s.high};
                     });
     duration.step = 60;
+    return duration;
+}
+
+std::vector<InspectorRow> simulationRows()
+{
     NumberRow timeStep = scenarioRow(
         {.key = u"scenarioTimeStep"_s,
          .label = InspectorRows::tr("Time step"),
@@ -141,7 +146,7 @@ std::vector<InspectorRow> runRows()
         .write = [](Scenario& scenario, const std::string&,
                     double value) { scenario.seed = std::llround(value); },
         .range = always({.low = 0, .high = static_cast<double>(kLargestSeed)})};
-    return {duration, timeStep, seed,
+    return {timeStep, seed,
             flagRow({.key = u"scenarioNoise"_s,
                      .label = InspectorRows::tr("Random drift"),
                      .toolTip = InspectorRows::tr("Off: icebergs drift exactly as known."),
@@ -214,24 +219,23 @@ std::vector<InspectorRow> placeRows()
         row.step = 0.1;
         return row;
     };
-    return {degrees(
-                u"scenarioLatitude"_s, InspectorRows::tr("Latitude"),
-                InspectorRows::tr("Of the origin, north positive; everything moves along with it."),
-                [](auto& scenario) -> auto& { return scenario.origin.latitude_deg; },
-                limits::kLatitude_deg),
-            degrees(
-                u"scenarioLongitude"_s, InspectorRows::tr("Longitude"),
-                InspectorRows::tr("Of the origin, east positive; everything moves along with it."),
-                [](auto& scenario) -> auto& { return scenario.origin.longitude_deg; },
-                limits::kLongitude_deg),
-            InfoRow{.key = u"scenarioPlace"_s,
-                    .text =
-                        [](const Scenario& scenario, const std::string&, const QLocale& locale) {
-                            return u"%1\n%2"_s.arg(
-                                latitudeText(scenario.origin.latitude_deg, 3, locale),
-                                longitudeText(scenario.origin.longitude_deg, 3, locale));
-                        }},
-            startRow()};
+    return {
+        startRow(),
+        degrees(
+            u"scenarioLatitude"_s, InspectorRows::tr("Latitude"),
+            InspectorRows::tr("Of the origin, north positive; everything moves along with it."),
+            [](auto& scenario) -> auto& { return scenario.origin.latitude_deg; },
+            limits::kLatitude_deg),
+        degrees(
+            u"scenarioLongitude"_s, InspectorRows::tr("Longitude"),
+            InspectorRows::tr("Of the origin, east positive; everything moves along with it."),
+            [](auto& scenario) -> auto& { return scenario.origin.longitude_deg; },
+            limits::kLongitude_deg),
+        InfoRow{.key = u"scenarioPlace"_s,
+                .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {
+                    return u"%1\n%2"_s.arg(latitudeText(scenario.origin.latitude_deg, 3, locale),
+                                           longitudeText(scenario.origin.longitude_deg, 3, locale));
+                }}};
 }
 
 } // namespace
@@ -252,9 +256,20 @@ std::vector<InspectorRow> scenarioRows()
                  .undoText = InspectorRows::tr("Change name")},
                 ofScenario(&Scenario::name)),
         notes};
-    append(rows, runRows());
+    rows.emplace_back(
+        GroupRow{.key = u"scenarioPlaceGroup"_s, .title = InspectorRows::tr("Time and place")});
+    append(rows, placeRows());
+    rows.emplace_back(durationRow());
+    rows.emplace_back(GroupRow{.key = u"scenarioWeatherGroup"_s,
+                               .title = InspectorRows::tr("Wind, weather and current")});
+    append(rows, windRows());
+    append(rows, surroundingsRows());
+    append(rows, currentRows());
+    rows.emplace_back(
+        GroupRow{.key = u"scenarioRulesGroup"_s, .title = InspectorRows::tr("Flight rules")});
     rows.emplace_back(separationRow());
     rows.emplace_back(layersRow());
+    append(rows, permitRows());
     rows.emplace_back(InfoRow{
         .key = u"scenarioNoFly"_s,
         .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {
@@ -267,13 +282,16 @@ std::vector<InspectorRow> scenarioRows()
             }
             return lines.join(u'\n');
         }});
-    append(rows, windRows());
-    append(rows, currentRows());
-    append(rows, surroundingsRows());
-    append(rows, permitRows());
+    rows.emplace_back(
+        GroupRow{.key = u"scenarioObserverGroup"_s, .title = InspectorRows::tr("Observer")});
     append(rows, observerRows());
+    rows.emplace_back(
+        GroupRow{.key = u"scenarioPlannerGroup"_s, .title = InspectorRows::tr("Planner")});
     append(rows, plannerRows());
-    append(rows, placeRows());
+    rows.emplace_back(GroupRow{.key = u"scenarioSimulationGroup"_s,
+                               .title = InspectorRows::tr("Simulation"),
+                               .isFolded = true});
+    append(rows, simulationRows());
     return rows;
 }
 

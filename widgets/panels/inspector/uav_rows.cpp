@@ -77,8 +77,12 @@ std::vector<InspectorRow> fieldOfViewRows()
 std::vector<InspectorRow> uavRows()
 {
     std::vector<InspectorRow> rows{nameRow<Uav>(u"uavName"_s)};
+    rows.emplace_back(
+        GroupRow{.key = u"uavPositionGroup"_s, .title = InspectorRows::tr("Position and heading")});
     append(rows, positionRows<Uav>(u"uav"_s));
     rows.emplace_back(headingRow());
+    rows.emplace_back(
+        GroupRow{.key = u"uavAircraftGroup"_s, .title = InspectorRows::tr("Aircraft")});
     rows.emplace_back(airspeedRow());
     rows.emplace_back(uavRow({.key = u"uavBank"_s,
                               .label = InspectorRows::tr("Maximum bank angle"),
@@ -94,6 +98,18 @@ std::vector<InspectorRow> uavRows()
                                              "apart in it pass each other."),
                 .undoText = InspectorRows::tr("Change altitude")},
                u" m"_s, &UavSpec::altitude_m, limits::kExtent_m, 10));
+    NumberRow autopilot =
+        uavRow({.key = u"uavAutopilot"_s,
+                .label = InspectorRows::tr("Autopilot rate"),
+                .toolTip = InspectorRows::tr("Time between two commands of the autopilot; at 0 it "
+                                             "commands at each time step."),
+                .undoText = InspectorRows::tr("Change autopilot rate")},
+               u" s"_s, &UavSpec::autopilot_s, limits::kAutopilot_s);
+    autopilot.decimals = {.least = 0, .most = 2};
+    autopilot.lowestText = InspectorRows::tr("each time step");
+    rows.emplace_back(autopilot);
+    rows.emplace_back(
+        GroupRow{.key = u"uavEnduranceGroup"_s, .title = InspectorRows::tr("Endurance and home")});
     NumberRow endurance =
         uavRow({.key = u"uavEndurance"_s,
                 .label = InspectorRows::tr("Endurance"),
@@ -105,16 +121,8 @@ std::vector<InspectorRow> uavRows()
     rows.emplace_back(endurance);
     append(rows, reserveRows());
     append(rows, homeRows());
-    NumberRow autopilot =
-        uavRow({.key = u"uavAutopilot"_s,
-                .label = InspectorRows::tr("Autopilot rate"),
-                .toolTip = InspectorRows::tr("Time between two commands of the autopilot; at 0 it "
-                                             "commands at each time step."),
-                .undoText = InspectorRows::tr("Change autopilot rate")},
-               u" s"_s, &UavSpec::autopilot_s, limits::kAutopilot_s);
-    autopilot.decimals = {.least = 0, .most = 2};
-    autopilot.lowestText = InspectorRows::tr("each time step");
-    rows.emplace_back(autopilot);
+    rows.emplace_back(
+        GroupRow{.key = u"uavWeatherGroup"_s, .title = InspectorRows::tr("Weather limits")});
     append(rows, weatherLimitRows());
     return rows;
 }
