@@ -3980,6 +3980,62 @@ Tilstødende område %4</translation>
         <source>Date and time of the start, such as 2026-11-29 12:00 or 29 Nov 2026 12:00; 1200Z keeps the date. Empty: times are relative.</source>
         <translation>Dato og klokkeslæt for start, som 2026-11-29 12:00 eller 29 Nov 2026 12:00; 1200Z beholder datoen. Tomt: tiderne er relative.</translation>
     </message>
+    <message>
+        <source>Position and course</source>
+        <translation>Position og kurs</translation>
+    </message>
+    <message>
+        <source>Protection</source>
+        <translation>Beskyttelse</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Usikkerhed</translation>
+    </message>
+    <message>
+        <source>Size and visits</source>
+        <translation>Størrelse og besøg</translation>
+    </message>
+    <message>
+        <source>Time and place</source>
+        <translation>Tid og sted</translation>
+    </message>
+    <message>
+        <source>Wind, weather and current</source>
+        <translation>Vind, vejr og strøm</translation>
+    </message>
+    <message>
+        <source>Flight rules</source>
+        <translation>Flyveregler</translation>
+    </message>
+    <message>
+        <source>Planner</source>
+        <translation>Planlægger</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulering</translation>
+    </message>
+    <message>
+        <source>Position and heading</source>
+        <translation>Position og kurs</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Fly</translation>
+    </message>
+    <message>
+        <source>Endurance and home</source>
+        <translation>Udholdenhed og hjem</translation>
+    </message>
+    <message>
+        <source>Weather limits</source>
+        <translation>Vejrgrænser</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -8148,20 +8204,8 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Egenskaber</translation>
     </message>
     <message>
-        <source>Trade-offs</source>
-        <translation>Afvejninger</translation>
-    </message>
-    <message>
         <source>History</source>
         <translation>Historik</translation>
-    </message>
-    <message>
-        <source>Chart</source>
-        <translation>Diagram</translation>
-    </message>
-    <message>
-        <source>Chart 2</source>
-        <translation>Diagram 2</translation>
     </message>
     <message>
         <source>Events</source>
@@ -8202,6 +8246,18 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Trade-off τ, policy, solver and route</source>
         <translation>Afvejning τ, strategi, løser og rute</translation>
+    </message>
+    <message>
+        <source>Trade-off curve</source>
+        <translation>Afvejningskurve</translation>
+    </message>
+    <message>
+        <source>First chart</source>
+        <translation>Første diagram</translation>
+    </message>
+    <message>
+        <source>Second chart</source>
+        <translation>Andet diagram</translation>
     </message>
 </context>
 <context>
@@ -8973,6 +9029,14 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Import into a &amp;new scenario</source>
         <translation>Importér i et &amp;nyt scenarie</translation>
     </message>
+    <message>
+        <source>+ appears   * reported seen</source>
+        <translation>+ dukker op   * meldt set</translation>
+    </message>
+    <message>
+        <source>Re&amp;port</source>
+        <translation>&amp;Meld</translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportOptionsView</name>
@@ -9513,14 +9577,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Kont&amp;rol</translation>
     </message>
     <message>
-        <source>S&amp;tudy of τ and policies</source>
-        <translation>Stu&amp;die af τ og strategier</translation>
-    </message>
-    <message>
-        <source>&amp;Solve time study</source>
-        <translation>Studie af &amp;løsningstid</translation>
-    </message>
-    <message>
         <source>&amp;Panels</source>
         <translation>&amp;Paneler</translation>
     </message>
@@ -9835,6 +9891,14 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Keyboard &amp;shortcuts</source>
         <translation>Tastatur&amp;genveje</translation>
+    </message>
+    <message>
+        <source>S&amp;tudy</source>
+        <translation>S&amp;tudie</translation>
+    </message>
+    <message>
+        <source>&amp;Solve time</source>
+        <translation>&amp;Løsningstid</translation>
     </message>
 </context>
 <context>
@@ -10811,10 +10875,6 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         </translation>
     </message>
     <message>
-        <source>In flight nothing can be imported. Stop the flight to import it.</source>
-        <translation>Under flyvning kan der ikke importeres noget. Stop flyvningen for at importere det.</translation>
-    </message>
-    <message>
         <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;All files (*)</source>
         <translation>Luftrum: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;Alle filer (*)</translation>
     </message>
@@ -10839,6 +10899,25 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
     <message>
         <source>Airspace left out</source>
         <translation>Luftrum udeladt</translation>
+    </message>
+    <message>
+        <source>Airspace cannot be imported in flight. Stop the flight to import it.</source>
+        <translation>Luftrum kan ikke importeres under flyvningen. Stop flyvningen for at importere det.</translation>
+    </message>
+    <message>
+        <source>Clipboard</source>
+        <translation>Udklipsholder</translation>
+    </message>
+    <message>
+        <source>The flight has gone on meanwhile: nothing was reported.</source>
+        <translation>Flyvningen er gået videre i mellemtiden: intet blev meldt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Reported %n icebergs from %1</source>
+        <translation>
+            <numerusform>Meldte %n isbjerg fra %1</numerusform>
+            <numerusform>Meldte %n isbjerge fra %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>

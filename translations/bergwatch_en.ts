@@ -516,6 +516,13 @@
             <numerusform>%n areas: a scenario holds at most %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Reported %n icebergs from %1</source>
+        <translation>
+            <numerusform>Reported %n iceberg from %1</numerusform>
+            <numerusform>Reported %n icebergs from %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>berg::SolveTimeChart</name>

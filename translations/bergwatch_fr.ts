@@ -3980,6 +3980,62 @@ Zone adjacente %4</translation>
         <source>Date and time of the start, such as 2026-11-29 12:00 or 29 Nov 2026 12:00; 1200Z keeps the date. Empty: times are relative.</source>
         <translation>Date et heure du départ, par exemple 2026-11-29 12:00 ou 29 Nov 2026 12:00 ; 1200Z garde la date. Vide : les temps sont relatifs.</translation>
     </message>
+    <message>
+        <source>Position and course</source>
+        <translation>Position et route</translation>
+    </message>
+    <message>
+        <source>Protection</source>
+        <translation>Protection</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Incertitude</translation>
+    </message>
+    <message>
+        <source>Size and visits</source>
+        <translation>Taille et visites</translation>
+    </message>
+    <message>
+        <source>Time and place</source>
+        <translation>Heure et lieu</translation>
+    </message>
+    <message>
+        <source>Wind, weather and current</source>
+        <translation>Vent, météo et courant</translation>
+    </message>
+    <message>
+        <source>Flight rules</source>
+        <translation>Règles de vol</translation>
+    </message>
+    <message>
+        <source>Planner</source>
+        <translation>Planificateur</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Position and heading</source>
+        <translation>Position et cap</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Aéronef</translation>
+    </message>
+    <message>
+        <source>Endurance and home</source>
+        <translation>Autonomie et base</translation>
+    </message>
+    <message>
+        <source>Weather limits</source>
+        <translation>Limites météo</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -8148,20 +8204,8 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Propriétés</translation>
     </message>
     <message>
-        <source>Trade-offs</source>
-        <translation>Courbe des compromis</translation>
-    </message>
-    <message>
         <source>History</source>
         <translation>Historique</translation>
-    </message>
-    <message>
-        <source>Chart</source>
-        <translation>Graphique</translation>
-    </message>
-    <message>
-        <source>Chart 2</source>
-        <translation>Graphique 2</translation>
     </message>
     <message>
         <source>Events</source>
@@ -8202,6 +8246,18 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Trade-off τ, policy, solver and route</source>
         <translation>Compromis τ, stratégie, solveur et itinéraire</translation>
+    </message>
+    <message>
+        <source>Trade-off curve</source>
+        <translation>Courbe des compromis</translation>
+    </message>
+    <message>
+        <source>First chart</source>
+        <translation>Premier graphique</translation>
+    </message>
+    <message>
+        <source>Second chart</source>
+        <translation>Second graphique</translation>
     </message>
 </context>
 <context>
@@ -8973,6 +9029,14 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Import into a &amp;new scenario</source>
         <translation>Importer dans un no&amp;uveau scénario</translation>
     </message>
+    <message>
+        <source>+ appears   * reported seen</source>
+        <translation>+ apparaît   * signalé vu</translation>
+    </message>
+    <message>
+        <source>Re&amp;port</source>
+        <translation>&amp;Signaler</translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportOptionsView</name>
@@ -9513,14 +9577,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Véri&amp;fications</translation>
     </message>
     <message>
-        <source>S&amp;tudy of τ and policies</source>
-        <translation>É&amp;tude de τ et des stratégies</translation>
-    </message>
-    <message>
-        <source>&amp;Solve time study</source>
-        <translation>Étude des temps de &amp;résolution</translation>
-    </message>
-    <message>
         <source>&amp;Panels</source>
         <translation>&amp;Panneaux</translation>
     </message>
@@ -9835,6 +9891,14 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Keyboard &amp;shortcuts</source>
         <translation>Raccourcis &amp;clavier</translation>
+    </message>
+    <message>
+        <source>S&amp;tudy</source>
+        <translation>É&amp;tude</translation>
+    </message>
+    <message>
+        <source>&amp;Solve time</source>
+        <translation>Temp&amp;s de résolution</translation>
     </message>
 </context>
 <context>
@@ -10811,10 +10875,6 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         </translation>
     </message>
     <message>
-        <source>In flight nothing can be imported. Stop the flight to import it.</source>
-        <translation>En vol, rien ne peut être importé. Arrêtez le vol pour importer.</translation>
-    </message>
-    <message>
         <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;All files (*)</source>
         <translation>Espace aérien : OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;Tous les fichiers (*)</translation>
     </message>
@@ -10839,6 +10899,25 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
     <message>
         <source>Airspace left out</source>
         <translation>Espace aérien laissé de côté</translation>
+    </message>
+    <message>
+        <source>Airspace cannot be imported in flight. Stop the flight to import it.</source>
+        <translation>L&apos;espace aérien ne peut pas être importé en vol. Arrêtez le vol pour l&apos;importer.</translation>
+    </message>
+    <message>
+        <source>Clipboard</source>
+        <translation>Presse-papiers</translation>
+    </message>
+    <message>
+        <source>The flight has gone on meanwhile: nothing was reported.</source>
+        <translation>Le vol a continué entre-temps : rien n&apos;a été signalé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Reported %n icebergs from %1</source>
+        <translation>
+            <numerusform>%n iceberg de %1 signalé</numerusform>
+            <numerusform>%n icebergs de %1 signalés</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -3980,6 +3980,62 @@ Tilstøtende område %4</translation>
         <source>Date and time of the start, such as 2026-11-29 12:00 or 29 Nov 2026 12:00; 1200Z keeps the date. Empty: times are relative.</source>
         <translation>Dato og klokkeslett for start, som 2026-11-29 12:00 eller 29 Nov 2026 12:00; 1200Z beholder datoen. Tomt: tidene er relative.</translation>
     </message>
+    <message>
+        <source>Position and course</source>
+        <translation>Posisjon og kurs</translation>
+    </message>
+    <message>
+        <source>Protection</source>
+        <translation>Beskyttelse</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posisjon</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Usikkerhet</translation>
+    </message>
+    <message>
+        <source>Size and visits</source>
+        <translation>Størrelse og besøk</translation>
+    </message>
+    <message>
+        <source>Time and place</source>
+        <translation>Tid og sted</translation>
+    </message>
+    <message>
+        <source>Wind, weather and current</source>
+        <translation>Vind, vær og strøm</translation>
+    </message>
+    <message>
+        <source>Flight rules</source>
+        <translation>Flyregler</translation>
+    </message>
+    <message>
+        <source>Planner</source>
+        <translation>Planlegger</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulering</translation>
+    </message>
+    <message>
+        <source>Position and heading</source>
+        <translation>Posisjon og kurs</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Fly</translation>
+    </message>
+    <message>
+        <source>Endurance and home</source>
+        <translation>Utholdenhet og hjem</translation>
+    </message>
+    <message>
+        <source>Weather limits</source>
+        <translation>Værgrenser</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -8148,20 +8204,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Egenskaper</translation>
     </message>
     <message>
-        <source>Trade-offs</source>
-        <translation>Avveininger</translation>
-    </message>
-    <message>
         <source>History</source>
         <translation>Historikk</translation>
-    </message>
-    <message>
-        <source>Chart</source>
-        <translation>Diagram</translation>
-    </message>
-    <message>
-        <source>Chart 2</source>
-        <translation>Diagram 2</translation>
     </message>
     <message>
         <source>Events</source>
@@ -8202,6 +8246,18 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Trade-off τ, policy, solver and route</source>
         <translation>Avveining τ, strategi, løser og rute</translation>
+    </message>
+    <message>
+        <source>Trade-off curve</source>
+        <translation>Avveiningskurve</translation>
+    </message>
+    <message>
+        <source>First chart</source>
+        <translation>Første diagram</translation>
+    </message>
+    <message>
+        <source>Second chart</source>
+        <translation>Andre diagram</translation>
     </message>
 </context>
 <context>
@@ -8973,6 +9029,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Import into a &amp;new scenario</source>
         <translation>Importer til et &amp;nytt scenario</translation>
     </message>
+    <message>
+        <source>+ appears   * reported seen</source>
+        <translation>+ dukker opp   * meldt sett</translation>
+    </message>
+    <message>
+        <source>Re&amp;port</source>
+        <translation>&amp;Meld</translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportOptionsView</name>
@@ -9513,14 +9577,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Kont&amp;roll</translation>
     </message>
     <message>
-        <source>S&amp;tudy of τ and policies</source>
-        <translation>Stu&amp;die av τ og strategier</translation>
-    </message>
-    <message>
-        <source>&amp;Solve time study</source>
-        <translation>&amp;Løsningstider</translation>
-    </message>
-    <message>
         <source>&amp;Panels</source>
         <translation>&amp;Paneler</translation>
     </message>
@@ -9835,6 +9891,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Keyboard &amp;shortcuts</source>
         <translation>Tastatur&amp;snarveier</translation>
+    </message>
+    <message>
+        <source>S&amp;tudy</source>
+        <translation>S&amp;tudie</translation>
+    </message>
+    <message>
+        <source>&amp;Solve time</source>
+        <translation>&amp;Løsningstid</translation>
     </message>
 </context>
 <context>
@@ -10811,10 +10875,6 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         </translation>
     </message>
     <message>
-        <source>In flight nothing can be imported. Stop the flight to import it.</source>
-        <translation>Under en flyging kan ingenting importeres. Stopp flygingen for å importere.</translation>
-    </message>
-    <message>
         <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;All files (*)</source>
         <translation>Luftrom: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;Alle filer (*)</translation>
     </message>
@@ -10839,6 +10899,25 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>Airspace left out</source>
         <translation>Luftrom utelatt</translation>
+    </message>
+    <message>
+        <source>Airspace cannot be imported in flight. Stop the flight to import it.</source>
+        <translation>Luftrom kan ikke importeres under flygingen. Stopp flygingen for å importere det.</translation>
+    </message>
+    <message>
+        <source>Clipboard</source>
+        <translation>Utklippstavle</translation>
+    </message>
+    <message>
+        <source>The flight has gone on meanwhile: nothing was reported.</source>
+        <translation>Flygingen har gått videre i mellomtiden: ingenting ble meldt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Reported %n icebergs from %1</source>
+        <translation>
+            <numerusform>Meldte %n isfjell fra %1</numerusform>
+            <numerusform>Meldte %n isfjell fra %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
