@@ -65,7 +65,7 @@ enum class IssueId
     VelocitySdUnused,
     SeenLongAgo,   ///< hours, standard deviation in metres, in fields of view
     OutOfViewNext, ///< minutes of a round, icebergs out of view, of so many
-    SameLayer,
+    SameLayer,     ///< least difference of altitudes, metres
     NoPathHome,
     NoRoundTrip,
     HomeUnused,
@@ -82,6 +82,8 @@ enum class IssueId
     ThinReserve,   ///< seconds of the reserve that are used
     MayNotReturn,
     NoContact,       ///< seconds
+    DarkTakeOff,     ///< its time, when civil twilight begins: "06:40", or with another date before
+    DarkLanding,     ///< its time, when civil twilight ended, likewise
     AirspaceEntered, ///< its kind and name, floor in metres
     FenceUnplanned,
     UavOutside,

@@ -244,9 +244,9 @@ void Adviser::adviseLayers()
         if (nearest_m >= m_s.separation_m)
             continue;
         if (nearest_m <= kLandingRadius_m)
-            m_found.warn(flyer->path + ".altitude_m", IssueId::SameLayer);
+            m_found.warn(flyer->path + ".altitude_m", IssueId::SameLayer, {kLayerHeight_m});
         else
-            m_found.hint(flyer->path + ".altitude_m", IssueId::SameLayer);
+            m_found.hint(flyer->path + ".altitude_m", IssueId::SameLayer, {kLayerHeight_m});
     }
 }
 

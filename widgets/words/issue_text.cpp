@@ -84,7 +84,7 @@ public:
         {OutOfViewNext, QT_TR_NOOP("With these drifts and a round of %2 minutes, %3 of %4 icebergs "
                                    "will be out of view at the next visit.")},
         {SameLayer, QT_TR_NOOP("Starts too near another UAV of the same altitude layer: they fly "
-                               "apart first. Let their altitudes differ by 30 m.")},
+                               "apart first. Let their altitudes differ by %2.")},
         {NoPathHome, QT_TR_NOOP("The endurance is too short for the path home from the start.")},
         {NoRoundTrip,
          QT_TR_NOOP("The endurance is too short for the path to the nearest iceberg and back.")},
@@ -118,6 +118,9 @@ public:
         {MayNotReturn, QT_TR_NOOP("With wind and airspeed off their values, in one flight in "
                                   "twenty the wind is too strong to come home.")},
         {NoContact, QT_TR_NOOP("The plan leads out of the range of the ground station for %2.")},
+        {DarkTakeOff, QT_TR_NOOP("Takes off in the dark, at %2 UTC: civil twilight begins at "
+                                 "%3 UTC.")},
+        {DarkLanding, QT_TR_NOOP("Lands in the dark, at %2 UTC: civil twilight ends at %3 UTC.")},
         {AirspaceEntered,
          QT_TR_NOOP("The operation may enter the airspace \"%2\", which begins at %3.")},
         {FenceUnplanned,

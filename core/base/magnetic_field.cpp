@@ -1,0 +1,88 @@
+#include "core/base/magnetic_field.h"
+
+#include "core/base/angles.h"
+
+#include <GeographicLib/Geocentric.hpp>
+#include <GeographicLib/SphericalHarmonic.hpp>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace berg {
+
+namespace {
+
+constexpr int kDegree = 12;
+constexpr double kEpoch_year = 2025;
+constexpr double kEnd_year = 2030;
+constexpr double kRadius_m = 6'371'200;
+constexpr double kBlackout_nT = 2000;
+
+struct GaussCoefficient
+{
+    int degree = 0;
+    int order = 0;
+    double g_nT = 0;
+    double h_nT = 0;
+    double gChange_nT = 0; ///< a year
+    double hChange_nT = 0;
+};
+
+constexpr std::array<GaussCoefficient, 90> kCoefficients{{
+#include "core/base/magnetic_coefficients.inc"
+}};
+
+/** Of one year, in the order that GeographicLib wants: order by order. */
+struct Harmonics
+{
+    std::vector<double> cosines = std::vector<double>((kDegree + 1) * (kDegree + 2) / 2);
+    std::vector<double> sines = std::vector<double>(kDegree * (kDegree + 1) / 2);
+};
+
+Harmonics harmonicsOf(double year)
+{
+    Harmonics harmonics;
+    for (const GaussCoefficient& c : kCoefficients) {
+        const auto place =
+            static_cast<std::size_t>(c.order * kDegree - c.order * (c.order - 1) / 2 + c.degree);
+        harmonics.cosines[place] = c.g_nT + (year - kEpoch_year) * c.gChange_nT;
+        if (c.order > 0) // the sines begin behind those of order 0
+            harmonics.sines[place - (kDegree + 1)] = c.h_nT + (year - kEpoch_year) * c.hChange_nT;
+    }
+    return harmonics;
+}
+
+} // namespace
+
+std::optional<MagneticField> magneticField(LatLon place, double height_m, double year)
+{
+    if (!(year >= kEpoch_year && year < kEnd_year))
+        return std::nullopt;
+    const Harmonics harmonics = harmonicsOf(year);
+    const GeographicLib::SphericalHarmonic potential(harmonics.cosines, harmonics.sines, kDegree,
+                                                     kRadius_m,
+                                                     GeographicLib::SphericalHarmonic::SCHMIDT);
+    double x_m = 0;
+    double y_m = 0;
+    double z_m = 0;
+    std::vector<double> rotation(9); // from east, north, up
+    GeographicLib::Geocentric::WGS84().Forward(place.latitude_deg, place.longitude_deg, height_m,
+                                               x_m, y_m, z_m, rotation);
+    std::array<double, 3> slope{}; // nT/m by the radius
+    potential(x_m, y_m, z_m, slope[0], slope[1], slope[2]);
+    const auto along = [&](std::size_t axis) {
+        return -kRadius_m * (rotation[axis] * slope[0] + rotation[axis + 3] * slope[1] +
+                             rotation[axis + 6] * slope[2]);
+    };
+    return MagneticField{.east_nT = along(0), .north_nT = along(1), .up_nT = along(2)};
+}
+
+std::optional<double> magneticDeclination_deg(LatLon place, double year)
+{
+    const std::optional<MagneticField> field = magneticField(place, 0, year);
+    if (!field || std::hypot(field->east_nT, field->north_nT) < kBlackout_nT)
+        return std::nullopt;
+    return degFromRad(std::atan2(field->east_nT, field->north_nT));
+}
+
+} // namespace berg
