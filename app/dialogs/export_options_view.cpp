@@ -19,6 +19,8 @@ namespace berg {
 namespace {
 
 constexpr double kMostAltitude_m = 20'000;
+constexpr double kMetreStep = 10;
+constexpr double kFootStep = 50;
 constexpr double kMostSpeed_mps = 500;
 constexpr double kMostAcceptance_m = 100'000;
 
@@ -104,8 +106,9 @@ NumberField* ExportOptionsView::addNumber(const QString& label, const QString& n
 
 void ExportOptionsView::addNumbers()
 {
-    m_altitude = addNumber(tr("&Altitude"), u"exportAltitude"_s, u"m"_s, kMostAltitude_m);
-    m_altitude->setSingleStep(10);
+    m_altitude = addNumber(tr("&Altitude"), u"exportAltitude"_s, heightUnit().name,
+                           heightUnit().fromSi(kMostAltitude_m));
+    m_altitude->setSingleStep(shownUnits().height == HeightUnit::Feet ? kFootStep : kMetreStep);
     m_airspeed = addNumber(tr("Air&speed"), u"exportAirspeed"_s, speedUnit().name,
                            speedUnit().fromSi(kMostSpeed_mps));
     m_acceptance =
@@ -135,7 +138,7 @@ void ExportOptionsView::fill(const ExportOptions& options)
     if (m_isWhatChosen)
         choose(*m_what, static_cast<int>(*options.what));
     choose(*m_uav, QString::fromStdString(options.uav));
-    m_altitude->showValue(options.altitude_m.value_or(0));
+    m_altitude->showValue(heightUnit().fromSi(options.altitude_m.value_or(0)));
     m_airspeed->showValue(speedUnit().fromSi(options.airspeed_mps.value_or(0)));
     m_acceptance->showValue(options.acceptance_m.value_or(0));
     m_loiter->setValue(options.loiterTurns);
@@ -170,6 +173,8 @@ ExportOptions ExportOptionsView::options() const
         options.what = static_cast<ExportWhat>(m_what->currentData().toInt());
     if (const QVariant home = m_return->currentData(); home.isValid())
         options.returnHome = home.toBool();
+    if (options.altitude_m)
+        options.altitude_m = heightUnit().toSi(*options.altitude_m);
     if (options.airspeed_mps)
         options.airspeed_mps = speedUnit().toSi(*options.airspeed_mps);
     storeIf(m_what->isEnabled(), options.what);

@@ -5,12 +5,14 @@
 #include "app/dialogs/origin_dialog.h"
 #include "app/dialogs/recovery_dialog.h"
 #include "app/dialogs/wind_dialog.h"
+#include "widgets/theme/declination.h"
 
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QProgressDialog>
@@ -168,6 +170,16 @@ std::optional<Point> DialogInteraction::askWind(QWidget* parent, const Point& wi
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     return dialog.wind_mps();
+}
+
+std::optional<double> DialogInteraction::askDeclination(QWidget* parent, double present_deg)
+{
+    bool isAnswered = false;
+    const double typed_deg = QInputDialog::getDouble(
+        parent, Dialogs::tr("Magnetic declination"),
+        Dialogs::tr("Degrees from true to magnetic north, positive east, negative west:"),
+        present_deg, -kMostDeclination_deg, kMostDeclination_deg, 1, &isAnswered);
+    return isAnswered ? std::optional(typed_deg) : std::nullopt;
 }
 
 std::optional<ExportRequest> DialogInteraction::chooseExport(QWidget* parent, MissionRunner& runner,

@@ -144,6 +144,9 @@ public:
     /** None: cancelled. What is chosen is slower than `airspeed_mps`. */
     [[nodiscard]] virtual std::optional<Point> askWind(QWidget* parent, const Point& wind_mps,
                                                        double airspeed_mps) = 0;
+    /** Magnetic declination in degrees, positive east; nullopt if cancelled. */
+    [[nodiscard]] virtual std::optional<double> askDeclination(QWidget* parent,
+                                                               double present_deg) = 0;
     /** Another window has the file open; `holder` says which. */
     [[nodiscard]] virtual InUse askInUse(QWidget* parent, const QString& fileName,
                                          const QString& holder) = 0;
@@ -187,6 +190,8 @@ public:
                                                         const Theme& theme) override;
     [[nodiscard]] std::optional<Point> askWind(QWidget* parent, const Point& wind_mps,
                                                double airspeed_mps) override;
+    [[nodiscard]] std::optional<double> askDeclination(QWidget* parent,
+                                                       double present_deg) override;
     [[nodiscard]] InUse askInUse(QWidget* parent, const QString& fileName,
                                  const QString& holder) override;
     [[nodiscard]] Overwrite askOverwrite(QWidget* parent, const QString& fileName,

@@ -82,18 +82,19 @@ void FlightPanels::showPlan()
     if (std::ranges::none_of(record.shown().plans, leavesVisits)) // else of all, as the reward
         readout.distance_m = planLength_m(sections);              // one figure wherever it is told
     panels().tradeoff->showPlan(readout);
+    showSorties(record.isOver() ? std::vector<std::optional<PlannedSortie>>()
+                                : plannedSorties(record.shown(), record.scenario),
+                darkFlights(record.shown(), record.scenario, sections));
     panels().plan->setFaulty(!fault.isEmpty());
     panels().plan->showPlan(std::move(sections));
     panels().plan->showOutlook(planOutlook(record));
-    showSorties(record.isOver() ? std::vector<std::optional<PlannedSortie>>()
-                                : plannedSorties(record.shown(), record.scenario));
 }
 
-/** Margins at home and contact, wherever they are told. */
-void FlightPanels::showSorties(std::vector<std::optional<PlannedSortie>> sorties)
+/** Margins at home, contact and further findings of the plan, wherever they are shown. */
+void FlightPanels::showSorties(std::vector<std::optional<PlannedSortie>> sorties,
+                               std::vector<Issue> issues)
 {
     std::optional<double> noReturn_s;
-    std::vector<Issue> issues;
     for (std::size_t uav = 0; uav < sorties.size(); ++uav) {
         if (!sorties[uav])
             continue;

@@ -36,7 +36,7 @@ private:
     void showTables();
     void showEvents();
     void showSelection();
-    void showSorties(std::vector<std::optional<PlannedSortie>> sorties);
+    void showSorties(std::vector<std::optional<PlannedSortie>> sorties, std::vector<Issue> issues);
 
     std::vector<TimeMark> m_marks;  ///< on the time line
     std::size_t m_markedEvents = 0; ///< of the history, turned into marks

@@ -1,9 +1,11 @@
 #include "app/window/preference_menus.h"
 
+#include "app/dialogs/interaction.h"
 #include "app/window/appearance_choice.h"
 #include "app/window/run_settings.h"
 #include "core/base/coordinates.h"
-#include "widgets/theme/unit_settings.h"
+#include "widgets/theme/declination.h"
+#include "widgets/theme/quantity_text.h"
 
 #include <QActionGroup>
 #include <QMenu>
@@ -43,8 +45,9 @@ void PreferenceMenus::addChoice(QMenu& menu, const QString& text, const QString&
 
 void PreferenceMenus::buildAppearance(QMenu& menu)
 {
-    const QStringList words{tr("Follow system"), tr("Light"), tr("Dark"),
-                            tr("High contrast, light"), tr("High contrast, dark")};
+    const QStringList words{
+        tr("Follow system"), tr("Light"), tr("Dark"), tr("High contrast, light"),
+        tr("High contrast, dark")};
     for (qsizetype i = 0; i < words.size(); ++i)
         addChoice(menu, words[i], u"view/appearance"_s, QString::number(i));
     connect(&menu, &QMenu::triggered, &m_appearance, [this](const QAction* action) {
@@ -79,8 +82,10 @@ void PreferenceMenus::buildUnits(QMenu& menu)
     };
     choices(tr("&Distances"), kDistanceUnitKey,
             {{u"metric"_s, tr("Metres and kilometres")}, {u"nautical"_s, tr("Nautical miles")}});
+    choices(tr("&Heights"), kHeightUnitKey, {{u"metres"_s, tr("Metres")}, {u"feet"_s, tr("Feet")}});
     choices(tr("&Speeds"), kSpeedUnitKey,
             {{u"mps"_s, tr("Metres per second")}, {u"knots"_s, tr("Knots")}});
+    buildNorth(*menu.addMenu(tr("C&ourses")));
     choices(tr("Drift and &wind"), kVectorFormKey,
             {{u"direction"_s, tr("Speed and direction: wind from, drift towards")},
              {u"components"_s, tr("Components east and north")}});
@@ -95,6 +100,43 @@ void PreferenceMenus::buildUnits(QMenu& menu)
          {u"decimal"_s, tr("Decimal degrees, %1").arg(form(CoordinateForm::DecimalDegrees))},
          {u"seconds"_s,
           tr("Degrees, minutes, seconds, %1").arg(form(CoordinateForm::DegreesMinutesSeconds))}});
+}
+
+void PreferenceMenus::buildNorth(QMenu& menu)
+{
+    const QLatin1String key(kNorthFormKey);
+    const double typed_deg = readDeclination_deg(settings());
+    addChoice(menu, tr("True"), key, u"true"_s);
+    addChoice(menu, tr("True and magnetic, by the World Magnetic Model 2025"), key, u"model"_s);
+    addChoice(
+        menu,
+        shownUnits().north == NorthForm::Typed
+            ? tr("True and magnetic, declination %1...").arg(declinationText(typed_deg, locale()))
+            : tr("True and magnetic, declination typed in..."),
+        key, u"typed"_s);
+    connect(&menu, &QMenu::triggered, this,
+            [this](const QAction* action) { chooseNorth(*action); });
+}
+
+/** Asks for a declination where it is typed in; without an answer nothing changes. */
+void PreferenceMenus::chooseNorth(const QAction& action)
+{
+    const QLatin1String key(kNorthFormKey);
+    if (action.data().toString() == u"typed"_s) {
+        const std::optional<double> typed_deg =
+            interaction().askDeclination(&window(), readDeclination_deg(settings()));
+        if (!typed_deg) {
+            const QString present = settings().value(key, u"true"_s).toString();
+            for (QAction* other : action.actionGroup()->actions())
+                other->setChecked(other->data().toString() == present);
+            return;
+        }
+        settings().setValue(kDeclinationKey, *typed_deg);
+    }
+    settings().setValue(key, action.data());
+    if (readUnits(settings()) != shownUnits() ||
+        readDeclination_deg(settings()) != typedDeclination_deg())
+        emit unitsChosen();
 }
 
 void PreferenceMenus::buildLanguage(QMenu& menu)

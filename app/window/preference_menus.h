@@ -2,6 +2,7 @@
 
 #include "app/window/window_part.h"
 
+class QAction;
 class QMenu;
 
 namespace berg {
@@ -26,6 +27,8 @@ private:
     void buildAppearance(QMenu& menu);
     void buildScale(QMenu& menu);
     void buildUnits(QMenu& menu);
+    void buildNorth(QMenu& menu);
+    void chooseNorth(const QAction& action);
     void buildLanguage(QMenu& menu);
     void addChoice(QMenu& menu, const QString& text, const QString& key, const QString& value);
 

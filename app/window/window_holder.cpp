@@ -1,6 +1,7 @@
 #include "app/window/window_holder.h"
 
 #include "app/dialogs/interaction.h"
+#include "widgets/theme/declination.h"
 #include "widgets/theme/language.h"
 #include "widgets/theme/unit_settings.h"
 
@@ -21,6 +22,7 @@ WindowHolder::~WindowHolder() = default;
 void WindowHolder::make()
 {
     setShownUnits(readUnits(m_settings));
+    setTypedDeclination(readDeclination_deg(m_settings));
     m_window = std::make_unique<MainWindow>(m_workspace, m_interaction, m_settings);
     connect(
         m_window.get(), &MainWindow::languageChosen, this,

@@ -55,6 +55,34 @@ class TestMainWindowChecks : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    /** Off Bonavista civil twilight ends at 20:16 UTC on that day. */
+    void flightsByNightAreFound()
+    {
+        Scenario scenario = test::MapFixture::fourIcebergs();
+        scenario.origin = {.latitude_deg = 48.65, .longitude_deg = -53.1};
+        WindowFixture w(scenario);
+        const auto& list = test::child<QListWidget>(w.window(), u"checkList"_s);
+        const auto found = [&](const QString& words) {
+            for (int i = 0; i < list.count(); ++i)
+                if (list.item(i)->text().contains(words))
+                    return true;
+            return false;
+        };
+        const auto startAt = [&w](const char* utc) {
+            w.document().edit(u"Start"_s, [utc](Scenario& s) { s.startUtc = utc; });
+        };
+        startAt("2026-11-28T15:00:00Z");
+        QVERIFY(w.untilReady());
+        QVERIFY(!found(u"in the dark"_s));
+        startAt("2026-11-28T20:15:00Z");
+        QTRY_VERIFY(found(u"civil twilight ends at 20:16 UTC"_s));
+        QVERIFY(!found(u"Takes off"_s));
+        startAt("2026-11-29T02:00:00Z");
+        QTRY_VERIFY(found(u"Takes off in the dark, at 02:00 UTC"_s));
+        startAt("");
+        QTRY_VERIFY(!found(u"in the dark"_s));
+    }
+
     void aFindingLeadsToItsIceberg()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

@@ -7,6 +7,7 @@
 #include "widgets/panels/dialogs/find_box.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/fields/place_field.h"
+#include "widgets/panels/plan/plan_model.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QLabel>
@@ -14,6 +15,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QTableView>
 #include <QToolButton>
 
 using namespace berg;
@@ -245,6 +247,49 @@ private slots:
         w.trigger(u"units/coordinates-decimal"_s);
         QVERIFY(w.until([&] { return w.action(u"units/coordinates-decimal"_s).isChecked(); }));
         QVERIFY(w.until([] { return shownUnits().coordinates == CoordinateForm::DecimalDegrees; }));
+    }
+
+    void heightsInFeet()
+    {
+        WindowFixture w(fourIcebergs());
+        w.trigger(u"units/heights-feet"_s);
+        QVERIFY(w.until([&] {
+            return test::child<NumberField>(w.window(), u"uavAltitude"_s).suffix() == u" ft"_s;
+        }));
+        QVERIFY(w.action(u"units/heights-feet"_s).isChecked());
+        QCOMPARE(test::child<NumberField>(w.window(), u"icebergEast"_s).suffix(), u" m"_s);
+        w.trigger(u"units/heights-metres"_s);
+        QVERIFY(w.until([] { return shownUnits() == Units(); }));
+    }
+
+    /** Typed or by the model; a question without an answer changes nothing. */
+    void coursesByMagneticNorth()
+    {
+        Scenario scenario = fourIcebergs();
+        scenario.startUtc = "2026-11-28T12:00:00Z";
+        WindowFixture w(scenario);
+        const auto course = [&w] {
+            const auto& table = test::child<QTableView>(w.window(), u"planTable"_s);
+            return table.model()->index(0, PlanModel::Course).data().toString();
+        };
+        QTRY_VERIFY(course().endsWith(u'°'));
+        QVERIFY(!course().contains(u'M'));
+        w.trigger(u"units/north-typed"_s); // cancelled
+        QVERIFY(w.action(u"units/north-true"_s).isChecked());
+        QVERIFY(!w.action(u"units/north-typed"_s).isChecked());
+        QVERIFY(shownUnits() == Units());
+        w.interaction.declination_deg = -17.5;
+        w.trigger(u"units/north-typed"_s);
+        QVERIFY(w.until([] { return shownUnits().north == NorthForm::Typed; }));
+        QTRY_VERIFY(course().contains(u"° T / "_s) && course().endsWith(u"° M"_s));
+        QVERIFY(w.action(u"units/north-typed"_s).text().contains(u"17.5° W"_s));
+        w.trigger(u"units/north-model"_s);
+        QVERIFY(w.until([] { return shownUnits().north == NorthForm::Model; }));
+        QTRY_VERIFY(course().endsWith(u"° M"_s));
+        w.document().edit(u"No date"_s, [](Scenario& s) { s.startUtc.clear(); });
+        QTRY_VERIFY(!course().contains(u'M'));
+        w.trigger(u"units/north-true"_s);
+        QVERIFY(w.until([] { return shownUnits() == Units(); }));
     }
 
     void movesTheScenario()

@@ -36,6 +36,7 @@ public:
         return {};
     }
     std::optional<Point> askWind(QWidget*, const Point&, double) override { return {}; }
+    std::optional<double> askDeclination(QWidget*, double) override { return {}; }
     std::optional<OriginChoice> askOrigin(QWidget*, const Scenario&, const LatLon&,
                                           const Theme&) override
     {

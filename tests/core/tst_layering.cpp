@@ -138,8 +138,9 @@ std::string thirdPartyFault(const std::string& file, const std::string& target)
     if (target == "expat.h" && file != "core/io/text/xml_reader.cpp")
         return "Expat belongs to core/io/text/xml_reader.cpp";
     if (target.starts_with("GeographicLib") &&
-        !startsWithAny(file, {"core/base/geodesy.", "core/base/coordinates."}))
-        return "GeographicLib belongs to core/base/geodesy and coordinates";
+        !startsWithAny(
+            file, {"core/base/geodesy.", "core/base/coordinates.", "core/base/magnetic_field."}))
+        return "GeographicLib belongs to core/base/geodesy, coordinates and magnetic_field";
     return {};
 }
 

@@ -12,10 +12,17 @@ inline const QLocale kEnglish(QLocale::English, QLocale::UnitedKingdom);
 inline const QLocale kAmerican(QLocale::English, QLocale::UnitedStates);
 inline const QLocale kGerman(QLocale::German, QLocale::Germany);
 
+/** The scenario with a start at which its flights are by day. */
+inline Scenario byDay(Scenario scenario)
+{
+    scenario.startUtc = "2026-05-01T12:00:00Z";
+    return scenario;
+}
+
 /** So many UAVs that share the icebergs of `fiveHundred` or fewer. */
 inline Scenario fleetScenario(int uavs, int icebergs)
 {
-    Scenario scenario = fiveHundred();
+    Scenario scenario = byDay(fiveHundred());
     scenario.icebergs.resize(static_cast<std::size_t>(icebergs));
     const Uav first = scenario.uavs.front();
     for (int i = 1; i < uavs; ++i) {

@@ -28,7 +28,8 @@ public:
     std::function<void()> whileExportIsChosen; ///< what happens while the dialog is on screen
     std::function<void()> whileOverwriteIsAsked;
     std::optional<OriginChoice> originChoice;
-    std::optional<Point> wind_mps; ///< answered
+    std::optional<Point> wind_mps;         ///< answered
+    std::optional<double> declination_deg; ///< answered
     /** Answers a question about an import; null: cancelled. */
     std::function<std::optional<ImportChoice>(ImportRunner&, const ImportOffer&)> importAnswer;
 
@@ -118,6 +119,11 @@ public:
         askedWinds_mps.push_back(present_mps);
         passTime();
         return wind_mps;
+    }
+    [[nodiscard]] std::optional<double> askDeclination(QWidget*, double) override
+    {
+        passTime();
+        return declination_deg;
     }
     [[nodiscard]] InUse askInUse(QWidget*, const QString&, const QString& holder) override
     {

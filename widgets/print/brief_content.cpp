@@ -1,5 +1,6 @@
 #include "widgets/print/brief_content.h"
 
+#include "core/base/sun.h"
 #include "widgets/print/brief_warnings.h"
 #include "widgets/print/page_text.h"
 #include "widgets/print/printable_text.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 using namespace Qt::StringLiterals;
 
@@ -56,6 +58,41 @@ QString icebergsText(const ExportContent& content)
     return FlightBrief::tr("%1 of %2").arg(std::ranges::count(visited, true)).arg(all);
 }
 
+/** "10:59 to 19:40": of one day; "all day", "not on this day". */
+QString spanText(const SunSpan& span)
+{
+    const auto clock = [](SunTime time) {
+        return QString::fromStdString(utcText(time, 0)).mid(11, 5);
+    };
+    if (span.begin && span.end)
+        return FlightBrief::tr("%1 to %2").arg(clock(*span.begin), clock(*span.end));
+    if (span.begin)
+        return FlightBrief::tr("from %1").arg(clock(*span.begin));
+    if (span.end)
+        return FlightBrief::tr("until %1").arg(clock(*span.end));
+    return span.isAboveAtNoon ? FlightBrief::tr("all day") : FlightBrief::tr("not on this day");
+}
+
+/** Sun, civil twilight and declination at the first UAV's start; nothing of the sun without a date.
+ */
+std::vector<BriefFact> placeFacts(const ExportContent& content, const QLocale& locale)
+{
+    std::vector<BriefFact> facts;
+    const LatLon place = content.frame.toGeographic(content.uavs.front().uav.position_m);
+    if (content.start) {
+        facts.push_back({FlightBrief::tr("Sun up, UTC"),
+                         spanText(sunSpan(*content.start, place, kSunrise_deg))});
+        facts.push_back({FlightBrief::tr("Civil twilight, UTC"),
+                         spanText(sunSpan(*content.start, place, kCivilTwilight_deg))});
+    }
+    if (const auto declination_deg = briefDeclination_deg(content))
+        facts.push_back({shownUnits().north == NorthForm::Model
+                             ? FlightBrief::tr("Declination, WMM2025")
+                             : FlightBrief::tr("Declination"),
+                         declinationText(*declination_deg, locale)});
+    return facts;
+}
+
 std::vector<BriefFact> flightFacts(const ExportContent& content, const QLocale& locale)
 {
     PathTotals total;
@@ -75,6 +112,7 @@ std::vector<BriefFact> flightFacts(const ExportContent& content, const QLocale& 
                      clockText(total.time_s)});
     facts.push_back({content.start ? FlightBrief::tr("End, UTC") : FlightBrief::tr("End"),
                      briefClock(content, total.end_s)});
+    std::ranges::move(placeFacts(content, locale), std::back_inserter(facts));
     return facts;
 }
 
@@ -100,9 +138,7 @@ std::vector<UavColumn> commonColumns(const ExportContent& content, const QLocale
     return {
         {FlightBrief::tr("UAV"), [](const ExportUav& uav) { return printable(titleOf(uav.uav)); }},
         {FlightBrief::tr("Altitude"),
-         [&locale](const ExportUav& uav) {
-             return distanceText(uav.uav.spec.altitude_m, locale, 3, DistanceUnit::Metric);
-         }},
+         [&locale](const ExportUav& uav) { return heightText(uav.uav.spec.altitude_m, locale); }},
         {FlightBrief::tr("Airspeed"),
          [&locale](const ExportUav& uav) {
              return speedText(uav.uav.spec.airspeed_mps, locale, 3);

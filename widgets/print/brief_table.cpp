@@ -1,6 +1,8 @@
 #include "widgets/print/brief_table.h"
 
+#include "core/base/angles.h"
 #include "widgets/print/printable_text.h"
+#include "widgets/theme/declination.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 
@@ -93,10 +95,14 @@ public:
         const Point path_m =
             eastNorth_mps(m_content, to.position_m - m_last.position_m, m_last.position_m);
         const double leg_m = m_path.until_m(to.time_s) - m_path.until_m(m_last.time_s);
+        const double leg_s = to.time_s - m_last.time_s;
         if (!path_m.isZero(0))
-            cells[placeOf(BriefColumn::Course)] = bearingText(path_m);
+            setCourse(cells, headingFromPsi(std::atan2(path_m.y(), path_m.x())));
         cells[placeOf(BriefColumn::Leg)] = fixedText(longDistanceUnit().fromSi(leg_m), 2, m_locale);
-        cells[placeOf(BriefColumn::LegTime)] = clockText(to.time_s - m_last.time_s);
+        cells[placeOf(BriefColumn::LegTime)] = clockText(leg_s);
+        if (leg_s > 0 && leg_m > 0)
+            cells[placeOf(BriefColumn::GroundSpeed)] =
+                fixedText(speedUnit().fromSi(leg_m / leg_s), 1, m_locale);
         cells[placeOf(BriefColumn::Arrival)] = briefClock(m_content, to.time_s);
         m_rows.push_back(std::move(cells));
         m_last = to;
@@ -131,6 +137,14 @@ public:
     [[nodiscard]] std::vector<BriefCells> taken() { return std::move(m_rows); }
 
 private:
+    void setCourse(BriefCells& cells, double true_deg) const
+    {
+        cells[placeOf(BriefColumn::Course)] = directionText(true_deg);
+        const LatLon from = m_content.frame.toGeographic(m_last.position_m);
+        if (const auto declination_deg = shownDeclination_deg(from, m_content.start))
+            cells[placeOf(BriefColumn::Magnetic)] = directionText(true_deg - *declination_deg);
+    }
+
     const ExportContent& m_content;
     const MeasuredPath& m_path;
     const QLocale& m_locale;
@@ -140,6 +154,12 @@ private:
 };
 
 } // namespace
+
+std::optional<double> briefDeclination_deg(const ExportContent& content)
+{
+    return shownDeclination_deg(content.frame.toGeographic(content.uavs.front().uav.position_m),
+                                content.start);
+}
 
 BriefCaptions briefCaptions(const ExportContent& content)
 {
@@ -154,8 +174,11 @@ BriefCaptions briefCaptions(const ExportContent& content)
     set(BriefColumn::Latitude, FlightBrief::tr("Latitude"));
     set(BriefColumn::Longitude, FlightBrief::tr("Longitude"));
     set(BriefColumn::Course, FlightBrief::tr("Course"), FlightBrief::tr("true"));
+    if (briefDeclination_deg(content))
+        set(BriefColumn::Magnetic, FlightBrief::tr("Course"), FlightBrief::tr("magnetic"));
     set(BriefColumn::Leg, FlightBrief::tr("Leg"), longDistanceUnit().name);
     set(BriefColumn::LegTime, FlightBrief::tr("Time"));
+    set(BriefColumn::GroundSpeed, FlightBrief::tr("Speed", "over ground"), speedUnit().name);
     set(BriefColumn::Arrival, isFlown ? FlightBrief::tr("Reached") : FlightBrief::tr("Arrival"),
         content.start ? u"UTC"_s : QString());
     set(BriefColumn::Sigma, isFlown ? FlightBrief::tr("σ now") : u"σ"_s, u"m²"_s);

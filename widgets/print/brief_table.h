@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace berg {
@@ -25,14 +26,16 @@ enum class BriefColumn : std::uint8_t
     Name,
     Latitude,
     Longitude,
-    Course, ///< true, from the place before
-    Leg,    ///< over ground; of a path or track along it
+    Course,   ///< true, from the place before
+    Magnetic, ///< the same by magnetic north; empty where true north alone is wanted or known
+    Leg,      ///< over ground; of a path or track along it
     LegTime,
-    Arrival,  ///< UTC, or since the start of the run
-    Sigma,    ///< at arrival; of a track, now
-    Deviation ///< root of it
+    GroundSpeed, ///< mean of the leg
+    Arrival,     ///< UTC, or since the start of the run
+    Sigma,       ///< at arrival; of a track, now
+    Deviation    ///< root of it
 };
-inline constexpr std::size_t kBriefColumns = 10;
+inline constexpr std::size_t kBriefColumns = 12;
 
 using BriefCells = std::array<QString, kBriefColumns>;
 
@@ -55,6 +58,10 @@ struct BriefCaptions
     BriefCells names;
     BriefCells units;
 };
+
+/** Magnetic declination where the first UAV starts, degrees, positive east; nullopt if courses are
+ * given by true north alone (`shownDeclination_deg`). */
+[[nodiscard]] std::optional<double> briefDeclination_deg(const ExportContent& content);
 
 [[nodiscard]] BriefCaptions briefCaptions(const ExportContent& content);
 [[nodiscard]] BriefRoute briefRoute(const ExportContent& content, std::size_t uav,

@@ -22,7 +22,7 @@ constexpr int kMeasured_px = 100;   // widths are proportional to the size
 
 /** What is left out where the page is too narrow, the least needed first. */
 constexpr std::array kDispensable = {BriefColumn::Deviation, BriefColumn::LegTime,
-                                     BriefColumn::Sigma};
+                                     BriefColumn::Sigma, BriefColumn::GroundSpeed};
 
 /** Of the captions: two lines, closer than those of the table. */
 double captionsHeight_px(int size_px)

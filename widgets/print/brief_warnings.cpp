@@ -2,6 +2,7 @@
 
 #include "core/io/export/export_notes.h"
 #include "core/scenario/advice.h"
+#include "core/scenario/daylight.h"
 #include "core/scenario/validate.h"
 #include "widgets/model/asset_approach.h"
 #include "widgets/print/brief_table.h"
@@ -12,6 +13,8 @@
 #include "widgets/words/plan_text.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <numbers>
@@ -217,6 +220,22 @@ QStringList ruleLines(const ExportContent& content, const QLocale& locale)
     return lines;
 }
 
+/** Take-off before the flight, and landing, outside of daylight; nothing without a date. */
+std::vector<Issue> darkIssues(const ExportContent& content, const ExportUav& uav)
+{
+    if (!content.start || isIdle(uav))
+        return {};
+    const auto at = [&](double time_s) {
+        return *content.start + std::chrono::milliseconds(std::llround(1000 * time_s));
+    };
+    const double landing_s = uav.uav.spec.endurance_s > 0 ? uav.uav.spec.landing_s : 0;
+    return daylightIssues(
+        uav.row, {.takeOff = content.now_s > 0 ? std::nullopt : std::optional(at(uav.start_s)),
+                  .landing = at(pathTotals(uav).end_s + landing_s),
+                  .from = content.frame.toGeographic(uav.uav.position_m),
+                  .to = content.frame.toGeographic(uav.home_m)});
+}
+
 /** Turns take time that legs and arrivals are without. */
 QStringList loiterLines(const ExportContent& content, const QLocale& locale)
 {
@@ -306,6 +325,7 @@ QStringList briefWarnings(const ExportContent& content, const QLocale& locale)
             std::ranges::move(sortieIssues(uav.row, sortieOutlook(scenario, uav.uav, path),
                                            lowMargin_s(uav.uav, path)),
                               std::back_inserter(issues));
+            std::ranges::move(darkIssues(content, uav), std::back_inserter(issues));
         }
     QStringList lines;
     for (const QString& line : issueLines(scenario, issues, Severity::Error))

@@ -38,8 +38,10 @@ std::vector<BriefFact> volumeFacts(const OperationVolume& volume, const QLocale&
 {
     return {
         {OperationPage::tr("Largest speed over ground"), speedText(volume.speed_mps, locale, 3)},
-        {OperationPage::tr("Flight geography, height"), metres(volume.height_m, locale)},
-        {OperationPage::tr("Contingency volume, height"), metres(volume.ceiling_m, locale)},
+        {OperationPage::tr("Flight geography, height"),
+         heightText(std::round(volume.height_m), locale)},
+        {OperationPage::tr("Contingency volume, height"),
+         heightText(std::round(volume.ceiling_m), locale)},
         {OperationPage::tr("Contingency volume, width"), metres(volume.outside_m, locale)},
         {OperationPage::tr("Ground-risk buffer, width"), metres(volume.buffer_m, locale)},
         {OperationPage::tr("Adjacent area, width"), metres(volume.adjacent_m, locale)}};

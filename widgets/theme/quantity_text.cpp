@@ -24,6 +24,14 @@ struct QuantityText
     Q_DECLARE_TR_FUNCTIONS(QuantityText)
 };
 
+/** Without the unit; hundreds of feet, as charts of airspace have them, are exact. */
+QString feetText(double height_m, const QLocale& locale)
+{
+    const double height_ft = height_m / kFoot_m;
+    const double round_ft = 100 * std::round(height_ft / 100);
+    return fixedText(std::abs(height_ft - round_ft) < 1 ? round_ft : height_ft, 0, locale);
+}
+
 /** An angle >= 0 in the form chosen. */
 QString shownAngle(double angle_deg, int decimals, const QLocale& locale)
 {
@@ -134,6 +142,13 @@ ShownUnit areaUnit()
     return {.inSi = kKilometre_m * kKilometre_m, .name = QuantityText::tr("km²")};
 }
 
+ShownUnit heightUnit()
+{
+    if (shownUnits().height == HeightUnit::Feet)
+        return {.inSi = kFoot_m, .name = QuantityText::tr("ft")};
+    return {.name = QuantityText::tr("m")};
+}
+
 QString distanceText(double distance_m, const QLocale& locale, int digits, DistanceUnit unit)
 {
     const auto number = [&](double value) { return significantText(value, digits, locale); };
@@ -144,19 +159,23 @@ QString distanceText(double distance_m, const QLocale& locale, int digits, Dista
     return QuantityText::tr("%1 km").arg(number(distance_m / kKilometre_m));
 }
 
+QString heightText(double height_m, const QLocale& locale)
+{
+    if (shownUnits().height == HeightUnit::Feet)
+        return QuantityText::tr("%1 ft").arg(feetText(height_m, locale));
+    return distanceText(height_m, locale, 3, DistanceUnit::Metric);
+}
+
 QString heightsText(double floor_m, const std::optional<double>& ceiling_m, const QLocale& locale)
 {
+    const bool isInFeet = shownUnits().height == HeightUnit::Feet;
     const auto metres = [&](double height_m) {
         return distanceText(height_m, locale, 3, DistanceUnit::Metric);
     };
-    const auto feet = [&](double height_m) { // as charts of airspace have them
-        const double height_ft = height_m / kFoot_m;
-        const double round_ft = 100 * std::round(height_ft / 100);
-        return std::abs(height_ft - round_ft) < 1 ? fixedText(round_ft, 0, locale)
-                                                  : fixedText(height_ft, 0, locale);
-    };
-    const auto both = [](const QString& inMetres, const QString& inFeet) {
-        return QuantityText::tr("%1 (%2 ft)").arg(inMetres, inFeet);
+    const auto feet = [&](double height_m) { return feetText(height_m, locale); };
+    const auto both = [&](const QString& inMetres, const QString& inFeet) {
+        return isInFeet ? QuantityText::tr("%1 ft (%2)").arg(inFeet, inMetres)
+                        : QuantityText::tr("%1 (%2 ft)").arg(inMetres, inFeet);
     };
     const auto range = [](const QString& low, const QString& high) {
         return QuantityText::tr("%1 to %2").arg(low, high);
@@ -238,12 +257,28 @@ QString placeText(const LatLon& place, int decimals, const QLocale& locale)
 
 QString directionText(double heading_deg)
 {
-    return u"%1°"_s.arg(static_cast<int>(std::lround(heading_deg)) % 360, 3, 10, QChar(u'0'));
+    const int whole_deg = static_cast<int>(std::lround(heading_deg)) % 360;
+    return u"%1°"_s.arg(whole_deg < 0 ? whole_deg + 360 : whole_deg, 3, 10, QChar(u'0'));
 }
 
 QString bearingText(const Point& path_m)
 {
     return directionText(headingFromPsi(std::atan2(path_m.y(), path_m.x())));
+}
+
+QString declinationText(double declination_deg, const QLocale& locale)
+{
+    const QString angle = fixedText(std::abs(declination_deg), 1, locale) + u'°';
+    return declination_deg < 0 ? QuantityText::tr("%1 W", "longitude").arg(angle)
+                               : QuantityText::tr("%1 E", "longitude").arg(angle);
+}
+
+QString courseText(double true_deg, const std::optional<double>& declination_deg)
+{
+    if (!declination_deg)
+        return directionText(true_deg);
+    return QuantityText::tr("%1 T / %2 M", "course by true and by magnetic north")
+        .arg(directionText(true_deg), directionText(true_deg - *declination_deg));
 }
 
 } // namespace berg

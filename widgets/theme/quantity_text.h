@@ -29,6 +29,7 @@ struct ShownUnit
 [[nodiscard]] ShownUnit longDistanceUnit(); ///< km or nmi
 [[nodiscard]] ShownUnit speedUnit();        ///< m/s or kn
 [[nodiscard]] ShownUnit areaUnit();         ///< km² or nmi²
+[[nodiscard]] ShownUnit heightUnit();       ///< m or ft
 
 /** Fixed number of decimals, e.g. "84 420" or "0.25". */
 [[nodiscard]] QString fixedText(double value, int decimals, const QLocale& locale);
@@ -51,7 +52,12 @@ struct ShownUnit
 [[nodiscard]] QString distanceText(double distance_m, const QLocale& locale, int digits = 3,
                                    DistanceUnit unit = shownUnits().distance);
 
-/** "0 m to 150 m", "from 100 m", "at all heights": metres, as altitudes are. */
+/** "100 m" or "328 ft": a height above the sea. */
+[[nodiscard]] QString heightText(double height_m, const QLocale& locale);
+
+/** "0 m to 150 m (0 to 492 ft)", "from 100 m (328 ft)", "at all heights"; the unit of heights
+ * first.
+ */
 [[nodiscard]] QString heightsText(double floor_m, const std::optional<double>& ceiling_m,
                                   const QLocale& locale);
 
@@ -86,9 +92,13 @@ inline constexpr int kPlaceDecimals = 3;
 /** Both, as far apart as they are read. */
 [[nodiscard]] QString placeText(const LatLon& place, int decimals, const QLocale& locale);
 
-/** As navigators write it: "045°", clockwise from north. */
+/** As navigators write it: "045°", clockwise from north, within one turn. */
 [[nodiscard]] QString directionText(double heading_deg);
 /** The direction of a way. */
 [[nodiscard]] QString bearingText(const Point& path_m);
+/** "16.7° W", positive east. */
+[[nodiscard]] QString declinationText(double declination_deg, const QLocale& locale);
+/** "045° T / 063° M": by true and magnetic north; "045°" without a declination. */
+[[nodiscard]] QString courseText(double true_deg, const std::optional<double>& declination_deg);
 
 } // namespace berg

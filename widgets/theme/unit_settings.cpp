@@ -37,6 +37,13 @@ Units readUnits(const QSettings& settings)
         units.coordinates = CoordinateForm::DegreesMinutesSeconds;
     if (settings.value(kVectorFormKey).toString() == u"components"_s)
         units.vectors = VectorForm::Components;
+    if (settings.value(kHeightUnitKey).toString() == u"feet"_s)
+        units.height = HeightUnit::Feet;
+    const QString north = settings.value(kNorthFormKey).toString();
+    if (north == u"model"_s)
+        units.north = NorthForm::Model;
+    else if (north == u"typed"_s)
+        units.north = NorthForm::Typed;
     return units;
 }
 

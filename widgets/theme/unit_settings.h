@@ -27,17 +27,33 @@ enum class VectorForm : std::uint8_t
     Components ///< east and north
 };
 
+enum class HeightUnit : std::uint8_t
+{
+    Metres,
+    Feet
+};
+
+/** Whether courses are shown by magnetic north beside true north, and by which declination. */
+enum class NorthForm : std::uint8_t
+{
+    True,  ///< by true north alone
+    Model, ///< the World Magnetic Model, at place and date
+    Typed  ///< `typedDeclination_deg`
+};
+
 /**
- * What distances, speeds and places are shown and typed in; one unit for each quantity. Files,
- * the command line and everything inside are SI. Sizes of things, their uncertainty and the
+ * What distances, heights, speeds and places are shown and typed in; one unit for each quantity.
+ * Files, the command line and everything inside are SI. Sizes of things, their uncertainty and the
  * cross-track error are metres in any case.
  */
-struct alignas(4) Units // one word: Clang stores others by a function of a library
+struct alignas(8) Units // one word: Clang stores others by a function of a library
 {
     DistanceUnit distance = DistanceUnit::Metric;
     SpeedUnit speed = SpeedUnit::MetresPerSecond;
     VectorForm vectors = VectorForm::Direction;
     CoordinateForm coordinates = CoordinateForm::DegreesMinutes;
+    HeightUnit height = HeightUnit::Metres;
+    NorthForm north = NorthForm::True;
     bool operator==(const Units&) const = default;
 };
 
@@ -54,6 +70,8 @@ inline constexpr const char* kSpeedUnitKey = "units/speed";       ///< mps, knot
 inline constexpr const char* kCoordinateFormKey =
     "units/coordinates";                                       ///< minutes, decimal, seconds
 inline constexpr const char* kVectorFormKey = "units/vectors"; ///< direction, components
+inline constexpr const char* kHeightUnitKey = "units/heights"; ///< metres, feet
+inline constexpr const char* kNorthFormKey = "units/north";    ///< true, model, typed
 
 /** What is not there or unknown is the default. */
 [[nodiscard]] Units readUnits(const QSettings& settings);

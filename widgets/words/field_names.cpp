@@ -18,6 +18,7 @@ enum class Quantity
     Number,
     Metres, ///< in any case
     Distance,
+    Height,
     Speed,
     Seconds,
     Degrees,
@@ -63,7 +64,7 @@ public:
         {"uavs.max_bank_deg", QT_TR_NOOP("Maximum bank angle"), Degrees},
         {"uavs.fov_m[0]", QT_TR_NOOP("View along-track"), Metres},
         {"uavs.fov_m[1]", QT_TR_NOOP("View cross-track"), Metres},
-        {"uavs.altitude_m", QT_TR_NOOP("Altitude"), Metres},
+        {"uavs.altitude_m", QT_TR_NOOP("Altitude"), Height},
         {"uavs.endurance_s", QT_TR_NOOP("Endurance"), Seconds},
         {"uavs.home_m[0]", QT_TR_NOOP("Home east"), Distance},
         {"uavs.home_m[1]", QT_TR_NOOP("Home north"), Distance},
@@ -105,12 +106,12 @@ public:
         {"asset.gain", QT_TR_NOOP("Gain"), Number},
         {"asset.alarm_m", QT_TR_NOOP("Inner ring"), Distance},
         {"asset.standoff_m", QT_TR_NOOP("Stand-off ring"), Distance},
-        {"asset.standoff_ceiling_m", QT_TR_NOOP("Stand-off ceiling"), Metres},
+        {"asset.standoff_ceiling_m", QT_TR_NOOP("Stand-off ceiling"), Height},
         {"no_fly.name", QT_TR_NOOP("Name")},
         {"no_fly.area_m", QT_TRANSLATE_NOOP("FieldNames", "Corner of the no-fly area"), Distance,
          "FieldNames"},
-        {"no_fly.floor_m", QT_TR_NOOP("Floor"), Metres},
-        {"no_fly.ceiling_m", QT_TR_NOOP("Ceiling"), Metres},
+        {"no_fly.floor_m", QT_TR_NOOP("Floor"), Height},
+        {"no_fly.ceiling_m", QT_TR_NOOP("Ceiling"), Height},
         {"operation.margin_m", QT_TR_NOOP("Margin"), Metres},
         {"operation.span_m", QT_TR_NOOP("UAV size"), Metres},
         {"operation.position_error_m", QT_TR_NOOP("Satellite position error"), Metres},
@@ -134,15 +135,15 @@ public:
         {"airspace.name", QT_TR_NOOP("Name")},
         {"airspace.area_m", QT_TRANSLATE_NOOP("FieldNames", "Corner of the airspace"), Metres,
          "FieldNames"},
-        {"airspace.floor_m", QT_TR_NOOP("Floor"), Metres},
-        {"airspace.ceiling_m", QT_TR_NOOP("Ceiling"), Metres},
+        {"airspace.floor_m", QT_TR_NOOP("Floor"), Height},
+        {"airspace.ceiling_m", QT_TR_NOOP("Ceiling"), Height},
         {"airspace.from_utc", QT_TRANSLATE_NOOP("FieldNames", "Start of the airspace"), Text,
          "FieldNames"},
         {"airspace.until_utc", QT_TRANSLATE_NOOP("FieldNames", "End of the airspace"), Text,
          "FieldNames"},
         {"ground_station.position_m[0]", QT_TR_NOOP("Station east"), Distance},
         {"ground_station.position_m[1]", QT_TR_NOOP("Station north"), Distance},
-        {"ground_station.antenna_m", QT_TR_NOOP("Antenna height"), Metres},
+        {"ground_station.antenna_m", QT_TR_NOOP("Antenna height"), Height},
         {"ground_station.range_m", QT_TR_NOOP("Link range"), Distance},
         {"ground_station", QT_TR_NOOP("Ground station")},
         {"weather.gust_mps", QT_TR_NOOP("Gusts"), Speed},
@@ -167,7 +168,7 @@ public:
         {"import.since", QT_TRANSLATE_NOOP("FieldNames", "Not before"), Text, "FieldNames"},
         {"import.until", QT_TRANSLATE_NOOP("FieldNames", "Not after"), Text, "FieldNames"},
         {"import.origin", QT_TRANSLATE_NOOP("FieldNames", "Origin"), Text, "FieldNames"},
-        {"export.altitude", QT_TRANSLATE_NOOP("ExportText", "Altitude"), Metres, "ExportText"},
+        {"export.altitude", QT_TRANSLATE_NOOP("ExportText", "Altitude"), Height, "ExportText"},
         {"export.speed", QT_TRANSLATE_NOOP("ExportText", "Airspeed"), Speed, "ExportText"},
         {"export.acceptance", QT_TRANSLATE_NOOP("ExportText", "Acceptance radius"), Metres,
          "ExportText"},
@@ -236,6 +237,16 @@ QString withUnit(double value, const ShownUnit& unit, const QLocale& locale)
     return u"%1 %2"_s.arg(numberText(unit.fromSi(value), locale), unit.name);
 }
 
+/** In feet with one decimal, as the fields have them. */
+QString heightFieldText(double height_m, const QLocale& locale)
+{
+    const ShownUnit unit = heightUnit();
+    const bool isExact = shownUnits().height == HeightUnit::Metres;
+    const double shown = unit.fromSi(height_m);
+    return u"%1 %2"_s.arg(numberText(isExact ? shown : std::round(10 * shown) / 10, locale),
+                          unit.name);
+}
+
 QString quantityText(Quantity quantity, double value, const QLocale& locale)
 {
     switch (quantity) {
@@ -246,6 +257,8 @@ QString quantityText(Quantity quantity, double value, const QLocale& locale)
         return withUnit(value, {.name = u"m"_s}, locale);
     case Quantity::Distance:
         return withUnit(value, distanceUnit(), locale);
+    case Quantity::Height:
+        return heightFieldText(value, locale);
     case Quantity::Speed:
         return withUnit(value, speedUnit(), locale);
     case Quantity::Seconds:

@@ -17,6 +17,8 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
+constexpr const char* kHeightField = "uavs.altitude_m";
+
 /** How the user is told. */
 struct SentenceRow
 {
@@ -24,6 +26,7 @@ struct SentenceRow
     const char* text =
         nullptr;      ///< %1 stands for the field, %2, %3, ... for the arguments of the reason
     int distance = 0; ///< which of them is a distance, told in the user's unit; 0: none
+    int height = 0;   ///< likewise a height, whatever the field is
 };
 
 struct IssueText
@@ -83,8 +86,10 @@ public:
         {SeenLongAgo, QT_TR_NOOP("Seen %2 h ago: may be %3 away (%4 × the field of view)."), 3},
         {OutOfViewNext, QT_TR_NOOP("With these drifts and a round of %2 minutes, %3 of %4 icebergs "
                                    "will be out of view at the next visit.")},
-        {SameLayer, QT_TR_NOOP("Starts too near another UAV of the same altitude layer: they fly "
-                               "apart first. Let their altitudes differ by %2.")},
+        {SameLayer,
+         QT_TR_NOOP("Starts too near another UAV of the same altitude layer: they fly "
+                    "apart first. Let their altitudes differ by %2."),
+         0, 2},
         {NoPathHome, QT_TR_NOOP("The endurance is too short for the path home from the start.")},
         {NoRoundTrip,
          QT_TR_NOOP("The endurance is too short for the path to the nearest iceberg and back.")},
@@ -122,7 +127,7 @@ public:
                                  "%3 UTC.")},
         {DarkLanding, QT_TR_NOOP("Lands in the dark, at %2 UTC: civil twilight ends at %3 UTC.")},
         {AirspaceEntered,
-         QT_TR_NOOP("The operation may enter the airspace \"%2\", which begins at %3.")},
+         QT_TR_NOOP("The operation may enter the airspace \"%2\", which begins at %3."), 0, 3},
         {FenceUnplanned,
          QT_TR_NOOP(
              "This policy plans without geofence and no-fly areas; they are kept in flight.")},
@@ -262,9 +267,11 @@ QString issueText(const Issue& issue, const QLocale& locale)
     texts << fieldName(issue.field);
     for (const IssueArgument& argument : issue.reason.arguments) {
         const auto* const metres = std::get_if<std::int64_t>(&argument);
-        texts << (metres != nullptr && texts.size() + 1 == sentence.distance
+        const auto place = texts.size() + 1;
+        texts << (metres != nullptr && place == sentence.distance
                       ? distanceText(static_cast<double>(*metres), locale, 2)
-                      : argumentText(issue, argument, locale));
+                  : place == sentence.height ? fieldValue(kHeightField, argument, locale)
+                                             : argumentText(issue, argument, locale));
     }
     return filledIn(QCoreApplication::translate("IssueText", sentence.text), texts);
 }

@@ -1,8 +1,10 @@
 #include "core/base/angles.h"
 #include "core/base/coordinates.h"
+#include "tests/support/approx.h"
 #include "tests/support/brief_fixtures.h"
 #include "widgets/print/brief_content.h"
 #include "widgets/print/printable_text.h"
+#include "widgets/theme/declination.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/theme/unit_settings.h"
 
@@ -169,6 +171,60 @@ private slots:
             QVERIFY(std::abs(number(cell(row, BriefColumn::Deviation)) / std::sqrt(sigma_m2) - 1) <
                     0.06);
         }
+    }
+
+    /** In columns of their own, with the declination that was used. */
+    void coursesByMagneticNorthAndGroundSpeeds()
+    {
+        const ExportContent content = planContent(fourIcebergs());
+        BriefContent brief = briefContent(content, kEnglish);
+        const BriefCells plain = brief.routes[0].rows[1];
+        QCOMPARE(cell(plain, BriefColumn::Magnetic), QString());
+        QCOMPARE(brief.captions.names[placeOf(BriefColumn::Magnetic)], QString());
+        // Without wind it is the airspeed.
+        COMPARE_NEAR(cell(plain, BriefColumn::GroundSpeed).toDouble(),
+                     content.uavs[0].uav.spec.airspeed_mps, 0.06);
+        QCOMPARE(brief.captions.units[placeOf(BriefColumn::GroundSpeed)], u"m/s"_s);
+        setShownUnits({.speed = SpeedUnit::Knots, .north = NorthForm::Typed});
+        setTypedDeclination(-18);
+        brief = briefContent(content, kEnglish);
+        const BriefCells& row = brief.routes[0].rows[1];
+        QCOMPARE(brief.captions.units[placeOf(BriefColumn::Magnetic)], u"magnetic"_s);
+        const int true_deg = cell(row, BriefColumn::Course).chopped(1).toInt();
+        const int magnetic_deg = cell(row, BriefColumn::Magnetic).chopped(1).toInt();
+        QVERIFY(std::abs(std::remainder(magnetic_deg - true_deg - 18.0, 360)) <= 1);
+        COMPARE_NEAR(cell(row, BriefColumn::GroundSpeed).toDouble(),
+                     content.uavs[0].uav.spec.airspeed_mps * 3600 / 1852, 0.06);
+        QVERIFY(std::ranges::any_of(brief.flight, [](const BriefFact& fact) {
+            return fact.caption == u"Declination"_s && fact.value == u"18.0° W"_s;
+        }));
+    }
+
+    /** Where and when the flight begins; nothing without a date. */
+    void sunAndTwilight()
+    {
+        Scenario scenario = fourIcebergs();
+        const auto valueOf = [&](const QString& caption) {
+            for (const BriefFact& fact : briefContent(planContent(scenario), kEnglish).flight)
+                if (fact.caption == caption)
+                    return fact.value;
+            return QString();
+        };
+        scenario.origin = {.latitude_deg = 48.65, .longitude_deg = -53.1};
+        scenario.startUtc = "2026-11-28T15:00:00Z";
+        for (Uav& uav : scenario.uavs)
+            uav.position_m = Point::Zero();
+        QCOMPARE(valueOf(u"Sun up, UTC"_s), u"10:59 to 19:40"_s);
+        QCOMPARE(valueOf(u"Civil twilight, UTC"_s), u"10:23 to 20:16"_s);
+        scenario.origin = {.latitude_deg = 78.22, .longitude_deg = 15.65};
+        QCOMPARE(valueOf(u"Civil twilight, UTC"_s), u"not on this day"_s);
+        const QStringList warnings = briefContent(planContent(scenario), kEnglish).warnings;
+        QVERIFY(std::ranges::any_of(
+            warnings, [](const QString& line) { return line.contains(u"in the dark"_s); }));
+        scenario.startUtc = "2026-06-21T15:00:00Z";
+        QCOMPARE(valueOf(u"Sun up, UTC"_s), u"all day"_s);
+        scenario.startUtc.clear();
+        QCOMPARE(valueOf(u"Sun up, UTC"_s), QString());
     }
 
     void homeIsTheLastRow()

@@ -73,7 +73,7 @@ private slots:
 
     void nothingToWarnOf()
     {
-        const ExportContent content = planContent(fourIcebergs());
+        const ExportContent content = planContent(byDay(fourIcebergs()));
         QCOMPARE(briefWarnings(content, kEnglish), QStringList());
     }
 
@@ -97,8 +97,8 @@ private slots:
         QFETCH(const ExportPlan, plan);
         QFETCH(const QString, words);
         QFETCH(const bool, isWarned);
-        ExportContent content =
-            planContent(changed([](Scenario& s) { s.planner.policy = PolicyKind::Visitation; }));
+        ExportContent content = planContent(
+            byDay(changed([](Scenario& s) { s.planner.policy = PolicyKind::Visitation; })));
         content.plan = plan;
         QCOMPARE(planWords(content, kEnglish), words);
         QCOMPARE(briefWarnings(content, kEnglish).size(), isWarned ? 1 : 0);

@@ -139,7 +139,7 @@ private slots:
 
     void noWarningsAreSaid()
     {
-        const BriefContent brief = briefContent(planContent(fourIcebergs()), kEnglish);
+        const BriefContent brief = briefContent(planContent(byDay(fourIcebergs())), kEnglish);
         QVERIFY(brief.warnings.isEmpty());
         QVERIFY(hasText(layOutBrief(brief, kA4_px), u"No warnings"_s));
     }
@@ -164,7 +164,7 @@ private slots:
 
     void warningsWithoutRoomAreCounted()
     {
-        BriefContent brief = briefContent(planContent(fourIcebergs()), kEnglish);
+        BriefContent brief = briefContent(planContent(byDay(fourIcebergs())), kEnglish);
         for (int i = 1; i <= 40; ++i)
             brief.warnings << u"Warning number %1"_s.arg(i);
         const BriefLayout layout = layOutBrief(brief, kA4_px);

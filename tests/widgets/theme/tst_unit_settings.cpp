@@ -9,7 +9,10 @@
 #include "widgets/panels/icebergs/iceberg_table_model.h"
 #include "widgets/panels/inspector/inspector_panel.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
+#include "widgets/theme/declination.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/field_names.h"
+#include "widgets/words/issue_text.h"
 
 #include <QLabel>
 #include <QTemporaryDir>
@@ -67,6 +70,19 @@ private slots:
         QVERIFY(readUnits(settings).vectors == VectorForm::Direction);
         settings.setValue(kVectorFormKey, u"components"_s);
         QVERIFY(readUnits(settings).vectors == VectorForm::Components);
+        QVERIFY(readUnits(settings).height == HeightUnit::Metres);
+        settings.setValue(kHeightUnitKey, u"feet"_s);
+        settings.setValue(kNorthFormKey, u"typed"_s);
+        settings.setValue(kDeclinationKey, -16.7);
+        QVERIFY(readUnits(settings).height == HeightUnit::Feet);
+        QVERIFY(readUnits(settings).north == NorthForm::Typed);
+        QCOMPARE(readDeclination_deg(settings), -16.7);
+        settings.setValue(kDeclinationKey, 1e9);
+        QCOMPARE(readDeclination_deg(settings), 180.0);
+        settings.setValue(kDeclinationKey, u"west"_s);
+        QCOMPARE(readDeclination_deg(settings), 0.0);
+        settings.setValue(kNorthFormKey, u"model"_s);
+        QVERIFY(readUnits(settings).north == NorthForm::Model);
         settings.setValue(kDistanceUnitKey, u"furlongs"_s);
         QVERIFY(readUnits(settings).distance == DistanceUnit::Metric);
     }
@@ -82,6 +98,66 @@ private slots:
         QCOMPARE(distanceText(1852, kEnglish, 3, DistanceUnit::Metric), u"1.85 km"_s);
         QCOMPARE(offsetText(-1234.4, kEnglish), u"-0.667 nmi"_s);
         QCOMPARE(speedText(0.5144444, kEnglish), u"1.0 kn"_s);
+    }
+
+    void heights()
+    {
+        QCOMPARE(heightText(100, kEnglish), u"100 m"_s);
+        QCOMPARE(heightsText(0, 1524, kEnglish), u"0 m to 1.52 km (0 to 5\u202f000 ft)"_s);
+        setShownUnits({.height = HeightUnit::Feet});
+        QCOMPARE(heightText(100, kEnglish), u"328 ft"_s);
+        QCOMPARE(heightText(1524, kNorwegian), u"5\u202f000 ft"_s);
+        QCOMPARE(heightsText(0, 1524, kEnglish), u"0 to 5\u202f000 ft (0 m to 1.52 km)"_s);
+        QCOMPARE(heightsText(304.8, std::nullopt, kEnglish), u"from 1\u202f000 ft (305 m)"_s);
+        QCOMPARE(distanceText(100, kEnglish), u"100 m"_s); // a height is no distance
+    }
+
+    void courses()
+    {
+        QCOMPARE(courseText(45, std::nullopt), u"045°"_s);
+        QCOMPARE(courseText(45, -18), u"045° T / 063° M"_s); // west of north: more
+        QCOMPARE(courseText(10, 20.4), u"010° T / 350° M"_s);
+        QCOMPARE(courseText(350, -20), u"350° T / 010° M"_s);
+        QCOMPARE(declinationText(-16.69, kNorwegian), u"16,7° W"_s);
+        const LatLon bonavista{.latitude_deg = 48.65, .longitude_deg = -53.1};
+        const SunTime november = std::chrono::sys_days(std::chrono::year(2026) / 11 / 28);
+        QVERIFY(!shownDeclination_deg(bonavista, november));
+        setShownUnits({.north = NorthForm::Typed});
+        setTypedDeclination(-17.5);
+        COMPARE_NEAR(shownDeclination_deg(bonavista, std::nullopt).value(), -17.5, 1e-12);
+        setShownUnits({.north = NorthForm::Model});
+        COMPARE_NEAR(shownDeclination_deg(bonavista, november).value(), -16.69, 0.01);
+        QVERIFY(!shownDeclination_deg(bonavista, std::nullopt)); // of which year?
+        QVERIFY(!shownDeclination_deg(bonavista, november + std::chrono::years(4)));
+    }
+
+    /** Every field of a height has the unit, and stores what is typed as metres. */
+    void heightsInTheInspector()
+    {
+        setShownUnits({.height = HeightUnit::Feet});
+        ScenarioDocument document;
+        Scenario scenario = test::emptySea();
+        scenario.uavs.front().spec.altitude_m = 100;
+        scenario.groundStation = GroundStation{};
+        document.reset(scenario);
+        Selection selection;
+        InspectorPanel panel(document, selection);
+        panel.show();
+        QCOMPARE(test::child<NumberField>(panel, u"stationAntenna"_s).suffix(), u" ft"_s);
+        selection.set({scenario.uavs.front().id});
+        auto& altitude = test::child<NumberField>(panel, u"uavAltitude"_s);
+        QCOMPARE(altitude.suffix(), u" ft"_s);
+        COMPARE_NEAR(altitude.value(), 328.1, 0.05);
+        QVERIFY(altitude.toolTip().contains(u"98 ft"_s)); // 30 m
+        test::enter(altitude, u"500"_s);
+        QCOMPARE(document.scenario().uavs[0].spec.altitude_m, 500 * 0.3048);
+        QCOMPARE(fieldValue("uavs[0].altitude_m", 30.0, kEnglish), u"98.4 ft"_s);
+        const Issue entered{
+            Severity::Warning,
+            "airspace[0].area_m",
+            {.id = IssueId::AirspaceEntered, .arguments = {std::string("D 1"), 304.8}}};
+        QVERIFY(issueText(entered, kEnglish).contains(u"begins at 1\u202f000 ft"_s));
+        QCOMPARE(fieldValue("no_fly[0].floor_m", 304.8, kEnglish), u"1\u202f000 ft"_s);
     }
 
     void places()

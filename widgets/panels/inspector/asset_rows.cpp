@@ -21,10 +21,10 @@ NumberRow assetRow(const RowWords& words, Number number, const Limits& limits, d
 template <class Object, class Height>
 NumberRow ceilingRow(const RowWords& words, Height height)
 {
-    NumberRow row = optionalRow(words, u" m"_s, memberOf<Object>(height), limits::kLength_m,
+    NumberRow row = optionalRow(words, {}, memberOf<Object>(height), limits::kLength_m,
                                 InspectorRows::tr("none"));
     row.step = 10;
-    return row;
+    return asHeight(row);
 }
 
 std::vector<InspectorRow> wayRows()
@@ -156,11 +156,12 @@ std::vector<InspectorRow> noFlyRows()
     name.words.toolTip = InspectorRows::tr("Shown on the map.");
     return {
         name,
-        objectRow<NoFlyArea>({.key = u"noFlyFloor"_s,
-                              .label = InspectorRows::tr("Floor"),
-                              .toolTip = InspectorRows::tr("UAVs lower than this fly below it."),
-                              .undoText = InspectorRows::tr("Change floor of the no-fly area")},
-                             u" m"_s, &NoFlyArea::floor_m, limits::kLength_m, 10),
+        asHeight(objectRow<NoFlyArea>(
+            {.key = u"noFlyFloor"_s,
+             .label = InspectorRows::tr("Floor"),
+             .toolTip = InspectorRows::tr("UAVs lower than this fly below it."),
+             .undoText = InspectorRows::tr("Change floor of the no-fly area")},
+            {}, &NoFlyArea::floor_m, limits::kLength_m, 10)),
         ceilingRow<NoFlyArea>({.key = u"noFlyCeiling"_s,
                                .label = InspectorRows::tr("Ceiling"),
                                .toolTip = InspectorRows::tr("UAVs higher than this fly above it."),

@@ -258,6 +258,7 @@ struct VelocityRows
  * converted exactly; nothing is converted where the unit is SI's.
  */
 [[nodiscard]] NumberRow asDistance(NumberRow row);
+[[nodiscard]] NumberRow asHeight(NumberRow row);
 [[nodiscard]] NumberRow asSpeed(NumberRow row);
 
 inline void append(std::vector<InspectorRow>& rows, std::vector<InspectorRow> more)

@@ -19,6 +19,7 @@ constexpr int kMoreDecimals = 3; ///< of nautical miles than of metres
 constexpr double kHalfTurn_deg = 180;
 constexpr double kBearingStep_deg = 5; ///< beyond north on either side the arrows go round
 constexpr double kKnotSteps = 2;       ///< as large a step as in m/s, about
+constexpr double kFootSteps = 5;       ///< of 10 m: 50 ft
 
 /** Reads, writes and limits what is SI in a unit. */
 NumberRow inUnit(NumberRow row, const ShownUnit& unit)
@@ -196,6 +197,16 @@ NumberRow asDistance(NumberRow row)
         return row;
     row.decimals.most += kMoreDecimals;
     row.step = std::pow(10.0, std::round(std::log10(unit.fromSi(row.step))));
+    return inUnit(std::move(row), unit);
+}
+
+NumberRow asHeight(NumberRow row)
+{
+    const ShownUnit unit = heightUnit();
+    row.unit = u' ' + unit.name;
+    if (shownUnits().height == HeightUnit::Metres)
+        return row;
+    row.step *= kFootSteps;
     return inUnit(std::move(row), unit);
 }
 

@@ -66,14 +66,13 @@ std::vector<InspectorRow> stationRows()
                         .position_m = scenario.uavs.empty() ? Point(Point::Zero())
                                                             : scenario.uavs.front().position_m};
             }};
-    const NumberRow antenna =
-        numberRow({.key = u"stationAntenna"_s,
-                   .label = InspectorRows::tr("Antenna height"),
-                   .toolTip = InspectorRows::tr("Height above the sea."),
-                   .undoText = InspectorRows::tr("Change antenna height"),
-                   .isShown = hasStation},
-                  u" m"_s, ofPart(&Scenario::groundStation, &GroundStation::antenna_m),
-                  always(limits::kLength_m));
+    const NumberRow antenna = numberRow(
+        {.key = u"stationAntenna"_s,
+         .label = InspectorRows::tr("Antenna height"),
+         .toolTip = InspectorRows::tr("Height above the sea."),
+         .undoText = InspectorRows::tr("Change antenna height"),
+         .isShown = hasStation},
+        {}, ofPart(&Scenario::groundStation, &GroundStation::antenna_m), always(limits::kLength_m));
     NumberRow range = optionalRow(
         {.key = u"stationRange"_s,
          .label = InspectorRows::tr("Link range"),
@@ -89,7 +88,7 @@ std::vector<InspectorRow> stationRows()
                             InspectorRows::tr("East of the scenario's origin."), 0),
             stationPlaceRow(u"stationNorth"_s, InspectorRows::tr("Station north"),
                             InspectorRows::tr("North of the scenario's origin."), 1),
-            antenna, asDistance(range)};
+            asHeight(antenna), asDistance(range)};
 }
 
 } // namespace

@@ -171,7 +171,7 @@ std::vector<InspectorRow> permitRows()
                     };
                     return InspectorRows::tr("Contingency volume %1 wide, %2 high\nGround-risk "
                                              "buffer %3\nAdjacent area %4")
-                        .arg(metres(volume.outside_m), metres(volume.ceiling_m),
+                        .arg(metres(volume.outside_m), heightText(volume.ceiling_m, locale),
                              metres(volume.buffer_m), metres(volume.adjacent_m));
                 }}};
     const auto numbers = numberWords();

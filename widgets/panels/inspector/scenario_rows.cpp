@@ -1,3 +1,4 @@
+#include "core/scenario/advice.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/model/wind.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
@@ -160,7 +161,8 @@ NumberRow separationRow()
         {.key = u"scenarioSeparation"_s,
          .label = InspectorRows::tr("Separation"),
          .toolTip = InspectorRows::tr("UAVs are kept so far from each other, unless their "
-                                      "altitudes are 30 m apart."),
+                                      "altitudes are %1 apart.")
+                        .arg(heightText(kLayerHeight_m, QLocale())),
          .undoText = InspectorRows::tr("Change separation"),
          .isShown = hasUavsToldApart},
         {}, &Scenario::separation_m, always(limits::kLength_m));
@@ -173,8 +175,9 @@ NumberRow separationRow()
 ActionRow layersRow()
 {
     return {.words = {.key = u"scenarioLayers"_s,
-                      .toolTip = InspectorRows::tr("Raises UAVs until their altitudes are 30 m "
-                                                   "apart, so that none has to wait for another."),
+                      .toolTip = InspectorRows::tr("Raises UAVs until their altitudes are %1 "
+                                                   "apart, so that none has to wait for another.")
+                                     .arg(heightText(kLayerHeight_m, QLocale())),
                       .undoText = InspectorRows::tr("Separate altitudes"),
                       .isShown = [](const Scenario& scenario,
                                     const std::string&) { return sharesLayer(scenario); }},

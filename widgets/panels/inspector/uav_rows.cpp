@@ -1,3 +1,4 @@
+#include "core/scenario/advice.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
 
 #include <cmath>
@@ -91,13 +92,14 @@ std::vector<InspectorRow> uavRows()
                               .undoText = InspectorRows::tr("Change maximum bank angle")},
                              u"°"_s, &UavSpec::maxBank_deg, limits::kBank_deg));
     append(rows, fieldOfViewRows());
-    rows.emplace_back(
+    rows.emplace_back(asHeight(
         uavRow({.key = u"uavAltitude"_s,
                 .label = InspectorRows::tr("Altitude"),
-                .toolTip = InspectorRows::tr("Height above the sea: UAVs that are 30 m "
-                                             "apart in it pass each other."),
+                .toolTip = InspectorRows::tr("Height above the sea: UAVs that are %1 apart in it "
+                                             "pass each other.")
+                               .arg(heightText(kLayerHeight_m, QLocale())),
                 .undoText = InspectorRows::tr("Change altitude")},
-               u" m"_s, &UavSpec::altitude_m, limits::kExtent_m, 10));
+               {}, &UavSpec::altitude_m, limits::kExtent_m, 10)));
     NumberRow autopilot =
         uavRow({.key = u"uavAutopilot"_s,
                 .label = InspectorRows::tr("Autopilot rate"),

@@ -132,6 +132,15 @@ bool PlanModel::mayMiss() const
     });
 }
 
+QString PlanModel::widestText(Column column) const
+{
+    constexpr double kWidest_mps = 88.8;
+    if (column == GroundSpeed)
+        return speedText(kWidest_mps, m_locale, 3);
+    const bool isTrueAlone = shownUnits().north == NorthForm::True;
+    return courseText(0, isTrueAlone ? std::nullopt : std::optional<double>(0));
+}
+
 const PlanLine& PlanModel::line(int row) const
 {
     return m_lines.at(static_cast<std::size_t>(row));
@@ -176,6 +185,8 @@ QString PlanModel::text(int row, Column column) const
         return tr("later");
     if (!planned.isSeen && (column == Leg || column == ArrivalSigma || column == Chance))
         return noFigure();
+    if ((column == Course || column == GroundSpeed) && !planned.course)
+        return noFigure();
     switch (column) {
     case Number:
         return line(row).number > 0 ? fixedText(line(row).number, 0, m_locale) : QString();
@@ -184,6 +195,10 @@ QString PlanModel::text(int row, Column column) const
     case Leg:
         // Planned as one point with the one above: there is no way between the two.
         return planned.leg_m > 0 ? distanceText(planned.leg_m, m_locale) : noFigure();
+    case Course:
+        return courseText(planned.course->true_deg, planned.course->declination_deg);
+    case GroundSpeed:
+        return speedText(planned.course->groundSpeed_mps, m_locale, 3);
     case Arrival:
         return arrivalText(planned.arrival_s);
     case Sigma:
@@ -212,6 +227,8 @@ QString PlanModel::uavText(const PlanLine& line, Column column) const
     case Sigma:
         return line.row.isSeen ? tr("%n visits", nullptr, line.visits) : noFigure();
     case Number:
+    case Course:
+    case GroundSpeed:
     case ArrivalSigma:
     case Chance:
     case ColumnCount:
@@ -269,6 +286,10 @@ QString PlanModel::toolTip(int row, Column column) const
         return searchesText(planned.searches);
     if (!planned.isSeen && column != Sigma)
         return tr("The plan ends before this iceberg is seen.");
+    if (planned.course && (column == Leg || column == Course || column == GroundSpeed))
+        return tr("Course over ground %1, ground speed %2")
+            .arg(courseText(planned.course->true_deg, planned.course->declination_deg),
+                 speedText(planned.course->groundSpeed_mps, m_locale, 3));
     if (column != Sigma && column != ArrivalSigma)
         return {};
     return tr("σ is %1 m² now, a standard deviation of %2 m; at arrival it is %3 m², if the "
@@ -338,6 +359,10 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
         return isText ? tr("Iceberg") : tr("Name of the iceberg");
     case Leg:
         return isText ? tr("Leg") : tr("Distance from the one before, the first from the UAV");
+    case Course:
+        return isText ? tr("Course") : tr("Course over ground at the start of the leg");
+    case GroundSpeed:
+        return isText ? tr("Speed", "over ground") : tr("Speed over ground in the wind of now");
     case Arrival:
         return isText ? tr("Arrival") : tr("Time from now until the UAV is there");
     case Sigma:

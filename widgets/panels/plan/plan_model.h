@@ -37,6 +37,8 @@ public:
         Number,
         Name,
         Leg,
+        Course,
+        GroundSpeed,
         Arrival,
         Sigma,
         ArrivalSigma,
@@ -80,6 +82,9 @@ public:
     [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
     bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
                       const QModelIndex& parent) override;
+
+    /** As wide as usual texts of the course or the ground speed of a leg. */
+    [[nodiscard]] QString widestText(Column column) const;
 
     /** The chance that one of the icebergs is not in view on arrival is worth telling. */
     [[nodiscard]] bool mayMiss() const;

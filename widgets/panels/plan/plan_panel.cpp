@@ -147,6 +147,8 @@ void PlanPanel::setColumnWidths()
              *std::ranges::max_element(
                  legs, {}, [&](const QString& leg) { return metrics.horizontalAdvance(leg); }),
              0);
+    for (const PlanModel::Column column : {PlanModel::Course, PlanModel::GroundSpeed})
+        setWidth(column, m_model->widestText(column), 0);
     setWidth(PlanModel::Arrival, PlanModel::arrivalText(std::pow(10, m_hourDigits) * kHour_s - 1),
              0);
     const QString sigma = widestSigmaText(m_sigmaFull_m2, locale());
@@ -170,8 +172,8 @@ int PlanPanel::nameRoom_px() const
 }
 
 /** Both sigmas are there when the names have room beside them; the chance of being in view, when an
- * iceberg may be missed, in the place of sigma at arrival where there is no other. Their values are
- * in tool tips too. */
+ * iceberg may be missed, in the place of sigma at arrival where there is no other; course and
+ * ground speed where all others leave room. Their values are in tool tips too. */
 void PlanPanel::chooseColumns()
 {
     const auto room_px = [this] {
@@ -186,10 +188,16 @@ void PlanPanel::chooseColumns()
     m_columnsFor = {mayMiss, names_px};
     for (const PlanModel::Column column : {PlanModel::Sigma, PlanModel::ArrivalSigma})
         m_table->setColumnHidden(column, false);
+    for (const PlanModel::Column column : {PlanModel::Course, PlanModel::GroundSpeed})
+        m_table->setColumnHidden(column, true); // until the others have their room
     m_table->setColumnHidden(PlanModel::Chance, !mayMiss);
     m_table->setColumnHidden(PlanModel::Sigma, room_px() < kNameRoom_px);
     m_table->setColumnHidden(PlanModel::ArrivalSigma,
                              room_px() < (mayMiss ? kNameRoom_px : names_px));
+    for (const PlanModel::Column column : {PlanModel::Course, PlanModel::GroundSpeed}) {
+        m_table->setColumnHidden(column, false);
+        m_table->setColumnHidden(column, room_px() < kNameRoom_px);
+    }
 }
 
 void PlanPanel::updateSummary()

@@ -1,13 +1,18 @@
 #include "widgets/panels/plan/plan_rows.h"
 
+#include "core/base/angles.h"
+#include "core/io/text/utc_time.h"
+#include "core/scenario/daylight.h"
 #include "core/scenario/drift_advice.h"
 #include "core/sim/leg_flight.h"
+#include "widgets/theme/declination.h"
 #include "widgets/words/object_names.h"
 
 #include <QStringList>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -37,6 +42,33 @@ PlanRow rowOf(const MissionSnapshot& now, int iceberg)
             .isAssigned = index < now.assigned.size() && now.assigned[index] >= 0};
 }
 
+/** Tells the courses of the straight legs of one scenario. */
+class CourseFinder
+{
+public:
+    explicit CourseFinder(const Scenario& scenario)
+        : m_frame(scenario.origin), m_start(parseUtc(scenario.startUtc))
+    {
+    }
+
+    [[nodiscard]] std::optional<LegCourse> courseOf(const Point& from_m, const Point& to_m,
+                                                    double leg_s) const
+    {
+        const Point leg_m = to_m - from_m;
+        if (leg_s <= 0 || leg_m.isZero(0))
+            return std::nullopt;
+        const LatLon from = m_frame.toGeographic(from_m);
+        return LegCourse{.true_deg = headingFromPsi(std::atan2(leg_m.y(), leg_m.x()) -
+                                                    m_frame.trueNorth_rad(from)),
+                         .declination_deg = shownDeclination_deg(from, m_start),
+                         .groundSpeed_mps = leg_m.norm() / leg_s};
+    }
+
+private:
+    LocalFrame m_frame;
+    std::optional<UtcTime> m_start;
+};
+
 std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecast& route,
                                   const SensorSpec& sensor)
 {
@@ -52,11 +84,25 @@ std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecas
     return rows;
 }
 
+/** The rows are those of the route, which begins at `from_m`. */
+void addCourses(std::vector<PlanRow>& rows, const RouteForecast& route, Point from_m,
+                const CourseFinder& finder)
+{
+    double before_s = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const ForecastVisit& visit = route.visits[k];
+        rows[k].course =
+            finder.courseOf(std::exchange(from_m, visit.place_m), visit.place_m,
+                            visit.arrival_s - std::exchange(before_s, visit.arrival_s));
+    }
+}
+
 void leaveUnseen(PlanRow& row)
 {
     row.isSeen = false;
     row.leg_m = row.arrival_s = row.arrivalSigma_m2 = 0;
     row.chance.reset();
+    row.course.reset();
 }
 
 /** What comes after the way home has no times yet. */
@@ -266,6 +312,7 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
     std::vector<PlanSection> sections;
     const PlanForecast forecast =
         now.plan && !scenario.uavs.empty() ? forecastOf(now, scenario) : PlanForecast{};
+    const CourseFinder finder(scenario);
     const std::size_t uavs = std::min(scenario.uavs.size(), now.world.uavs.size());
     for (std::size_t u = 0; u < uavs; ++u) {
         const int place = static_cast<int>(u);
@@ -284,6 +331,8 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
                 ? aimedRows(now, *plan)
                 : straightRows(now, forecast.uavs[u],
                                {.fov_m = scenario.uavs[u].fov_m, .shape = scenario.fovShape});
+        if (!plan->outlook)
+            addCourses(section.rows, forecast.uavs[u], now.world.uavs[u].pose.position_m, finder);
         leaveForNextSortie(section.rows, *plan);
         if (plan->outlook)
             continue; // it ends with the run
@@ -291,6 +340,34 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
         endWithRun(section, scenario.duration_s - now.time_s);
     }
     return sections;
+}
+
+std::vector<Issue> darkFlights(const MissionSnapshot& now, const Scenario& scenario,
+                               const std::vector<PlanSection>& sections)
+{
+    using std::chrono::milliseconds;
+    std::vector<Issue> issues;
+    const std::optional<UtcTime> start = parseUtc(scenario.startUtc);
+    const LocalFrame frame(scenario.origin);
+    for (const PlanSection& section : sections) {
+        if (!start || section.rows.empty())
+            continue;
+        const auto uav = static_cast<std::size_t>(section.place);
+        const Uav& own = scenario.uavs[uav];
+        const bool isLimited = own.spec.endurance_s > 0;
+        const double landing_s =
+            now.time_s + section.lastArrival_s() + (isLimited ? own.spec.landing_s : 0);
+        const auto at = [&](double time_s) {
+            return *start + milliseconds(std::llround(1000 * time_s));
+        };
+        std::ranges::move(
+            daylightIssues(uav, {.takeOff = now.time_s > 0 ? std::nullopt : std::optional(*start),
+                                 .landing = at(landing_s),
+                                 .from = frame.toGeographic(own.position_m),
+                                 .to = frame.toGeographic(own.home_m.value_or(own.position_m))}),
+            std::back_inserter(issues));
+    }
+    return issues;
 }
 
 double planLength_m(const std::vector<PlanSection>& sections)

@@ -9,16 +9,27 @@
 
 namespace berg {
 
+/** How a straight leg is flown. */
+struct LegCourse
+{
+    double true_deg = 0; ///< over ground, at the leg's start
+    /** At the leg's start, positive east; nullopt if courses are shown by true north alone. */
+    std::optional<double> declination_deg = {};
+    double groundSpeed_mps = 0;
+    bool operator==(const LegCourse&) const = default;
+};
+
 /** One iceberg of the plan, in visiting order. */
 struct PlanRow
 {
     std::string id;
-    QString name;                      ///< never empty: the id where there is no name
-    double leg_m = 0;                  ///< over ground, from the one before or the UAV
-    double arrival_s = 0;              ///< from now
-    double sigma_m2 = 0;               ///< now
-    double arrivalSigma_m2 = 0;        ///< when the UAV is there, unless it is seen on the way
-    std::optional<double> chance = {}; ///< of being in view on arrival; none: depends on the aim
+    QString name;                         ///< never empty: the id where there is no name
+    double leg_m = 0;                     ///< over ground, from the one before or the UAV
+    std::optional<LegCourse> course = {}; ///< of that leg; nullopt if it is not straight
+    double arrival_s = 0;                 ///< from now
+    double sigma_m2 = 0;                  ///< now
+    double arrivalSigma_m2 = 0;           ///< when the UAV is there, unless it is seen on the way
+    std::optional<double> chance = {};    ///< of being in view on arrival; none: depends on the aim
     std::vector<PlannedSearch> searches = {}; ///< places where the lost iceberg is looked for
     int number = 0;          ///< in the order, from 1; 0: as the rows are; -1: searched for
     bool isSeen = true;      ///< false: plan or run end before, legs and arrivals are not known
@@ -59,6 +70,10 @@ struct PlanSection
  */
 [[nodiscard]] std::vector<PlanSection> planSections(const MissionSnapshot& now,
                                                     const Scenario& scenario);
+/** Warnings about flights of the plan, before take-off, that begin or end in the dark; empty
+ * without a start in UTC. */
+[[nodiscard]] std::vector<Issue> darkFlights(const MissionSnapshot& now, const Scenario& scenario,
+                                             const std::vector<PlanSection>& sections);
 /** Of all sections. */
 [[nodiscard]] double planLength_m(const std::vector<PlanSection>& sections);
 

@@ -1,5 +1,8 @@
+#include "core/base/angles.h"
 #include "tests/support/approx.h"
 #include "tests/support/plan_panel_fixture.h"
+#include "widgets/theme/declination.h"
+#include "widgets/theme/unit_settings.h"
 
 #include <cmath>
 
@@ -58,6 +61,52 @@ private slots:
         const double left_s = scenario.duration_s - now.time_s;
         COMPARE_NEAR(planLength_m(sections), 20 * left_s, 1e-6);
         COMPARE_NEAR(sections.front().lastArrival_s(), left_s, 1e-9);
+    }
+
+    /** Downwind a leg is faster, and magnetic north is where the units have it. */
+    void coursesAndGroundSpeeds()
+    {
+        Scenario scenario = twoIcebergScenario();
+        const MissionSnapshot now = standing(twoIcebergs(scenario));
+        std::vector<PlanRow> rows = planSections(now, scenario).front().rows;
+        QVERIFY(rows[0].course && rows[1].course);
+        COMPARE_NEAR(rows[0].course->groundSpeed_mps, 20, 1e-9); // no wind: its airspeed
+        QVERIFY(!rows[0].course->declination_deg);
+        MissionSnapshot windy = now;
+        const double course_rad = psiFromHeading(rows[0].course->true_deg);
+        for (Motion& motion : windy.motions)
+            motion.wind_mps = 5 * Point(std::cos(course_rad), std::sin(course_rad));
+        rows = planSections(windy, scenario).front().rows;
+        COMPARE_NEAR(rows[0].course->groundSpeed_mps, 25, 0.01); // wind from behind
+        COMPARE_NEAR(rows[0].leg_m / rows[0].arrival_s, rows[0].course->groundSpeed_mps, 1e-9);
+        setShownUnits({.north = NorthForm::Typed});
+        setTypedDeclination(-18);
+        rows = planSections(now, scenario).front().rows;
+        COMPARE_NEAR(rows[0].course->declination_deg.value(), -18, 1e-9);
+        setShownUnits({});
+    }
+
+    /** Flights by night are reported where the time is known, before take-off. */
+    void flightsInTheDark()
+    {
+        Scenario scenario = twoIcebergScenario();
+        scenario.origin = {.latitude_deg = 48.65, .longitude_deg = -53.1};
+        MissionSnapshot now = standing(twoIcebergs(scenario));
+        now.time_s = 0;
+        const auto found = [&](const char* startUtc) {
+            scenario.startUtc = startUtc;
+            std::vector<IssueId> ids;
+            for (const Issue& issue : darkFlights(now, scenario, planSections(now, scenario)))
+                ids.push_back(issue.reason.id);
+            return ids;
+        };
+        using Ids = std::vector<IssueId>;
+        QCOMPARE(found(""), Ids());
+        QCOMPARE(found("2026-11-28T15:00:00Z"), Ids());
+        QCOMPARE(found("2026-11-28T20:16:00Z"), Ids{IssueId::DarkLanding}); // it takes a minute
+        QCOMPARE(found("2026-11-28T22:00:00Z"), (Ids{IssueId::DarkTakeOff, IssueId::DarkLanding}));
+        now.time_s = 1;
+        QCOMPARE(found("2026-11-28T22:00:00Z"), Ids{IssueId::DarkLanding}); // aloft already
     }
 
     /** Home is not reached before the end. */
