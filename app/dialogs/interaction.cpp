@@ -7,6 +7,7 @@
 #include "app/dialogs/wind_dialog.h"
 #include "widgets/theme/declination.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
@@ -322,6 +323,11 @@ void DialogInteraction::showInformation(QWidget* parent, const QString& title, c
     layout->addWidget(scroll);
     layout->addWidget(buttons);
     dialog.exec();
+}
+
+void DialogInteraction::soundAlarm()
+{
+    QApplication::beep();
 }
 
 } // namespace berg

@@ -163,6 +163,7 @@ public:
                            const std::function<bool()>& isDone, bool mayCancel) = 0;
     virtual void showError(QWidget* parent, const QString& text) = 0;
     virtual void showInformation(QWidget* parent, const QString& title, const QString& html) = 0;
+    virtual void soundAlarm() = 0;
 
     bool isAwaited = false; ///< by a part of the window, which must live until then
 };
@@ -203,6 +204,8 @@ public:
     void waitUntil(QWidget* parent, const QString& text, const std::function<bool()>& isDone,
                    bool mayCancel) override;
     void showInformation(QWidget* parent, const QString& title, const QString& html) override;
+    /** The bell of the desktop. */
+    void soundAlarm() override;
 
 private:
     [[nodiscard]] QString lastFolder() const;

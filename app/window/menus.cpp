@@ -295,6 +295,11 @@ void Menus::buildFlightMenu()
     add(menu, {"slowerAction", tr("S&lower"), Qt::Key_BracketLeft},
         [this] { panels().playback->stepRate(-1); });
 
+    menu.addSeparator();
+    addSwitch(menu, {"alarmSoundAction", tr("S&ound alarms")}, m_parts.sound.isOn(),
+              [this](bool on) { m_parts.sound.setOn(on); })
+        ->setStatusTip(tr("A sound at each new alarm, until it is acknowledged"));
+
     const auto showPlaying = [this, play] {
         play->setText(workspace().isPlaying() ? tr("Pause") : tr("Fly"));
     };

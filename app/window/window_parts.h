@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/alarm_sound.h"
 #include "app/window/appearance_choice.h"
 #include "app/window/backdrop_file.h"
 #include "app/window/checks_view.h"
@@ -49,6 +50,7 @@ struct WindowParts
     PlannerView planner;
     FlightPanels flightPanels;
     FlightView flightView;
+    AlarmSound sound;
     FlightControls flight;
     RunEnd runEnd;
     MapLinks mapLinks;

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QTimer>
 #include <QToolButton>
 
 #include <cmath>
@@ -82,6 +83,41 @@ private slots:
         QTRY_VERIFY(announcer.accessibleName().contains(u"berg-1 enters the inner ring"_s));
         QVERIFY(flyTo(w, 10)); // goes on, and is told once
         QCOMPARE(list.count(), 1);
+    }
+
+    /** Once as it is raised, again until it is acknowledged; never where sounds are off. */
+    void alarmsAreHeard()
+    {
+        WindowFixture w(threatened());
+        QVERIFY(w.action(u"alarmSoundAction"_s).isChecked());
+        auto& again = test::child<QTimer>(w.window(), u"alarmSoundTimer"_s);
+        QVERIFY(!again.isActive());
+        QVERIFY(flyTo(w, 5));
+        QTRY_COMPARE(w.interaction.sounds, 1);
+        QVERIFY(flyTo(w, 10)); // the same alarm
+        QCOMPARE(w.interaction.sounds, 1);
+        QVERIFY(again.isActive());
+        again.setInterval(1);
+        QTRY_VERIFY(w.interaction.sounds >= 3);
+        QTRY_VERIFY(line(w, 1).isVisible());
+        QTest::mouseClick(&test::child<QPushButton>(w.window(), u"acknowledge1"_s), Qt::LeftButton);
+        QVERIFY(!again.isActive());
+    }
+
+    void alarmsAreSilenced()
+    {
+        WindowFixture w(threatened());
+        w.trigger(u"alarmSoundAction"_s);
+        QVERIFY(flyTo(w, 5));
+        QTRY_VERIFY(line(w, 1).isVisible());
+        QCOMPARE(w.interaction.sounds, 0);
+        const auto& again = test::child<QTimer>(w.window(), u"alarmSoundTimer"_s);
+        QVERIFY(!again.isActive());
+        w.trigger(u"alarmSoundAction"_s); // what is open is heard from now on
+        QVERIFY(again.isActive());
+        w.trigger(u"alarmSoundAction"_s);
+        const MainWindow next(w.workspace, w.interaction, w.settings);
+        QVERIFY(!next.findChild<QAction*>(u"alarmSoundAction"_s)->isChecked());
     }
 
     /** What was there before is no news when one looks back, nor in another language. */

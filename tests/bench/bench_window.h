@@ -37,6 +37,7 @@ public:
     }
     std::optional<Point> askWind(QWidget*, const Point&, double) override { return {}; }
     std::optional<double> askDeclination(QWidget*, double) override { return {}; }
+    void soundAlarm() override {}
     std::optional<OriginChoice> askOrigin(QWidget*, const Scenario&, const LatLon&,
                                           const Theme&) override
     {

@@ -30,6 +30,7 @@ public:
     std::optional<OriginChoice> originChoice;
     std::optional<Point> wind_mps;         ///< answered
     std::optional<double> declination_deg; ///< answered
+    int sounds = 0;                        ///< of alarms
     /** Answers a question about an import; null: cancelled. */
     std::function<std::optional<ImportChoice>(ImportRunner&, const ImportOffer&)> importAnswer;
 
@@ -120,6 +121,7 @@ public:
         passTime();
         return wind_mps;
     }
+    void soundAlarm() override { ++sounds; }
     [[nodiscard]] std::optional<double> askDeclination(QWidget*, double) override
     {
         passTime();

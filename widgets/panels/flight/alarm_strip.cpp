@@ -319,6 +319,10 @@ void AlarmStrip::fillNotices()
         if (i < m_open.size())
             fill(m_lines[i], m_open[i]);
     }
+    if (!m_lookBack_s)
+        emit alarmPending(std::ranges::any_of(m_open, [](const FlightNotice& notice) {
+            return rankOf(notice.kind) == NoticeRank::Alarm;
+        }));
     if (m_open.size() <= m_lines.size())
         return;
     QStringList rest;

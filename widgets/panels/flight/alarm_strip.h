@@ -51,6 +51,8 @@ signals:
     void noticeChosen(const std::vector<std::string>& about);
     /** An alarm or warning of the present that was not there before. */
     void raised(const QString& text);
+    /** Whether an alarm of the present is not acknowledged. */
+    void alarmPending(bool isPending);
     void bringBackRequested();
     /** Give up what came after the instant shown and fly on from it. */
     void flyOnRequested();
