@@ -178,7 +178,7 @@ void StartContent::paintExamples(const Theme& theme, double pixelRatio, const QS
                 static_cast<void>(failureOf([&] {
                     const Example example = paintedExample(path, theme, pixelRatio, stop);
                     if (!stop.stop_requested())
-                        emit examplePainted(place, example, theme.isDark);
+                        emit examplePainted(place, example, theme.sea);
                 }));
             });
 }

@@ -67,8 +67,8 @@ public:
 signals:
     // From the thread that reads: connect with a context object.
     void recentRead(const QList<berg::RecentFile>& files);
-    /** `place` among the paths. */
-    void examplePainted(int place, const berg::Example& example, bool dark);
+    /** `place` among the paths; `sea`: of the theme that it is painted in. */
+    void examplePainted(int place, const berg::Example& example, const QColor& sea);
 
 private:
     QThreadPool m_reader;

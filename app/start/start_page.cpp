@@ -182,9 +182,9 @@ void StartPage::showRecent(const QList<RecentFile>& files)
         add(new QLabel(tr("No files yet")));
 }
 
-void StartPage::showExample(int place, const Example& example, bool dark)
+void StartPage::showExample(int place, const Example& example, const QColor& sea)
 {
-    if (dark == m_theme.isDark) // else painted for the appearance before
+    if (sea == m_theme.sea) // else painted for the appearance before
         m_cards[static_cast<std::size_t>(place)]->setExample(example);
 }
 

@@ -63,7 +63,7 @@ private:
     QWidget* makeCommands(const QString& continued, bool showAtStart, bool offersTour);
     QWidget* makeExamples();
     void showRecent(const QList<RecentFile>& files);
-    void showExample(int place, const Example& example, bool dark);
+    void showExample(int place, const Example& example, const QColor& sea);
     void arrangeExamples();
     void place();
 

@@ -43,6 +43,8 @@ void AppearanceChoice::setAppearance(Appearance appearance)
         return applyTheme(Theme::highContrast(false));
     case Appearance::HighContrastDark:
         return applyTheme(Theme::highContrast(true));
+    case Appearance::Night:
+        return applyTheme(Theme::night());
     }
     applyTheme(Theme::light());
 }

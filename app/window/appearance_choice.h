@@ -12,7 +12,8 @@ enum class Appearance
     Light,
     Dark,
     HighContrastLight,
-    HighContrastDark
+    HighContrastDark,
+    Night
 };
 
 /** Which theme the window has: what the user chose, or what the desktop has. */

@@ -46,8 +46,8 @@ void PreferenceMenus::addChoice(QMenu& menu, const QString& text, const QString&
 void PreferenceMenus::buildAppearance(QMenu& menu)
 {
     const QStringList words{
-        tr("Follow system"), tr("Light"), tr("Dark"), tr("High contrast, light"),
-        tr("High contrast, dark")};
+        tr("Follow system"),       tr("Light"),      tr("Dark"), tr("High contrast, light"),
+        tr("High contrast, dark"), tr("Night (red)")};
     for (qsizetype i = 0; i < words.size(); ++i)
         addChoice(menu, words[i], u"view/appearance"_s, QString::number(i));
     connect(&menu, &QMenu::triggered, &m_appearance, [this](const QAction* action) {

@@ -18,6 +18,7 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include <algorithm>
 #include <utility>
 
 using namespace berg;
@@ -368,6 +369,30 @@ private slots:
         w.trigger(u"view/appearance-%1"_s.arg(appearance));
         QTRY_COMPARE(w.window().palette().color(QPalette::Text), isDark ? Qt::white : Qt::black);
         QCOMPARE(w.window().palette().color(QPalette::Base), isDark ? Qt::black : Qt::white);
+        w.trigger(u"view/appearance-1"_s);
+    }
+
+    /** All of the window in flight: map, panels, charts, menus; text with smooth edges too. */
+    void nightIsRed()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.trigger(u"view/appearance-5"_s);
+        QTRY_COMPARE(w.window().palette().color(QPalette::Base), Qt::black);
+        w.workspace.stepTicks(50);
+        QVERIFY(w.until([&] { return w.record().now.time_s > 4; }));
+        const auto others = [&w] {
+            const QImage image = w.window().grab().toImage().convertToFormat(QImage::Format_RGB32);
+            QStringList found;
+            for (int y = 0; y < image.height() && found.size() < 5; ++y)
+                for (int x = 0; x < image.width() && found.size() < 5; ++x)
+                    if (const QColor at = image.pixelColor(x, y); // grey is no red either
+                        4 * std::max(at.green(), at.blue()) > 3 * at.red() + 32)
+                        found << u"%1 at %2, %3"_s.arg(at.name()).arg(x).arg(y);
+            return found;
+        };
+        QTRY_VERIFY2(others().isEmpty(), qPrintable(others().join(u", "_s)));
+        const MainWindow next(w.workspace, w.interaction, w.settings);
+        QVERIFY(next.findChild<QAction*>(u"view/appearance-5"_s)->isChecked());
         w.trigger(u"view/appearance-1"_s);
     }
 

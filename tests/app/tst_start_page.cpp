@@ -216,8 +216,8 @@ private slots:
         StartContent content;
         std::map<bool, std::vector<QImage>> pictures;
         connect(&content, &StartContent::examplePainted, this,
-                [&](int, const Example& example, bool dark) {
-                    pictures[dark].push_back(example.picture);
+                [&](int, const Example& example, const QColor& sea) {
+                    pictures[sea == Theme::dark().sea].push_back(example.picture);
                 });
         const ForbidSolving guard;
         const auto count = static_cast<std::size_t>(examplePaths().size());

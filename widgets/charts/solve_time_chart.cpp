@@ -129,11 +129,11 @@ QColor benchmarkSolverColour(const std::optional<BenchmarkSolver>& solver, const
     }
     switch (solver->formulation) {
     case Formulation::Position:
-        return theme.isDark ? QColor(0xc792ea) : QColor(0x7b3fa0);
+        return theme.toned(theme.isDark ? 0xc792ea : 0x7b3fa0);
     case Formulation::Printed:
         return theme.comparison;
     case Formulation::Reduced:
-        return theme.isDark ? QColor(0x46c9a2) : QColor(0x0b7a5b);
+        return theme.toned(theme.isDark ? 0x46c9a2 : 0x0b7a5b);
     }
     return {};
 }

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 
+using namespace Qt::StringLiterals;
+
 namespace berg {
 namespace {
 
@@ -22,6 +24,27 @@ QPen outlinePen(const QStyleOption& option)
 {
     const QColor ground = option.palette.color(QPalette::Window);
     return {mixed(ground, option.palette.color(QPalette::WindowText), kInk), 1};
+}
+
+/** Fusion's dots between docks are white and black, whatever the palette. */
+void drawGrip(const QStyleOption& option, QPainter& painter)
+{
+    constexpr int kGrip_px = 16;
+    const QPoint centre = option.rect.center();
+    const bool isUpright = option.rect.height() > option.rect.width();
+    const QPoint half = isUpright ? QPoint(0, kGrip_px / 2) : QPoint(kGrip_px / 2, 0);
+    const PainterState saved(painter);
+    painter.setPen(QPen(outlinePen(option).color(), 1, Qt::DotLine));
+    painter.drawLine(centre - half, centre + half);
+}
+
+/** A line below, in the place of Fusion's white and black ones. */
+void drawToolBar(const QStyleOption& option, QPainter& painter)
+{
+    const PainterState saved(painter);
+    painter.fillRect(option.rect, option.palette.color(QPalette::Window));
+    painter.setPen(option.palette.color(QPalette::Mid));
+    painter.drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
 }
 
 /** Of docks. */
@@ -52,6 +75,8 @@ int ContrastStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
 void ContrastStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
                                   QPainter* painter, const QWidget* widget) const
 {
+    if (element == PE_IndicatorDockWidgetResizeHandle)
+        return drawGrip(*option, *painter);
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     const bool isCircle = element == PE_IndicatorRadioButton;
     if (!isCircle && element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck)
@@ -72,6 +97,8 @@ void ContrastStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* 
 void ContrastStyle::drawControl(ControlElement element, const QStyleOption* option,
                                 QPainter* painter, const QWidget* widget) const
 {
+    if (element == CE_ToolBar)
+        return drawToolBar(*option, *painter);
     const auto* title = qstyleoption_cast<const QStyleOptionDockWidget*>(option);
     if (element != CE_DockWidgetTitle || title == nullptr || widget == nullptr ||
         widget->windowType() != Qt::Window)
@@ -81,10 +108,29 @@ void ContrastStyle::drawControl(ControlElement element, const QStyleOption* opti
     QProxyStyle::drawControl(element, &bare, painter, widget);
 }
 
+/** The buttons of a dock's title are in the colour of its text: Qt's own are black or white. */
+void ContrastStyle::drawTitleButton(const QStyleOptionToolButton& button, QPainter* painter,
+                                    const QWidget& widget) const
+{
+    QPixmap mask = button.icon.pixmap(button.iconSize, widget.devicePixelRatioF());
+    {
+        QPainter inks(&mask);
+        inks.setCompositionMode(QPainter::CompositionMode_SourceIn);
+        inks.fillRect(mask.rect(), button.palette.color(QPalette::WindowText));
+    }
+    QStyleOptionToolButton inked(button);
+    inked.icon = QIcon(mask);
+    QProxyStyle::drawComplexControl(CC_ToolButton, &inked, painter, &widget);
+}
+
 /** The groove up to the handle in the colour of what is chosen. */
 void ContrastStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                        QPainter* painter, const QWidget* widget) const
 {
+    const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+    if (button != nullptr && widget != nullptr && !button->icon.isNull() &&
+        widget->objectName().startsWith(u"qt_dockwidget_"_s))
+        return drawTitleButton(*button, painter, *widget);
     const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
     if (control != CC_Slider || slider == nullptr ||
         !slider->subControls.testFlag(SC_SliderGroove) || slider->orientation != Qt::Horizontal) {

@@ -2,11 +2,14 @@
 
 #include <QProxyStyle>
 
+class QStyleOptionToolButton;
+
 namespace berg {
 
 /**
  * The style of the desktop with what can be told apart at 3 : 1 (WCAG 2.1, 1.4.11): outlines of
- * boxes and circles to be ticked, and grooves of sliders. Names on the tabs of docks are whole.
+ * boxes and circles to be ticked, grooves of sliders, and buttons in the titles of docks. Names on
+ * the tabs of docks are whole.
  */
 class ContrastStyle : public QProxyStyle
 {
@@ -25,6 +28,10 @@ public:
                      const QWidget* widget) const override;
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                             QPainter* painter, const QWidget* widget) const override;
+
+private:
+    void drawTitleButton(const QStyleOptionToolButton& button, QPainter* painter,
+                         const QWidget& widget) const;
 };
 
 } // namespace berg

@@ -25,7 +25,8 @@ QPalette paletteOf(const Theme& theme)
     palette.setColor(QPalette::Link, theme.plan);
     palette.setColor(QPalette::Highlight, theme.plan);
     palette.setColor(QPalette::HighlightedText, theme.planText);
-    palette.setColor(QPalette::Light, mixed(window, Qt::white, theme.isDark ? 0.1 : 0.6));
+    palette.setColor(QPalette::Light,
+                     mixed(window, theme.toned(Qt::white), theme.isDark ? 0.1 : 0.6));
     palette.setColor(QPalette::Midlight, mixed(window, theme.text, 0.08));
     palette.setColor(QPalette::Mid, mixed(window, theme.text, 0.25));
     palette.setColor(QPalette::Dark, mixed(window, theme.text, 0.35));
@@ -46,10 +47,12 @@ QColor uavColour(const Theme& theme, int index)
                                                             0x524c00};
     constexpr std::array<QRgb, kUavColours - 1> kOnDark = {0x12b886, 0xe7a8d0, 0x3d8fdd, 0x9ad6f7,
                                                            0xf0e442};
+    constexpr std::array<QRgb, kUavColours - 1> kByNight = {0xec0000, 0xffad71, 0xed840e, 0xc0172b,
+                                                            0xb43972};
     const auto place = static_cast<std::size_t>(index % kUavColours);
     if (place == 0)
         return theme.uav;
-    return {(theme.isDark ? kOnDark : kOnLight)[place - 1]};
+    return {(theme.isNight ? kByNight : theme.isDark ? kOnDark : kOnLight)[place - 1]};
 }
 
 bool systemPaletteIsDark()

@@ -15,7 +15,7 @@ inline constexpr int kUavColours = 6;
 /**
  * Colour of the UAV at place `index` of its scenario, by the palette of Okabe and Ito, which the
  * colour-blind tell apart; shades of it that keep 3 : 1 on sea, land and panels. The first is
- * `Theme::uav`; after the last they begin anew.
+ * `Theme::uav`; after the last they begin anew. By night they are reds that differ in lightness.
  */
 [[nodiscard]] QColor uavColour(const Theme& theme, int index);
 

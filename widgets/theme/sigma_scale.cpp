@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace berg {
 namespace {
@@ -13,17 +14,22 @@ constexpr std::array<QRgb, 20> kViridis = {
     0xff2d718e, 0xff287d8e, 0xff238a8d, 0xff1f968b, 0xff20a386, 0xff29af7f, 0xff3cbc75,
     0xff56c667, 0xff74d055, 0xff94d840, 0xffb8de29, 0xffdce318, 0xfffde725};
 
+// L* from 41 to 77 at even steps, sRGB.
+constexpr std::array<QRgb, 13> kReds = {0xffbe0000, 0xffc8170c, 0xffd02a15, 0xffd63a1d, 0xffdd4827,
+                                        0xffe35432, 0xffe9613b, 0xffef6c45, 0xfff3794f, 0xfff6865a,
+                                        0xfff99264, 0xfffc9e6e, 0xffffaa78};
+
 // Where the stretch for each background ends so that 3 : 1 holds against sea and panels.
 constexpr double kLightEnd = 0.52;
 constexpr double kDarkStart = 0.42;
 
-QColor viridis(double position)
+QColor between(std::span<const QRgb> steps, double position)
 {
-    const double scaled = std::clamp(position, 0.0, 1.0) * (kViridis.size() - 1);
-    const auto low = std::min(static_cast<std::size_t>(scaled), kViridis.size() - 2);
+    const double scaled = std::clamp(position, 0.0, 1.0) * static_cast<double>(steps.size() - 1);
+    const auto low = std::min(static_cast<std::size_t>(scaled), steps.size() - 2);
     const double t = scaled - static_cast<double>(low);
-    const QColor a(kViridis[low]);
-    const QColor b(kViridis[low + 1]);
+    const QColor a(steps[low]);
+    const QColor b(steps[low + 1]);
     const auto mix = [t](int from, int to) {
         return static_cast<int>(std::lround(from + t * (to - from)));
     };
@@ -35,7 +41,15 @@ QColor viridis(double position)
 QColor SigmaScale::at(double fraction) const
 {
     const double t = std::clamp(fraction, 0.0, 1.0);
-    return viridis(m_dark ? kDarkStart + (1 - kDarkStart) * t : kLightEnd * (1 - t));
+    switch (m_ground) {
+    case Ground::Light:
+        return between(kViridis, kLightEnd * (1 - t));
+    case Ground::Dark:
+        return between(kViridis, kDarkStart + (1 - kDarkStart) * t);
+    case Ground::Night:
+        break;
+    }
+    return between(kReds, t);
 }
 
 QColor SigmaScale::colour(double sigma_m2, double full_m2) const

@@ -52,7 +52,7 @@ Theme usual(bool isDark)
     theme.chartAxis = of(0x84949e, 0x6b7f8c);
     theme.accumulated = of(0x16222b, 0xe8eff3);
     theme.momentary = of(0x1769aa, 0x5fb3f2);
-    theme.sigma = SigmaScale(isDark);
+    theme.sigma = SigmaScale(isDark ? SigmaScale::Ground::Dark : SigmaScale::Ground::Light);
     return theme;
 }
 
@@ -97,6 +97,55 @@ Theme Theme::highContrast(bool isDark)
     theme.alarm = isDark ? QColor(0xff7a72) : QColor(0x780008);
     theme.warning = isDark ? QColor(0xffc83c) : QColor(0x946c00);
     return theme;
+}
+
+Theme Theme::night()
+{
+    Theme theme = usual(true);
+    theme.isNight = true;
+    theme.sea = 0x060000;
+    theme.land = 0x220504;
+    theme.coast = 0xc82016;
+    theme.graticule = 0xcd0e08;
+    theme.graticuleText = 0xf22a20;
+    theme.ice = 0xffaa8c;
+    theme.ink = 0xf05a46;
+    theme.uav = 0xff465f;
+    theme.plan = 0xf67e2f;
+    theme.planText = Qt::black;
+    theme.formerPlan = 0xfe000a;
+    theme.track = 0xc4021a;
+    theme.swept = QColor(0xe1, 0x22, 0x1a, 31);
+    theme.comparison = 0xba6800;
+    theme.alarm = 0xff000f;
+    theme.warning = 0xc40010;
+    theme.text = 0xff5440;
+    theme.mutedText = 0xf23a2c;
+    theme.panel = 0x0e0101;
+    theme.panelLine = 0x540e0a;
+    theme.chart = Qt::black;
+    theme.chartGrid = 0x3a0806;
+    theme.chartAxis = 0xc81810;
+    theme.accumulated = 0xf84759;
+    theme.momentary = theme.plan;
+    theme.sigma = SigmaScale(SigmaScale::Ground::Night);
+    return theme;
+}
+
+QColor Theme::toned(const QColor& colour) const
+{
+    if (!isNight)
+        return colour;
+    // The lightness L* of CIE, 0 to 100; those of the scale of sigma are its upper part.
+    constexpr double kDarkest = 41;
+    constexpr double kLightest = 77;
+    const double luminance = relativeLuminance(colour);
+    const double lightness = 116 * std::cbrt(luminance) - 16;
+    QColor red = lightness < kDarkest
+                     ? mixed(chart, sigma.at(0), std::max(0.0, lightness) / kDarkest)
+                     : sigma.at((lightness - kDarkest) / (kLightest - kDarkest));
+    red.setAlphaF(colour.alphaF());
+    return red;
 }
 
 QFont Theme::body() const

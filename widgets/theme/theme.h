@@ -16,6 +16,7 @@ namespace berg {
 struct Theme
 {
     bool isDark = false;
+    bool isNight = false; ///< all in red
 
     // Map
     QColor sea;
@@ -48,13 +49,22 @@ struct Theme
     QColor accumulated; ///< zeta
     QColor momentary;   ///< sum of sigma
 
-    SigmaScale sigma{false};
+    SigmaScale sigma{SigmaScale::Ground::Light};
     QFont font; ///< system font; sizes are in pixels so that they are alike on every paint device
 
     [[nodiscard]] static Theme light();
     [[nodiscard]] static Theme dark();
     /** For those who need more: text keeps 7 : 1 (WCAG 2.1, 1.4.6), lines of one UAV 4.5 : 1. */
     [[nodiscard]] static Theme highContrast(bool isDark);
+
+    /**
+     * Reds on black, which leave eyes used to the dark as they are. Text keeps 4.5 : 1 and lines
+     * 3 : 1; meanings are told apart by lightness, and by the shapes that they have anyway.
+     */
+    [[nodiscard]] static Theme night();
+
+    /** A colour that is not of the theme as it is shown in it: by night a red of its lightness. */
+    [[nodiscard]] QColor toned(const QColor& colour) const;
 
     [[nodiscard]] QFont body() const;   ///< 13 px
     [[nodiscard]] QFont small() const;  ///< 11 px

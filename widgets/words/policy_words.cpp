@@ -144,7 +144,7 @@ QColor policyColour(PolicyKind policy, const Theme& theme)
     const PolicyLook& look = lookOf(policy);
     const std::string_view colour = theme.isDark ? look.dark : look.light;
     return colour.empty() ? theme.plan
-                          : QColor(QLatin1String(colour.data(), qsizetype(colour.size())));
+                          : theme.toned(QLatin1String(colour.data(), qsizetype(colour.size())));
 }
 
 PlotMark policyMark(PolicyKind policy, const PlotPoint& at, double radius_px)

@@ -27,7 +27,8 @@ const std::vector<NamedTheme>& themes()
         {"light", Theme::light()},
         {"dark", Theme::dark()},
         {"high contrast, light", Theme::highContrast(false)},
-        {"high contrast, dark", Theme::highContrast(true)}};
+        {"high contrast, dark", Theme::highContrast(true)},
+        {"night", Theme::night()}};
     return all;
 }
 

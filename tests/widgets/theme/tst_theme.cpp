@@ -59,16 +59,29 @@ const std::vector<Pair>& pairs()
     return all;
 }
 
-void addThemes()
+struct NamedTheme
 {
-    QTest::addColumn<bool>("isDark");
-    QTest::newRow("light") << false;
-    QTest::newRow("dark") << true;
+    const char* name;
+    Theme theme;
+};
+
+const std::vector<NamedTheme>& themes()
+{
+    static const std::vector<NamedTheme> all = {
+        {"light", Theme::light()}, {"dark", Theme::dark()}, {"night", Theme::night()}};
+    return all;
 }
 
-Theme themeOf(bool isDark)
+void addThemes()
 {
-    return isDark ? Theme::dark() : Theme::light();
+    QTest::addColumn<int>("look");
+    for (std::size_t i = 0; i < themes().size(); ++i)
+        QTest::newRow(themes()[i].name) << static_cast<int>(i);
+}
+
+const Theme& themeOf(int look)
+{
+    return themes()[static_cast<std::size_t>(look)].theme;
 }
 
 } // namespace
@@ -81,7 +94,7 @@ private slots:
     /** Lines of the graticule are seen on sea and land alike, and do not stand out. */
     void graticuleIsSeen()
     {
-        for (const Theme& theme : {Theme::light(), Theme::dark()})
+        for (const auto& [name, theme] : themes())
             for (const QColor& ground : {theme.sea, theme.land}) {
                 QColor line = theme.graticule;
                 line.setAlpha(255);
@@ -103,6 +116,26 @@ private slots:
 
     void contrastIsEnough_data()
     {
+        QTest::addColumn<int>("look");
+        QTest::addColumn<int>("pair");
+        for (std::size_t look = 0; look < themes().size(); ++look)
+            for (std::size_t i = 0; i < pairs().size(); ++i)
+                QTest::addRow("%s: %s", themes()[look].name, pairs()[i].name)
+                    << static_cast<int>(look) << static_cast<int>(i);
+    }
+
+    void contrastIsEnough()
+    {
+        QFETCH(int, look);
+        QFETCH(int, pair);
+        const Theme& theme = themeOf(look);
+        const Pair& p = pairs()[static_cast<std::size_t>(pair)];
+        const double ratio = contrastRatio(theme.*p.on, theme.*p.below);
+        QVERIFY2(ratio >= p.least, QByteArray::number(ratio).constData());
+    }
+
+    void highContrastHasMore_data()
+    {
         QTest::addColumn<bool>("isDark");
         QTest::addColumn<int>("pair");
         for (const bool isDark : {false, true})
@@ -110,18 +143,6 @@ private slots:
                 QTest::addRow("%s: %s", isDark ? "dark" : "light", pairs()[i].name)
                     << isDark << static_cast<int>(i);
     }
-
-    void contrastIsEnough()
-    {
-        QFETCH(bool, isDark);
-        QFETCH(int, pair);
-        const Theme theme = themeOf(isDark);
-        const Pair& p = pairs()[static_cast<std::size_t>(pair)];
-        const double ratio = contrastRatio(theme.*p.on, theme.*p.below);
-        QVERIFY2(ratio >= p.least, QByteArray::number(ratio).constData());
-    }
-
-    void highContrastHasMore_data() { contrastIsEnough_data(); }
 
     /** WCAG 2.1, 1.4.6 asks for 7 : 1 for text; what carries meaning without it has 4.5 : 1. */
     void highContrastHasMore()
@@ -141,8 +162,8 @@ private slots:
     /** The tint can be told from the sea, and what is drawn on it reads as on the sea. */
     void waterSeenHidesNothing()
     {
-        QFETCH(bool, isDark);
-        const Theme theme = themeOf(isDark);
+        QFETCH(int, look);
+        const Theme& theme = themeOf(look);
         QColor tint = theme.swept;
         tint.setAlpha(255);
         const QColor seen = mixed(theme.sea, tint, double{theme.swept.alphaF()});
@@ -156,8 +177,8 @@ private slots:
 
     void sigmaIsVisibleEverywhere()
     {
-        QFETCH(bool, isDark);
-        const Theme theme = themeOf(isDark);
+        QFETCH(int, look);
+        const Theme& theme = themeOf(look);
         for (int i = 0; i <= 100; ++i)
             for (const QColor& below : {theme.sea, theme.panel, theme.chart})
                 QVERIFY2(contrastRatio(theme.sigma.at(i / 100.0), below) >= kLineContrast,
@@ -172,9 +193,9 @@ private slots:
      */
     void sigmaIsMonotoneAndEven()
     {
-        QFETCH(bool, isDark);
-        const Theme theme = themeOf(isDark);
-        const double sign = isDark ? 1 : -1;
+        QFETCH(int, look);
+        const Theme& theme = themeOf(look);
+        const double sign = theme.isDark ? 1 : -1;
         constexpr int kSteps = 20;
         const double mean = (lightness(theme.sigma.at(1)) - lightness(theme.sigma.at(0))) / kSteps;
         QVERIFY(sign * mean > 1); // a difference one can see from step to step
@@ -190,11 +211,26 @@ private slots:
 
     void sigmaIsClamped()
     {
-        const SigmaScale scale(false);
+        const SigmaScale scale(SigmaScale::Ground::Light);
         QCOMPARE(scale.colour(-1, 10), scale.at(0));
         QCOMPARE(scale.colour(25, 10), scale.at(1));
         QCOMPARE(scale.colour(5, 10), scale.at(0.5));
         QCOMPARE(scale.colour(5, 0), scale.at(0));
+    }
+
+    /** Whatever colour is asked for, by night it is a red of about its lightness. */
+    void nightIsRed()
+    {
+        const Theme night = Theme::night();
+        for (const QColor& colour : {QColor(Qt::white), QColor(0x56b4e9), QColor(0x009e73),
+                                     QColor(0x444444), QColor(0x0072b2), QColor(Qt::black)}) {
+            const QColor red = night.toned(colour);
+            QVERIFY(red.red() >= red.green() && red.red() >= red.blue());
+            QVERIFY(red.blue() < 128);
+            QVERIFY(std::abs(lightness(red) - std::clamp(lightness(colour), 0.0, 77.0)) < 8);
+            QCOMPARE(Theme::dark().toned(colour), colour);
+        }
+        QCOMPARE(night.toned(QColor(1, 2, 3, 77)).alpha(), 77);
     }
 
     void mixingEndsAtItsColours()

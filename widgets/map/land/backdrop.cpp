@@ -54,7 +54,10 @@ QPolygonF onScreen(const std::vector<Point>& points_m, const MapViewTransform& v
 
 BackdropLook backdropLookOf(const Theme& theme)
 {
-    return {.ink = mixed(theme.sea, theme.ink, 0.6), .ground = theme.sea, .font = theme.small()};
+    return {.ink = mixed(theme.sea, theme.ink, 0.6),
+            .ground = theme.sea,
+            .font = theme.small(),
+            .isNight = theme.isNight};
 }
 
 BackdropDrawing::BackdropDrawing(BackdropPointer shapes, const MapPlane& plane)
@@ -107,12 +110,16 @@ void BackdropDrawing::paintShape(QPainter& painter, std::size_t i, const MapView
         for (qsizetype k = isPolygon ? 0 : 1; k < line.size(); ++k)
             addClipped(edge, QLineF(k == 0 ? line.back() : line[k - 1], line[k]), wide);
     }
+    const auto own = [&look](QRgb colour) {
+        const QColor given = QColor::fromRgba(colour);
+        return look.isNight ? Theme::night().toned(given) : given;
+    };
     QColor fill = look.ink;
     fill.setAlphaF(kFill);
     if (isPolygon)
-        painter.fillPath(area, shape.fill ? QColor::fromRgba(*shape.fill) : fill);
-    painter.strokePath(edge, QPen(shape.line ? QColor::fromRgba(*shape.line) : look.ink, kLine_px,
-                                  Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
+        painter.fillPath(area, shape.fill ? own(*shape.fill) : fill);
+    painter.strokePath(edge, QPen(shape.line ? own(*shape.line) : look.ink, kLine_px, Qt::SolidLine,
+                                  Qt::FlatCap, Qt::BevelJoin));
 }
 
 void BackdropDrawing::paintPlaces(QPainter& painter, const std::vector<std::size_t>& places,

@@ -22,6 +22,7 @@ struct BackdropLook
     QColor ink;
     QColor ground; ///< round names
     QFont font;
+    bool isNight = false; ///< colours of the shapes' own are shown in red
     bool operator==(const BackdropLook&) const = default;
 };
 

@@ -203,7 +203,7 @@ QPen volumePen(VolumePart part, const Theme& theme)
 QPen airspacePen(const Theme& theme)
 {
     // Purple, as on charts: red is the compared run.
-    return {theme.isDark ? QColor(0xc99cf5) : QColor(0x7a3ea8), 1.4, Qt::DashDotDotLine};
+    return {theme.toned(theme.isDark ? 0xc99cf5 : 0x7a3ea8), 1.4, Qt::DashDotDotLine};
 }
 
 void paintPermit(const MapPaint& p, AreaNames& names)
