@@ -34,9 +34,10 @@ ExportFormatText missionText(std::string_view id)
         return {.group = group,
                 .name = ExportText::tr("Mission plan"),
                 .tool = u"QGroundControl"_s,
-                .about = ExportText::tr("Take-off to home as mission items with altitude, speed "
-                                        "and radii, the geofence and a rally point at home. Also "
-                                        "read by Mission Planner and MAVSDK. One UAV a file.")};
+                .about = ExportText::tr("Mission items with altitude, speed and radii, the "
+                                        "geofence and a rally point at home; no take-off and no "
+                                        "landing. Also read by Mission Planner and MAVSDK. One UAV "
+                                        "a file.")};
     return {.group = group,
             .name = ExportText::tr("Waypoint list"),
             .tool = u"ArduPilot"_s,

@@ -1,4 +1,5 @@
 #include "tests/support/brief_fixtures.h"
+#include "tests/support/panel_test.h"
 #include "widgets/print/brief_layout.h"
 #include "widgets/print/flight_brief.h"
 
@@ -84,7 +85,7 @@ private slots:
         row("no icebergs", planContent(changed([](Scenario& s) { s.icebergs.clear(); }), {}));
         row("4", planContent(fourIcebergs()));
         row("40", fleetContent(1, 40));
-        row("60", fleetContent(1, 60));
+        row("50", fleetContent(1, 50));
         row("500", fleetContent(1, 500), u" more; the whole list"_s);
         row("5 UAVs, 500", fleetContent(5, 500), u" more; the whole list"_s);
         row("5 UAVs, 20", fleetContent(5, 20));
@@ -121,6 +122,22 @@ private slots:
                 QCOMPARE(hasText(layout, u"the whole list"_s), !cut.isEmpty());
                 QVERIFY(hasText(layout, cut));
             }
+    }
+
+    /** Units with the longest texts and both norths; what there is no room for is left out whole.
+     */
+    void everyUnitHasItsPlace()
+    {
+        const UnitsInUse units({.distance = DistanceUnit::Nautical,
+                                      .speed = SpeedUnit::Knots,
+                                      .height = HeightUnit::Feet,
+                                      .north = NorthForm::Typed});
+        for (const ExportContent& content :
+             {planContent(fourIcebergs()), fleetContent(1, 40), fleetContent(5, 20)}) {
+            const BriefLayout layout = layOutBrief(briefContent(content, kGerman), kA4_px);
+            QCOMPARE(faultOf(layout), QString());
+            QVERIFY(hasText(layout, u"magnetic"_s));
+        }
     }
 
     void whatIsCutIsCounted()
