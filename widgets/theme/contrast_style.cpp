@@ -38,6 +38,19 @@ void drawGrip(const QStyleOption& option, QPainter& painter)
     painter.drawLine(centre - half, centre + half);
 }
 
+/** Towards the lower right corner, where windows of widgets have it. */
+void drawSizeGrip(const QStyleOption& option, QPainter& painter)
+{
+    constexpr int kStep_px = 4;
+    constexpr int kLines = 3;
+    const PainterState saved(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(outlinePen(option));
+    const QPoint corner = option.rect.bottomRight();
+    for (int line = 1; line <= kLines; ++line)
+        painter.drawLine(corner - QPoint(line * kStep_px, 0), corner - QPoint(0, line * kStep_px));
+}
+
 /** A line below, in the place of Fusion's white and black ones. */
 void drawToolBar(const QStyleOption& option, QPainter& painter)
 {
@@ -99,6 +112,8 @@ void ContrastStyle::drawControl(ControlElement element, const QStyleOption* opti
 {
     if (element == CE_ToolBar)
         return drawToolBar(*option, *painter);
+    if (element == CE_SizeGrip)
+        return drawSizeGrip(*option, *painter);
     const auto* title = qstyleoption_cast<const QStyleOptionDockWidget*>(option);
     if (element != CE_DockWidgetTitle || title == nullptr || widget == nullptr ||
         widget->windowType() != Qt::Window)
