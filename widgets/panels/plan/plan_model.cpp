@@ -286,7 +286,7 @@ QString PlanModel::toolTip(int row, Column column) const
         return searchesText(planned.searches);
     if (!planned.isSeen && column != Sigma)
         return tr("The plan ends before this iceberg is seen.");
-    if (planned.course && (column == Leg || column == Course || column == GroundSpeed))
+    if (planned.course && column != Sigma && column != ArrivalSigma && column != Chance)
         return tr("Course over ground %1, ground speed %2")
             .arg(courseText(planned.course->true_deg, planned.course->declination_deg),
                  speedText(planned.course->groundSpeed_mps, m_locale, 3));

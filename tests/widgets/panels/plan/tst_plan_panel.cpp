@@ -276,6 +276,26 @@ private slots:
         QCOMPARE(shown.size(), static_cast<qsizetype>(ids.size()));
     }
 
+    /** Course and ground speed have columns where all others leave room, and are in tool tips. */
+    void coursesAreShownWhereThereIsRoom()
+    {
+        PlanPanelFixture f;
+        std::vector<PlanRow> rows{{.id = "a", .leg_m = 10}};
+        rows[0].course = {.true_deg = 45, .declination_deg = -18, .groundSpeed_mps = 26.2};
+        f.panel.showPlan(planOf(rows));
+        f.panel.resize(test::kDock_px, 240);
+        QVERIFY(f.table.isColumnHidden(PlanModel::Course));
+        f.panel.resize(700, 240);
+        QVERIFY(!f.table.isColumnHidden(PlanModel::Course));
+        QVERIFY(!f.table.isColumnHidden(PlanModel::GroundSpeed));
+        QCOMPARE(f.cell(0, PlanModel::Course), u"045° T / 063° M"_s);
+        QCOMPARE(f.cell(0, PlanModel::GroundSpeed), u"26.2 m/s"_s);
+        for (const PlanModel::Column column : {PlanModel::Leg, PlanModel::Arrival}) {
+            const QString tip = f.model.index(0, column).data(Qt::ToolTipRole).toString();
+            QVERIFY(tip.contains(u"063° M"_s) && tip.contains(u"26.2 m/s"_s));
+        }
+    }
+
     /** The chance of being in view is there when an iceberg may be missed. */
     void chanceIsToldWhenItMatters()
     {
