@@ -210,6 +210,8 @@ void ContextMenus::addPanelActions(QMenu& menu, MapPanel panel)
         menu.addAction(panels().map->panels()[place].isFolded ? tr("Unfold") : tr("Fold"), this,
                        [this, panel] { panels().map->foldPanel(panel); });
     menu.addAction(tr("Hide"), m_actions.panels[place], &QAction::trigger);
+    if (panel == MapPanel::Legend)
+        menu.addMenu(m_actions.sigmaEnd);
 }
 
 void ContextMenus::addWaterActions(QMenu& menu, const Point& position_m)

@@ -143,6 +143,8 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     connect(&m_parts->preferences, &PreferenceMenus::languageChosen, this,
             &MainWindow::languageChosen);
     connect(&m_parts->preferences, &PreferenceMenus::unitsChosen, this, &MainWindow::unitsChosen);
+    connect(&m_parts->preferences, &PreferenceMenus::sigmaEndChosen, &m_parts->flightView,
+            &FlightView::showFlight);
     const ScenarioDocument& document = workspace.document();
     connect(&document, &ScenarioDocument::scenarioChanged, this, &MainWindow::showTitle);
     connect(&document, &ScenarioDocument::filePathChanged, this, &MainWindow::showTitle);

@@ -212,6 +212,8 @@ void Menus::buildMapActions(QMenu& menu)
               m_parts.mapLinks.overviewIsShown(),
               [this](bool on) { m_parts.mapLinks.setOverviewShown(on); });
     addPanelMenu(*menu.addMenu(tr("Panels on the map")));
+    m_shared.sigmaEnd = menu.addMenu(tr("Colour scale of σ"));
+    m_parts.preferences.buildSigmaEnd(*m_shared.sigmaEnd);
     add(menu, {"backdropAction", tr("&Background map…")}, [this] { m_parts.backdrop.choose(); });
     FlightView& flight = m_parts.flightView;
     MapLinks& links = m_parts.mapLinks;

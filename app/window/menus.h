@@ -11,6 +11,7 @@
 #include <vector>
 
 class QActionGroup;
+class QMenu;
 
 namespace berg {
 
@@ -36,6 +37,7 @@ struct SharedActions
     QAction* fullScreen = nullptr;
     std::map<FlightOrder, QAction*> orders;    ///< to the selected UAVs
     std::array<QAction*, kMapPanels> panels{}; ///< show and hide those on the map
+    QMenu* sigmaEnd = nullptr;
 };
 
 /** Menu bar and tool bar, and which of their actions are possible now. */

@@ -6,6 +6,8 @@
 #include "core/base/coordinates.h"
 #include "widgets/theme/declination.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/model/sigma_end.h"
+#include "widgets/theme/unit_settings.h"
 
 #include <QActionGroup>
 #include <QMenu>
@@ -64,6 +66,19 @@ void PreferenceMenus::buildScale(QMenu& menu)
     connect(&menu, &QMenu::triggered, this, [this](const QAction* action) {
         settings().setValue(kScaleKey, action->data());
         showMessage(tr("The text has this size when Bergwatch is started again."), kLongMessage_ms);
+    });
+}
+
+void PreferenceMenus::buildSigmaEnd(QMenu& menu)
+{
+    addChoice(menu, tr("Automatic, from the scenario"), QLatin1String(kSigmaEndKey), u"0"_s);
+    for (const int end_m2 : {5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10'000})
+        addChoice(menu, tr("Ends at %1 m²").arg(locale().toString(end_m2)),
+                  QLatin1String(kSigmaEndKey), QString::number(end_m2));
+    connect(&menu, &QMenu::triggered, this, [this](const QAction* action) {
+        settings().setValue(kSigmaEndKey, action->data());
+        chooseSigmaEnd(readSigmaEnd_m2(settings()));
+        emit sigmaEndChosen();
     });
 }
 

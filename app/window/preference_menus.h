@@ -18,10 +18,13 @@ public:
     PreferenceMenus(WindowContext& context, AppearanceChoice& appearance);
 
     void build(QMenu& menu);
+    /** Where the colours of sigma end: of each scenario its own, or one for all. */
+    void buildSigmaEnd(QMenu& menu);
 
 signals:
     void languageChosen(const QString& language);
     void unitsChosen();
+    void sigmaEndChosen();
 
 private:
     void buildAppearance(QMenu& menu);

@@ -2,6 +2,7 @@
 
 #include "app/dialogs/interaction.h"
 #include "widgets/theme/declination.h"
+#include "widgets/model/sigma_end.h"
 #include "widgets/theme/language.h"
 #include "widgets/theme/unit_settings.h"
 
@@ -23,6 +24,7 @@ void WindowHolder::make()
 {
     setShownUnits(readUnits(m_settings));
     setTypedDeclination(readDeclination_deg(m_settings));
+    chooseSigmaEnd(readSigmaEnd_m2(m_settings));
     m_window = std::make_unique<MainWindow>(m_workspace, m_interaction, m_settings);
     connect(
         m_window.get(), &MainWindow::languageChosen, this,

@@ -1,7 +1,7 @@
 #include "widgets/charts/mission_charts.h"
 
 #include "widgets/charts/uav_charts.h"
-#include "widgets/map/picture/mission_picture.h"
+#include "widgets/model/sigma_end.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 
@@ -165,7 +165,7 @@ void fillSigma(TimeChartContent& content, const FlightRecord& record, const QLoc
 {
     content.title = MissionCharts::tr("Uncertainty of each iceberg");
     content.leftTitle = MissionCharts::tr("σ, m²");
-    content.sigmaFull_m2 = sigmaScaleEnd_m2(record);
+    content.sigmaFull_m2 = sigmaEnd_m2(record.scenario);
     if (!hasFlown(record))
         return;
     for (const Iceberg& iceberg : record.now.icebergs)

@@ -4,6 +4,7 @@
 #include "core/scenario/priority.h"
 #include "widgets/map/picture/plan_stops.h"
 #include "widgets/map/picture/scenario_picture.h"
+#include "widgets/model/sigma_end.h"
 #include "widgets/print/printable_text.h"
 
 #include <QCoreApplication>
@@ -105,15 +106,13 @@ MapIceberg mapIcebergOf(const ExportIceberg& iceberg, const ExportContent& conte
 std::vector<int> addIcebergs(MapPicture& picture, const ExportContent& content)
 {
     std::vector<int> places;
-    double fullScale_m2 = 0;
     for (const ExportIceberg& iceberg : content.icebergs) {
         places.push_back(iceberg.isListed ? static_cast<int>(picture.icebergs.size()) : -1);
         if (!iceberg.isListed)
             continue;
         picture.icebergs.push_back(mapIcebergOf(iceberg, content));
-        fullScale_m2 = std::max(fullScale_m2, iceberg.sigma_m2);
     }
-    picture.sigmaFull_m2 = roundSigmaScale(fullScale_m2);
+    picture.sigmaFull_m2 = sigmaEnd_m2(*content.scenario);
     return places;
 }
 

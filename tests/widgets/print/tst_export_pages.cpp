@@ -1,5 +1,6 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/export_fixtures.h"
+#include "widgets/model/sigma_end.h"
 #include "widgets/print/chart_page.h"
 #include "widgets/print/export_painter.h"
 #include "widgets/print/export_picture.h"
@@ -330,6 +331,7 @@ private slots:
         const MapPicture planned = exportPicture(plan.content());
         QCOMPARE(planned.icebergs.size(), std::size_t{4});
         QCOMPARE(planned.icebergs[2].appears_s, 200.0);
+        QCOMPARE(planned.sigmaFull_m2, sigmaEnd_m2(scenario)); // as on the map of the window
         const auto isAlarm = [](const MapIceberg& iceberg) {
             return iceberg.ringEntry_s.has_value();
         };
@@ -339,6 +341,7 @@ private slots:
         const Source track(scenario, 90, {});
         const MapPicture shown = exportPicture(track.content());
         QCOMPARE(shown.icebergs.size(), std::size_t{3}); // the other one has not come yet
+        QCOMPARE(shown.sigmaFull_m2, planned.sigmaFull_m2);
         QVERIFY(std::ranges::any_of(shown.icebergs, isAlarm));
         ExportContent inDialog = track.content(); // which has no mission
         inDialog.mission = nullptr;

@@ -101,17 +101,6 @@ double roundDown125(double value)
     return decade;
 }
 
-double roundSigmaScale(double sigma_m2)
-{
-    if (!(sigma_m2 > 0))
-        return 1;
-    const double decade = std::pow(10.0, std::floor(std::log10(sigma_m2)));
-    for (const double step : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
-        if (sigma_m2 <= step * decade * (1 + 1e-12))
-            return step * decade;
-    return 10 * decade;
-}
-
 void paintPanel(QPainter& painter, const QRectF& rect, const Theme& theme)
 {
     const PainterState saved(painter);

@@ -193,7 +193,4 @@ struct MapPicture
     }
 };
 
-/** Smallest "round" end of a sigma scale at or above `sigma_m2`: 1, 2, 5, 10, 15, 20, 30, ... */
-[[nodiscard]] double roundSigmaScale(double sigma_m2);
-
 } // namespace berg

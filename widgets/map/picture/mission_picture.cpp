@@ -5,6 +5,7 @@
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/model/asset_approach.h"
 #include "widgets/model/planned_sorties.h"
+#include "widgets/model/sigma_end.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/policy_words.h"
 
@@ -302,40 +303,6 @@ MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<
 
 } // namespace
 
-double sigmaScaleEnd_m2(const FlightRecord& record)
-{
-    constexpr double kShare = 0.95;
-    constexpr std::size_t kEnough = 20000; // values, to know a share of them well
-    const std::vector<std::vector<IcebergSample>>& rows = record.history.rows;
-    const std::size_t all = rows.empty() ? 0 : rows.size() * rows.back().size();
-    const std::size_t stride = std::bit_ceil((all + kEnough - 1) / kEnough);
-    std::vector<double> recorded_m2;
-    recorded_m2.reserve(2 * kEnough);
-    // One that is lost would turn all others the colour of nothing.
-    const std::vector<Track>& tracks = record.now.world.tracks;
-    const auto isTracked = [](const Track& track) { return track.status == TrackStatus::Tracked; };
-    const bool isAnyTracked = std::ranges::any_of(tracks, isTracked);
-    const auto counts = [&](std::size_t i) {
-        return !isAnyTracked || i >= tracks.size() || isTracked(tracks[i]);
-    };
-    for (std::size_t row = 0; row < rows.size(); row += stride)
-        for (std::size_t i = 0; i < rows[row].size(); ++i)
-            if (counts(i))
-                recorded_m2.push_back(rows[row][i].sigma_m2);
-    double end_m2 = 0;
-    if (!recorded_m2.empty()) {
-        const auto at =
-            recorded_m2.begin() +
-            static_cast<std::ptrdiff_t>(kShare * static_cast<double>(recorded_m2.size() - 1));
-        std::nth_element(recorded_m2.begin(), at, recorded_m2.end());
-        end_m2 = *at;
-    }
-    for (std::size_t i = 0; i < tracks.size(); ++i)
-        if (record.now.active[i] && counts(i))
-            end_m2 = std::max(end_m2, tracks[i].sigma_m2);
-    return roundSigmaScale(end_m2);
-}
-
 void hideTruth(MapPicture& picture)
 {
     for (MapIceberg& iceberg : picture.icebergs)
@@ -403,7 +370,7 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale, Swe
     markNoReturn(picture, record);
     if (!record.shown().motions.empty())
         picture.air.wind_mps = record.shown().motions.front().wind_mps;
-    picture.sigmaFull_m2 = sigmaScaleEnd_m2(record);
+    picture.sigmaFull_m2 = sigmaEnd_m2(scenario);
     picture.emptyTitle = MissionPicture::tr("No icebergs yet");
     picture.emptyHint =
         MissionPicture::tr("Add icebergs with their positions to the scenario file, "

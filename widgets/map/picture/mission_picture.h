@@ -38,13 +38,6 @@ private:
                                         SweptPaths& swept);
 [[nodiscard]] MapPicture missionPicture(const FlightRecord& record, const QLocale& locale);
 
-/**
- * End of the sigma scale for map and charts, m^2: round, above every present sigma and above 95 %
- * of those recorded, so that one iceberg that was once very uncertain does not make all others
- * look alike. Of long records it looks at some rows at even distances, a few 10 000 values.
- */
-[[nodiscard]] double sigmaScaleEnd_m2(const FlightRecord& record);
-
 /** Leaves only what an operator would see. */
 void hideTruth(MapPicture& picture);
 

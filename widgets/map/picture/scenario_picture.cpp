@@ -6,6 +6,7 @@
 #include "core/scenario/priority.h"
 #include "core/sim/sortie_outlook.h"
 #include "widgets/model/asset_approach.h"
+#include "widgets/model/sigma_end.h"
 #include "widgets/model/wind.h"
 #include "widgets/words/object_names.h"
 
@@ -271,8 +272,7 @@ MapPicture withScenario(MapPicture picture, const Scenario& scenario)
     markInView(picture);
 
     setSurroundings(picture, scenario, scenario.asset, 0);
-    for (const MapIceberg& iceberg : picture.icebergs)
-        picture.sigmaFull_m2 = std::max(picture.sigmaFull_m2, roundSigmaScale(iceberg.sigma_m2));
+    picture.sigmaFull_m2 = sigmaEnd_m2(scenario);
     return picture;
 }
 

@@ -7,6 +7,7 @@
 #include "widgets/map/paint/map_sprites.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/map/picture/footprint.h"
+#include "widgets/model/sigma_end.h"
 
 #include <QFontMetricsF>
 #include <QtTest>

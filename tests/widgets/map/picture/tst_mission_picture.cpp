@@ -232,31 +232,6 @@ private slots:
         QVERIFY(content.summary.contains(u"Weighted by priority"_s));
     }
 
-    void oneFormerlyUncertainIcebergDoesNotSetTheScale()
-    {
-        Scenario scenario = fiveIcebergs(0).scenario();
-        for (Iceberg& iceberg : scenario.icebergs) {
-            iceberg.sigma0_m2 = 4;
-            iceberg.appears_s = 0;
-            iceberg.q_m2ps = 0.01; // 7 m^2 at most at the end
-        }
-        // In view of the UAV at the start, so that its 900 m^2 are gone at once.
-        scenario.icebergs[0].sigma0_m2 = 900;
-        scenario.icebergs[0].position_m = scenario.uavs[0].position_m + Point(250, 250);
-        Mission mission(scenario);
-        mission.advance(300);
-        COMPARE_NEAR(sigmaScaleEnd_m2(recordOf(mission)), 8, 1e-9);
-        // An uncertainty that is there now always counts.
-        scenario.icebergs[0].position_m = Point(90000, 0);
-        Mission away(scenario);
-        away.advance(30);
-        COMPARE_NEAR(sigmaScaleEnd_m2(recordOf(away)), 1000, 1e-9);
-        // But that of one whose search was given up would make all others look alike.
-        FlightRecord lost = recordOf(away);
-        lost.now.world.tracks[0].status = TrackStatus::GivenUp;
-        COMPARE_NEAR(sigmaScaleEnd_m2(lost), 5, 1e-9);
-    }
-
     void sigmaChartHasALineForEachIceberg()
     {
         const Mission mission = fiveIcebergs(300);
