@@ -272,7 +272,8 @@ MapPicture withScenario(MapPicture picture, const Scenario& scenario)
     markInView(picture);
 
     setSurroundings(picture, scenario, scenario.asset, 0);
-    picture.sigmaFull_m2 = sigmaEnd_m2(scenario);
+    if (before.empty()) // else colours and rings stay while something is dragged or previewed
+        picture.sigmaFull_m2 = sigmaEnd_m2(scenario);
     return picture;
 }
 
