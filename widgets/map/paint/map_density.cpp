@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t kFewest = 40;      // in sight: fewer are symbols, however near they are
 constexpr std::size_t kFewestAfter = 35; // once they are dots
+constexpr double kCrowded_px = 34;       // spacing below which symbols lose their rings
+constexpr double kUncrowded_px = 38;     // and above which they have them again
 constexpr double kDense_px = 20;         // spacing below which symbols become dots
 constexpr double kOpen_px = 23;          // and above which dots become symbols
 constexpr double kVeryDense_px = 7;      // dots are all over each other
@@ -78,8 +80,7 @@ bool areCloserThan(double spacing_px, const std::vector<QPointF>& places)
 
 bool keepsSymbol(const MapIceberg& iceberg, const MapStop& stop)
 {
-    return (stop.order > 0 && stop.order <= kNumberedNext) ||
-           iceberg.status != TrackStatus::Tracked || iceberg.ringEntry_s;
+    return isNext(stop) || iceberg.status != TrackStatus::Tracked || iceberg.ringEntry_s;
 }
 
 /** Each dot joins the first one that covers it. */
@@ -131,7 +132,7 @@ std::vector<MapStop> stopsOf(const MapPicture& picture)
 }
 
 MapDensity densityOf(const MapPicture& picture, const MapViewTransform& view, const QRectF& shown,
-                     const std::vector<MapStop>& stops, bool wasDense)
+                     const std::vector<MapStop>& stops, const MapCrowding& before)
 {
     MapDensity density;
     density.marks.assign(picture.icebergs.size(), IcebergMark::Symbol);
@@ -139,8 +140,10 @@ MapDensity densityOf(const MapPicture& picture, const MapViewTransform& view, co
     for (const MapIceberg& iceberg : picture.icebergs)
         if (const QPointF at = view.toPixel(iceberg.position_m); shown.contains(at))
             places.push_back(at);
-    density.isDense = places.size() >= (wasDense ? kFewestAfter : kFewest) &&
-                      areCloserThan(wasDense ? kOpen_px : kDense_px, places);
+    density.isCrowded = std::size(places) >= (before.isCrowded ? kFewestAfter : kFewest) &&
+                        areCloserThan(before.isCrowded ? kUncrowded_px : kCrowded_px, places);
+    density.isDense =
+        density.isCrowded && areCloserThan(before.isDense ? kOpen_px : kDense_px, places);
     if (!density.isDense)
         return density;
     const bool isVeryDense = areCloserThan(kVeryDense_px, places);

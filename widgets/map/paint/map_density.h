@@ -34,25 +34,38 @@ struct MapCount
     double sigma_m2 = 0; ///< the largest of theirs
 };
 
-/** How the icebergs of one view are drawn. */
-struct MapDensity
+/** How much room the icebergs of one view have. */
+struct MapCrowding
 {
-    bool isDense = false;           ///< symbols have no room: all but the next ones are dots
+    /** Rings would cover each other: symbols are small, their colour alone shows sigma. */
+    bool isCrowded = false;
+    bool isDense = false; ///< even small symbols would: all but the next ones are dots
+};
+
+/** How the icebergs of one view are drawn. A dense one is crowded, too. */
+struct MapDensity : MapCrowding
+{
     std::vector<IcebergMark> marks; ///< by iceberg
     std::vector<MapCount> counts;
 };
 
-/** So many icebergs of each plan keep their symbol and number in a dense field. */
+/** So many icebergs of each plan keep symbol, number and name however crowded the field is. */
 inline constexpr int kNumberedNext = 10;
 
+/** One of the next visits of a plan. */
+[[nodiscard]] inline bool isNext(const MapStop& stop)
+{
+    return stop.order > 0 && stop.order <= kNumberedNext;
+}
+
 /**
- * Where most icebergs in sight have another within 20 px, the next ten of each plan, lost ones and
- * those on their way to an asset keep their symbols; the others are dots, three and more that cover
- * each other a number. `wasDense`: in the frame before, so that a field at the limit does not
- * flicker. Cost: linear.
+ * Where most of at least 40 icebergs in sight have another within 34 px, the field is crowded.
+ * Where they have one within 20 px, the next ten of each plan, lost ones and those on their way to
+ * an asset keep their symbols; the others are dots, three and more that cover each other a number.
+ * `before`: in the frame before, so that a field at a limit does not flicker. Cost: linear.
  */
 [[nodiscard]] MapDensity densityOf(const MapPicture& picture, const MapViewTransform& view,
                                    const QRectF& shown, const std::vector<MapStop>& stops,
-                                   bool wasDense);
+                                   const MapCrowding& before);
 
 } // namespace berg

@@ -60,8 +60,8 @@ void placeIcebergs(MapLayout& layout, const MapPicture& picture)
             continue;
         }
         const double symbol_px =
-            layout.density.isDense ? kSmallIceberg_px : icebergSymbolRadius_px(iceberg.radius_m);
-        const double ring_px = layout.density.isDense ? 0
+            layout.density.isCrowded ? kSmallIceberg_px : icebergSymbolRadius_px(iceberg.radius_m);
+        const double ring_px = layout.density.isCrowded ? 0
                                : iceberg.inView
                                    ? symbol_px + 7
                                    : layout.symbols.ringRadius_px(symbol_px, iceberg.sigma_m2);
@@ -183,6 +183,13 @@ MapViewTransform bestView(MapLayout layout, const MapPicture& picture, const QRe
     return best;
 }
 
+/** In the legend. */
+void explain(SymbolScale& symbols, const MapCrowding& crowding)
+{
+    symbols.showsDots = crowding.isDense;
+    symbols.showsRings = !crowding.isCrowded;
+}
+
 /** `bestView` for the overlays that it has itself: scale bar and legend depend on the view. */
 MapViewTransform fittedView(MapLayout layout, const MapPicture& picture, const MapStyle& style)
 {
@@ -195,8 +202,7 @@ MapViewTransform fittedView(MapLayout layout, const MapPicture& picture, const M
     const std::vector<MapStop> stops = stopsOf(picture);
     for (int round = 0; round < kRounds; ++round) {
         layout.symbols = symbolScale(picture, style, layout.view);
-        layout.symbols.showsDots = // which have a row of the legend
-            densityOf(picture, layout.view, layout.rect, stops, false).isDense;
+        explain(layout.symbols, densityOf(picture, layout.view, layout.rect, stops, {}));
         placeOverlays(layout, picture, style);
         layout.view = bestView(layout, picture, inner);
     }
@@ -252,24 +258,39 @@ QSizeF labelSize_px(const MapIceberg& iceberg, const MapStop& stop, const QFontM
     return {width_px, kLabelHeight_px};
 }
 
-/** Labels of the icebergs in sight. */
-std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& picture,
-                                  const MapStyle& style, const MapContinuity& continuity)
+/** Labels that are asked for together. */
+struct LabelGroup
+{
+    std::vector<LabelRequest> requests;
+    std::vector<std::size_t> icebergs; ///< of each request
+};
+
+struct LabelGroups
+{
+    LabelGroup next;     ///< of the next visits: they always have one
+    LabelGroup others;   ///< may look for a place
+    LabelGroup standing; ///< stay where they were, if nothing of `next` needs the place
+};
+
+LabelGroups labelGroups(const MapLayout& layout, const MapPicture& picture, const MapStyle& style,
+                        const MapContinuity& continuity)
 {
     const QFontMetricsF metrics(labelFont(style.theme));
-    std::vector<PlacedLabel> labels(picture.icebergs.size());
-    LabelSurroundings around = surroundingsOf(layout, picture);
-    std::vector<LabelRequest> requests;
-    std::vector<std::size_t> asking; // iceberg of each request
+    // Symbols of another size have their labels elsewhere.
+    const bool isContinued = layout.density.isCrowded == continuity.crowding.isCrowded;
+    LabelGroups groups;
     for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
         const LabelDisk& anchor = layout.icebergs[i];
         if (layout.density.marks[i] != IcebergMark::Symbol || !overlaps(layout.rect, anchor))
             continue;
-        PlacedLabel previous = continuity.labels.value(picture.icebergs[i].id);
+        PlacedLabel previous;
+        if (isContinued)
+            previous = continuity.labels.value(picture.icebergs[i].id);
         const bool mayLook =
             !continuity.turn ||
             (i >= continuity.turn->first && i - continuity.turn->first < continuity.turn->count);
-        if (!mayLook && previous.rect.isNull())
+        const bool isNextVisit = isNext(layout.stops[i]);
+        if (!mayLook && !isNextVisit && previous.rect.isNull())
             continue;
         LabelRequest request{.anchor = anchor,
                              .size_px =
@@ -278,18 +299,66 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
             previous.rect.translate(anchor.centre_px);
             request.previous = previous;
         }
-        if (mayLook) {
-            requests.push_back(request);
-            asking.push_back(i);
-            continue;
-        }
-        previous.rect = stayingRect(request); // a plan since then has given it a number
-        labels[i] = previous;
-        around.solids.push_back(previous.rect);
+        LabelGroup& group = isNextVisit ? groups.next : mayLook ? groups.others : groups.standing;
+        group.requests.push_back(request);
+        group.icebergs.push_back(i);
     }
-    const std::vector<PlacedLabel> placed = placeLabels(requests, around);
+    return groups;
+}
+
+/** The others give way to these; where there is no free place, so do symbols of other icebergs. */
+std::vector<PlacedLabel> placeNext(const LabelGroup& next, LabelSurroundings around)
+{
+    std::vector<PlacedLabel> placed = placeLabels(next.requests, around);
+    const auto isMissing = [](const PlacedLabel& label) { return label.rect.isNull(); };
+    if (std::ranges::none_of(placed, isMissing))
+        return placed;
+    around.disks.clear();
+    around.lines.clear();
+    for (const PlacedLabel& label : placed)
+        if (!isMissing(label))
+            around.solids.push_back(label.rect);
     for (std::size_t k = 0; k < placed.size(); ++k)
-        labels[asking[k]] = placed[k];
+        if (isMissing(placed[k])) {
+            placed[k] = placeLabels({&next.requests[k], 1}, around).front();
+            around.solids.push_back(placed[k].rect);
+        }
+    return placed;
+}
+
+/** Labels of the icebergs in sight. */
+std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& picture,
+                                  const MapStyle& style, const MapContinuity& continuity)
+{
+    const LabelGroups groups = labelGroups(layout, picture, style, continuity);
+    std::vector<PlacedLabel> labels(picture.icebergs.size());
+    LabelSurroundings around = surroundingsOf(layout, picture);
+    std::vector<QRectF> taken;
+    const auto take = [&](const LabelGroup& group, const std::vector<PlacedLabel>& placed) {
+        for (std::size_t k = 0; k < placed.size(); ++k) {
+            labels[group.icebergs[k]] = placed[k];
+            if (!placed[k].rect.isNull())
+                taken.push_back(placed[k].rect);
+        }
+    };
+    take(groups.next, placeNext(groups.next, around));
+    const std::vector<QRectF> next = taken;
+    for (std::size_t k = 0; k < groups.standing.requests.size(); ++k) {
+        const LabelRequest& request = groups.standing.requests[k];
+        PlacedLabel label = *request.previous;
+        label.rect = stayingRect(request); // a plan since then has given it a number
+        if (std::ranges::any_of(next,
+                                [&](const QRectF& rect) { return rect.intersects(label.rect); }))
+            continue;
+        labels[groups.standing.icebergs[k]] = label;
+        taken.push_back(label.rect);
+    }
+    around.solids.insert(around.solids.end(), taken.begin(), taken.end());
+    std::vector<PlacedLabel> others = placeLabels(groups.others.requests, around);
+    for (PlacedLabel& label : others)
+        if (label.apart && layout.density.isCrowded)
+            label = {}; // leader lines of the next visits would be lost among those of others
+    take(groups.others, others);
     return labels;
 }
 
@@ -316,7 +385,7 @@ QString labelText(const MapIceberg& iceberg)
 MapContinuity continuityOf(const MapPicture& picture, const MapLayout& layout)
 {
     MapContinuity continuity{.labels = {},
-                             .isDense = layout.density.isDense,
+                             .crowding = layout.density,
                              .legend_px = layout.legend.size(),
                              .isLegendCompact = layout.isLegendCompact};
     for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
@@ -342,8 +411,8 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
     if (continuity.driftTime_s)
         layout.symbols.driftTime_s = *continuity.driftTime_s;
     layout.stops = stopsOf(picture);
-    layout.density = densityOf(picture, layout.view, rect, layout.stops, continuity.isDense);
-    layout.symbols.showsDots = layout.density.isDense;
+    layout.density = densityOf(picture, layout.view, rect, layout.stops, continuity.crowding);
+    explain(layout.symbols, layout.density);
     placeOverlays(layout, picture, style);
     placeIcebergs(layout, picture);
     placeUavLabels(layout, picture, style.theme);

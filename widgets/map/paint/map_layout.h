@@ -71,8 +71,8 @@ struct MapContinuity
     std::optional<LabelTurn> turn;
     /** Drift arrows of this time instead of the one that suits the fastest iceberg. */
     std::optional<double> driftTime_s;
-    bool isDense = false; ///< icebergs are dots
-    QSizeF legend_px;     ///< that of a flight does not shrink: what comes and goes moves nothing
+    MapCrowding crowding{};
+    QSizeF legend_px; ///< that of a flight does not shrink: what comes and goes moves nothing
     bool isLegendCompact = false;
 };
 

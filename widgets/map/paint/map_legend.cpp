@@ -88,12 +88,13 @@ void paintSamples(QPainter& painter, const QPointF& from, const MapPicture& pict
 {
     const Theme& theme = style.theme;
     for (const double tick_m2 : sigmaTicks(picture.sigmaFull_m2))
-        drawIceberg(painter, from + QPointF(kLegendBar_px * tick_m2 / picture.sigmaFull_m2, 0),
-                    {.radius_px = kSymbolRadius_px,
-                     .ring_px = scale.ringRadius_px(kSymbolRadius_px, tick_m2),
-                     .ringOpacity = style.layers.opacity(MapLayer::Rings),
-                     .sigma = theme.sigma.colour(tick_m2, picture.sigmaFull_m2)},
-                    theme);
+        drawIceberg(
+            painter, from + QPointF(kLegendBar_px * tick_m2 / picture.sigmaFull_m2, 0),
+            {.radius_px = kSymbolRadius_px,
+             .ring_px = scale.showsRings ? scale.ringRadius_px(kSymbolRadius_px, tick_m2) : 0,
+             .ringOpacity = style.layers.opacity(MapLayer::Rings),
+             .sigma = theme.sigma.colour(tick_m2, picture.sigmaFull_m2)},
+            theme);
 }
 
 /** Their sigmas, and the roots below; where they are long every other one, always the last. */

@@ -54,6 +54,7 @@ struct SymbolScale
     double driftTime_s = 0; ///< drift arrows show the way of this time; 0: no arrows
     bool showsDots = false; ///< of icebergs without room for their symbols
     /** Radius of the ring round a symbol of `symbol_px`; 0 in view or for sigma 0. */
+    bool showsRings = true; ///< there is room for them
     [[nodiscard]] double ringRadius_px(double symbol_px, double sigma_m2) const;
 };
 

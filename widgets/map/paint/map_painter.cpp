@@ -84,7 +84,7 @@ void paintIcebergs(const MapPaint& p)
                       {.centre_px = disk.centre_px, .radius_px = disk.radius_px + kCappedArrow_px}))
             continue;
         const MapIceberg& iceberg = p.picture.icebergs[i];
-        const bool isSmall = p.layout.density.isDense;
+        const bool isSmall = p.layout.density.isCrowded;
         const double symbol_px =
             isSmall ? kSmallIceberg_px : icebergSymbolRadius_px(iceberg.radius_m);
         double ring_px = isSmall ? 0 : p.layout.symbols.ringRadius_px(symbol_px, iceberg.sigma_m2);
@@ -186,7 +186,8 @@ void paintUavLabels(const MapPaint& p)
 /** What the look of the legend depends on. */
 QString legendKey(const MapPaint& p)
 {
-    QString key = u"legend %1 %2 %3 %4 %5"_s.arg(p.layout.symbols.ring_pxpm)
+    QString key = u"legend %1 %2 %3 %4 %5 %6"_s.arg(p.layout.symbols.ring_pxpm)
+                      .arg(int(p.layout.symbols.showsRings))
                       .arg(p.picture.sigmaFull_m2)
                       .arg(int(p.layout.isLegendCompact))
                       .arg(p.style.locale.name())

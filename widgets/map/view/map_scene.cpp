@@ -96,7 +96,7 @@ void MapScene::fit()
     m_labelsOwed = m_picture.icebergs.size();
     const MapLayout fitted = arrangeMap(m_picture, style(), m_rect, std::nullopt,
                                         {.turn = LabelTurn{}}); // labels do not count
-    m_continuity.isDense = fitted.density.isDense;
+    m_continuity.crowding = fitted.density;
     setView(fitted.view);
 }
 
@@ -133,8 +133,7 @@ std::optional<LabelTurn> MapScene::nextTurn(std::size_t inSight)
 {
     const std::size_t count = m_picture.icebergs.size();
     const bool mayTakeTime = std::exchange(m_mayTakeTime, false);
-    if (inSight <= kLabelsPerFrame || m_continuity.isDense) { // few have names then
-
+    if (inSight <= kLabelsPerFrame || m_continuity.crowding.isDense) { // few have names then
         m_labelsOwed = 0;
         return std::nullopt;
     }
