@@ -112,6 +112,19 @@ void MapScene::setDriftTime(std::optional<double> driftTime_s)
     m_layout.reset();
 }
 
+void MapScene::beginTrial()
+{
+    if (!m_beforeTrial) // it goes on with another preview
+        m_beforeTrial = m_continuity;
+}
+
+void MapScene::endTrial()
+{
+    if (m_beforeTrial)
+        m_continuity = *std::exchange(m_beforeTrial, std::nullopt);
+    m_layout.reset();
+}
+
 const MapLayout& MapScene::layout()
 {
     if (m_layout)

@@ -52,6 +52,10 @@ public:
     /** Keeps the drift arrows at one scale while one of them is being drawn; none: as it suits. */
     void setDriftTime(std::optional<double> driftTime_s);
 
+    /** Labels that make room for what is only previewed are where they were before at its end. */
+    void beginTrial();
+    void endTrial();
+
     [[nodiscard]] const MapLayout& layout();
     /**
      * True when labels have no place or a bad one, or water seen is still to be painted, because
@@ -132,8 +136,9 @@ private:
 
     std::optional<MapLayout> m_layout; ///< none: to be arranged
     MapContinuity m_continuity;        ///< of the layout before
-    std::size_t m_turnFrom = 0;        ///< iceberg whose label looks for a place next
-    std::size_t m_labelsOwed = 0;      ///< so many still have to
+    std::optional<MapContinuity> m_beforeTrial;
+    std::size_t m_turnFrom = 0;   ///< iceberg whose label looks for a place next
+    std::size_t m_labelsOwed = 0; ///< so many still have to
     bool m_mayTakeTime = true;
 
     std::optional<Graticule> m_graticule; ///< of the present view

@@ -332,10 +332,11 @@ void MapView::setHighlight(const std::string& id)
 
 void MapView::setPreview(const Scenario* scenario)
 {
-    if (scenario != nullptr)
-        m_preview = *scenario;
+    m_preview = scenario != nullptr ? std::optional(*scenario) : std::nullopt;
+    if (m_preview)
+        m_scene.beginTrial();
     else
-        m_preview.reset();
+        m_scene.endTrial();
     refreshPicture();
 }
 
