@@ -38,7 +38,7 @@ MapLinks::MapLinks(WindowContext& context, const Docks& docks) : WindowPart(cont
     panels().layers->showLayers(savedLayers());
     panels().map->setLayers(panels().layers->layers());
     if (!settings().value(kFormerSweptKey, true).toBool())
-        setSweptShown(false);
+        setLayerShown(MapLayer::Swept, false);
     settings().remove(kFormerSweptKey);
     connect(panels().layers, &LayersPanel::layersEdited, this, &MapLinks::showLayers);
     connect(panels().map, &MapView::panelsChanged, this, &MapLinks::savePanels);
@@ -100,18 +100,18 @@ void MapLinks::showLayers(const MapLayers& layers)
     for (const double opacity : layers.opacities)
         saved << QString::number(opacity);
     settings().setValue(kLayersKey, saved);
-    emit sweptShown(sweptIsShown());
+    emit layersChanged();
 }
 
-bool MapLinks::sweptIsShown() const
+bool MapLinks::layerIsShown(MapLayer layer) const
 {
-    return panels().map->layers().shows(MapLayer::Swept);
+    return panels().map->layers().shows(layer);
 }
 
-void MapLinks::setSweptShown(bool shown)
+void MapLinks::setLayerShown(MapLayer layer, bool shown)
 {
     MapLayers layers = panels().layers->layers();
-    layers.set(MapLayer::Swept, shown ? 1 : 0);
+    layers.set(layer, shown ? 1 : 0);
     panels().layers->showLayers(layers);
     showLayers(layers);
 }

@@ -20,15 +20,15 @@ public:
     void setOverviewShown(bool shown);
     [[nodiscard]] bool panelIsShown(MapPanel panel) const;
     void setPanelShown(MapPanel panel, bool shown);
-    [[nodiscard]] bool sweptIsShown() const;
-    /** The layer of the water seen so far, wholly or not at all. */
-    void setSweptShown(bool shown);
+    [[nodiscard]] bool layerIsShown(MapLayer layer) const;
+    /** Wholly or not at all. */
+    void setLayerShown(MapLayer layer, bool shown);
     /** Below the map; null: none. */
     void setBackdrop(const BackdropPointer& backdrop);
 
 signals:
-    /** Whether the layer of the water seen so far is shown now. */
-    void sweptShown(bool shown);
+    /** Layers of the map are shown, hidden or made faint. */
+    void layersChanged();
 
 private:
     void connectMap(const Docks& docks);

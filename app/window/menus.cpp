@@ -217,9 +217,14 @@ void Menus::buildMapActions(QMenu& menu)
     add(menu, {"backdropAction", tr("&Background map…")}, [this] { m_parts.backdrop.choose(); });
     FlightView& flight = m_parts.flightView;
     MapLinks& links = m_parts.mapLinks;
-    const QAction* swept = addSwitch(menu, {"sweptAction", tr("Swept ar&ea")}, links.sweptIsShown(),
-                                     [&links](bool on) { links.setSweptShown(on); });
-    connect(&links, &MapLinks::sweptShown, swept, &QAction::setChecked);
+    const auto addLayer = [&](const char* name, const QString& text, MapLayer layer) {
+        QAction* action = addSwitch(menu, {name, text}, links.layerIsShown(layer),
+                                    [&links, layer](bool on) { links.setLayerShown(layer, on); });
+        connect(&links, &MapLinks::layersChanged, action,
+                [&links, action, layer] { action->setChecked(links.layerIsShown(layer)); });
+    };
+    addLayer("sweptAction", tr("Swept ar&ea"), MapLayer::Swept);
+    addLayer("placesAction", tr("Place names"), MapLayer::Places);
     addSwitch(menu, {"truthAction", tr("S&how true positions")}, flight.truthIsShown(),
               [&flight](bool on) { flight.setTruthShown(on); })
         ->setStatusTip(tr("Where the icebergs are in truth, beside where the observer "

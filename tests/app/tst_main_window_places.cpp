@@ -89,6 +89,42 @@ private slots:
         QVERIFY(w.action(u"overviewAction"_s).isChecked());
     }
 
+    /** What is typed as words are names: "bay" is a square of MGRS in Antarctica as well. */
+    void wordsFindNamesFirst()
+    {
+        WindowFixture w(fourIcebergs());
+        w.trigger(u"findAction"_s);
+        auto& field = test::child<QLineEdit>(w.window(), u"findField"_s);
+        const auto& list =
+            *test::child<FindBox>(w.window(), u"findBox"_s).findChild<QListWidget*>();
+        QTest::keyClicks(&field, u"bay"_s);
+        for (int row = 0; row < list.count(); ++row)
+            QVERIFY2(!list.item(row)->text().contains(u'°'), qPrintable(list.item(row)->text()));
+        for (const QString& name : {u"Baffin Bay"_s, u"Disko Bay"_s, u"Melville Bay"_s})
+            QCOMPARE(list.findItems(name, Qt::MatchStartsWith).size(), 1);
+        field.clear();
+        QTest::keyClicks(&field, u"tromso"_s);
+        QVERIFY(list.item(0)->text().startsWith(u"Tromsø"_s));
+    }
+
+    /** Over the water off Bonavista; the View menu and the panel of layers agree. */
+    void placeNamesAreALayerOfTheMap()
+    {
+        Scenario scenario = fourIcebergs();
+        scenario.origin = {48.63, -53.13}; // two kilometres off the town
+        WindowFixture w(scenario);
+        const auto ground = [&] { return w.map().grab().toImage(); };
+        w.map().finishLand();
+        const QImage named = ground();
+        QVERIFY(w.action(u"placesAction"_s).isChecked());
+        w.trigger(u"placesAction"_s);
+        QVERIFY(ground() != named);
+        QCOMPARE(test::child<QSlider>(w.window(), u"placesLayer"_s).value(), 0);
+        test::child<QSlider>(w.window(), u"placesLayer"_s).setValue(100);
+        QVERIFY(w.action(u"placesAction"_s).isChecked());
+        QTRY_VERIFY(ground() == named);
+    }
+
     void saysWhenNothingIsFound()
     {
         WindowFixture w(fourIcebergs());

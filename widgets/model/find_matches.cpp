@@ -36,13 +36,14 @@ std::optional<int> rankOf(const QString& wanted, const QString& name)
     return std::ranges::all_of(words, isThere) ? std::optional(3) : std::nullopt;
 }
 
-/** By either name, or by words of both. */
+/** By any of its names, or by words of several. */
 std::optional<int> rankOf(const QString& wanted, const FindItem& item)
 {
-    const QString name = searchText(item.text);
-    const QString other = searchText(item.other);
+    QStringList names{searchText(item.text), searchText(item.text + u' ' + item.other)};
+    for (const QString& other : item.other.split(u'\n'))
+        names << searchText(other);
     std::optional<int> best;
-    for (const QString& one : {name, other, QString(name + u' ' + other).trimmed()})
+    for (const QString& one : names)
         if (const std::optional<int> rank = rankOf(wanted, one); rank && (!best || *rank < *best))
             best = rank;
     return best;
@@ -82,11 +83,13 @@ std::vector<FindItem> findableItems(const Scenario& scenario)
         items.push_back(objectItem(FindKind::Iceberg, iceberg.id, iceberg.name));
     for (const Uav& uav : scenario.uavs)
         items.push_back(objectItem(FindKind::Uav, uav.id, uav.name));
-    for (const NamedPlace& place : namedPlaces())
+    std::vector<NamedPlace> places = namedPlaces();
+    std::ranges::stable_sort(places, {}, &NamedPlace::rank);
+    for (const NamedPlace& place : places)
         items.push_back({.kind = FindKind::Place,
                          .key = place.english,
                          .text = place.name,
-                         .other = place.english,
+                         .other = (QStringList{place.english} + place.also).join(u'\n'),
                          .hint = {},
                          .at = place.at});
     return items;
@@ -136,11 +139,15 @@ std::vector<FindItem> findMatches(const QString& text, const std::vector<FindIte
     }
     std::ranges::stable_sort(ranked, {}, [](const auto& one) { return one.first; });
     std::vector<FindItem> found;
-    if (const std::optional<FindItem> coordinate = coordinateOf(text))
+    const std::optional<FindItem> coordinate = coordinateOf(text);
+    const bool isNameFirst = isWithoutDigits(text);
+    if (coordinate && !isNameFirst)
         found.push_back(*coordinate);
     for (const auto& [rank, item] : ranked)
         if (found.size() < most)
             found.push_back(*item);
+    if (coordinate && isNameFirst && found.size() < most)
+        found.push_back(*coordinate);
     return found;
 }
 

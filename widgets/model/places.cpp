@@ -1,6 +1,7 @@
 #include "widgets/model/places.h"
 
 #include "core/scenario/limits.h"
+#include "widgets/model/gazetteer.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
@@ -18,68 +19,17 @@ struct PlaceText
     Q_DECLARE_TR_FUNCTIONS(PlaceText)
 };
 
-struct Entry
-{
-    const char* name;
-    double latitude_deg;
-    double longitude_deg;
-};
-
-// To about a hundredth of a degree for towns and fields, the middle for seas. Marked are those that
-// have a name in other languages.
-constexpr std::array kPlaces{
-    Entry{"Grand Banks", 45.50, -51.50},
-    Entry{"Flemish Pass", 47.30, -46.90},
-    Entry{"Flemish Cap", 47.00, -45.00},
-    Entry{"Hibernia", 46.75, -48.78},
-    Entry{"St. John's", 47.56, -52.71},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Labrador Sea"), 58.00, -54.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Davis Strait"), 66.00, -58.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Baffin Bay"), 73.00, -66.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Disko Bay"), 69.00, -52.50},
-    Entry{"Ilulissat", 69.22, -51.10},
-    Entry{"Nuuk", 64.18, -51.72},
-    Entry{"Upernavik", 72.79, -56.15},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Melville Bay"), 75.50, -62.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Cape York"), 75.90, -66.40},
-    Entry{"Pituffik", 76.53, -68.70},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Nares Strait"), 80.00, -69.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Cape Farewell"), 59.77, -43.92},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Denmark Strait"), 67.00, -25.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Scoresby Sund"), 70.50, -25.00},
-    Entry{"Jan Mayen", 70.98, -8.53},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Fram Strait"), 79.00, 0.00},
-    Entry{"Svalbard", 78.50, 18.00},
-    Entry{"Longyearbyen", 78.22, 15.65},
-    Entry{"Kongsfjorden", 78.97, 12.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Hinlopen Strait"), 79.60, 18.60},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Bear Island"), 74.43, 19.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Barents Sea"), 75.00, 40.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Franz Josef Land"), 80.70, 55.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Novaya Zemlya"), 74.00, 57.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Kara Sea"), 76.00, 75.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Laptev Sea"), 76.00, 125.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Bering Strait"), 65.75, -168.98},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Beaufort Sea"), 72.00, -137.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "North Pole"), 90.00, 0.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Drake Passage"), -58.00, -65.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "South Georgia"), -54.30, -36.80},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Weddell Sea"), -73.00, -45.00},
-    Entry{"Bouvetøya", -54.42, 3.36},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Amery Ice Shelf"), -69.75, 71.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "Ross Sea"), -75.00, -175.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "McMurdo Sound"), -77.50, 165.00},
-    Entry{QT_TRANSLATE_NOOP("PlaceText", "South Pole"), -90.00, 0.00}};
-
 } // namespace
 
 std::vector<NamedPlace> namedPlaces()
 {
     std::vector<NamedPlace> places;
-    for (const Entry& entry : kPlaces)
-        places.push_back({.name = PlaceText::tr(entry.name),
-                          .english = QString::fromUtf8(entry.name),
-                          .at = {entry.latitude_deg, entry.longitude_deg}});
+    for (const GazetteerPlace& place : gazetteer())
+        places.push_back({.name = placeName(place),
+                          .english = QString::fromUtf8(place.name),
+                          .also = place.also,
+                          .at = place.at,
+                          .rank = place.rank});
     std::sort(places.begin(), places.end(), [](const NamedPlace& a, const NamedPlace& b) {
         return searchText(a.name) < searchText(b.name);
     });
@@ -94,6 +44,10 @@ QString searchText(const QString& text)
             plain += u'o';
         else if (c == u'æ')
             plain += u"ae"_s;
+        else if (c == u'ð' || c == u'đ')
+            plain += u'd';
+        else if (c == u'þ')
+            plain += u"th"_s;
         else if (c == u'τ') // as it is typed
             plain += u"tau"_s;
         else if (c == u'ζ')
@@ -108,24 +62,37 @@ QString searchText(const QString& text)
     return plain.simplified();
 }
 
+QStringList searchNames(const NamedPlace& place)
+{
+    QStringList names{searchText(place.name), searchText(place.english)};
+    for (const QString& other : place.also)
+        names << searchText(other);
+    return names;
+}
+
+bool isWithoutDigits(const QString& text)
+{
+    return std::any_of(text.begin(), text.end(), [](QChar c) { return c.isLetter(); }) &&
+           std::none_of(text.begin(), text.end(), [](QChar c) { return c.isDigit(); });
+}
+
 std::variant<FoundPlace, QString> findPlace(const QString& text)
 {
     const QString wanted = searchText(text);
     std::vector<FoundPlace> partly;
     for (const NamedPlace& place : namedPlaces()) {
-        const QString name = searchText(place.name);
-        const QString english = searchText(place.english);
-        if (wanted == name || wanted == english)
+        const QStringList names = searchNames(place);
+        if (names.contains(wanted))
             return FoundPlace{place.at, place.name};
-        if (name.contains(wanted) || english.contains(wanted))
+        const auto isPart = [&](const QString& name) { return name.contains(wanted); };
+        if (std::ranges::any_of(names, isPart))
             partly.push_back({place.at, place.name});
     }
     const auto read = parsePlace(text.toStdString());
-    if (const auto* at = std::get_if<LatLon>(&read))
+    const auto* at = std::get_if<LatLon>(&read);
+    const bool isWord = isWithoutDigits(wanted);
+    if (at != nullptr && (!isWord || partly.empty()))
         return FoundPlace{*at, {}};
-    const bool isWord =
-        std::any_of(wanted.begin(), wanted.end(), [](QChar c) { return c.isLetter(); }) &&
-        std::none_of(wanted.begin(), wanted.end(), [](QChar c) { return c.isDigit(); });
     if (!isWord)
         return coordinateFaultText(std::get<CoordinateFault>(read));
     if (partly.size() == 1)

@@ -3,7 +3,7 @@
 #include "core/base/coordinates.h"
 
 #include <QLocale>
-#include <QString>
+#include <QStringList>
 
 #include <optional>
 #include <variant>
@@ -14,9 +14,11 @@ namespace berg {
 /** A place of ice navigation that comes with the program. */
 struct NamedPlace
 {
-    QString name;    ///< in the language of now
-    QString english; ///< found by that as well
+    QString name;       ///< in the language of now
+    QString english;    ///< found by that as well
+    QStringList also{}; ///< and by these: former names, names in other languages
     LatLon at;
+    int rank = 1; ///< 1 is the best known, 5 the least
 };
 
 /** By name. */
@@ -31,6 +33,15 @@ struct FoundPlace
     LatLon at;
     QString name; ///< empty: a coordinate
 };
+
+/** All that the place is found by, as `searchText`. */
+[[nodiscard]] QStringList searchNames(const NamedPlace& place);
+
+/**
+ * Whether a text is words: these are names first. "bay" is a square of MGRS in Antarctica as well,
+ * which nobody means who has Baffin Bay to choose.
+ */
+[[nodiscard]] bool isWithoutDigits(const QString& text);
 
 /** A name, a coordinate, or a part of one name only; else why not, as a sentence. */
 [[nodiscard]] std::variant<FoundPlace, QString> findPlace(const QString& text);

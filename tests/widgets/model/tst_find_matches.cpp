@@ -77,6 +77,9 @@ private slots:
         QTest::newRow("UAV") << u"uav"_s << u"uav-1"_s;
         QTest::newRow("place") << u"disko"_s << u"Disko Bay"_s;
         QTest::newRow("no diacritics") << u"bouvetoya"_s << u"Bouvetøya"_s;
+        QTest::newRow("former name") << u"jakobshavn"_s << u"Ilulissat"_s;
+        QTest::newRow("town, not its bay or cape") << u"bonavista"_s << u"Bonavista"_s;
+        QTest::newRow("field") << u"johan"_s << u"Johan Castberg"_s;
         QTest::newRow("command") << u"export"_s << u"Export plan..."_s;
         QTest::newRow("words in any order") << u"plan exp"_s << u"Export plan..."_s;
         QTest::newRow("coordinate") << u"47 03.2 N 48 06 W"_s << u"47° 03.200′ N  48° 06.000′ W"_s;
@@ -107,6 +110,22 @@ private slots:
             textsOf(findMatches(u"sea"_s, items, 9)),
             (QStringList{u"Sea"_s, u"Seal Bay"_s, u"Weddell Sea"_s, u"Ross Sea"_s, u"Xsea"_s}));
         QCOMPARE(findMatches(u"sea"_s, items, 2).size(), std::size_t{2});
+    }
+
+    /** "bay" is a square of MGRS in Antarctica as well. */
+    void wordsAreNamesFirst()
+    {
+        const std::vector<FindItem> found = findMatches(u"bay"_s, everything(), 100);
+        QVERIFY(found.size() > 10);
+        for (std::size_t i = 0; i + 1 < found.size(); ++i)
+            QVERIFY2(!found[i].key.isEmpty(), qPrintable(found[i].text));
+        QVERIFY(found.back().key.isEmpty()); // the coordinate
+        QVERIFY(found.back().at.latitude_deg < -80);
+        const QStringList shown = foundBy(u"bay"_s, 9);
+        QVERIFY(shown.front().startsWith(u"Bay "_s)); // then those of the word, best known first
+        for (const QString& name : {u"Baffin Bay"_s, u"Disko Bay"_s, u"Melville Bay"_s})
+            QVERIFY2(shown.contains(name), qPrintable(shown.join(u", "_s)));
+        QVERIFY(findMatches(u"33XWG1449783437"_s, everything(), 9).front().key.isEmpty());
     }
 
     void findsNothing()

@@ -34,6 +34,8 @@ const std::vector<Pair>& pairs()
         {"text on land", &Theme::text, &Theme::land, kTextContrast},
         {"text on panel", &Theme::text, &Theme::panel, kTextContrast},
         {"text on chart", &Theme::text, &Theme::chart, kTextContrast},
+        {"place name on sea", &Theme::mutedText, &Theme::sea, kTextContrast},
+        {"place name on land", &Theme::mutedText, &Theme::land, kTextContrast},
         {"muted text on panel", &Theme::mutedText, &Theme::panel, kTextContrast},
         {"muted text on chart", &Theme::mutedText, &Theme::chart, kTextContrast},
         {"graticule text on sea", &Theme::graticuleText, &Theme::sea, kTextContrast},

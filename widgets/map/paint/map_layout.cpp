@@ -417,6 +417,8 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
     placeIcebergs(layout, picture);
     placeUavLabels(layout, picture, style.theme);
     layout.labels = labelsOf(layout, picture, style, continuity);
+    if (style.layers.shows(MapLayer::Places))
+        layout.places = placeNamesOn(layout, picture, style.theme);
     return layout;
 }
 

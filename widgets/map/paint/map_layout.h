@@ -3,6 +3,7 @@
 #include "widgets/map/paint/label_placement.h"
 #include "widgets/map/paint/map_density.h"
 #include "widgets/map/paint/map_overlays.h"
+#include "widgets/map/paint/place_names.h"
 
 #include <QHash>
 #include <QPolygonF>
@@ -34,6 +35,7 @@ struct MapLayout
     MapDensity density;              ///< which of them are drawn as symbols
     std::vector<QRectF> uavLabels;   ///< names of the UAVs; null: it has none
     std::vector<PlacedLabel> labels; ///< id with order number, by iceberg; null: out of sight
+    std::vector<MapPlaceName> places;
 
     [[nodiscard]] std::vector<QRectF> overlays() const;
     [[nodiscard]] const QRectF& panel(MapPanel which) const;

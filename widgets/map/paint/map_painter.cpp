@@ -52,6 +52,8 @@ void paintGraticuleLabels(const MapPaint& p)
     for (const PlacedLabel& label : p.layout.labels)
         taken.push_back(label.rect);
     taken.insert(taken.end(), p.layout.uavLabels.begin(), p.layout.uavLabels.end());
+    for (const MapPlaceName& name : p.layout.places)
+        taken.push_back(name.rect);
     for (const LabelDisk& disk : p.layout.icebergs)
         taken.emplace_back(disk.centre_px.x() - disk.radius_px, disk.centre_px.y() - disk.radius_px,
                            2 * disk.radius_px, 2 * disk.radius_px);
@@ -325,8 +327,9 @@ void paintMapGround(QPainter& painter, const MapFrame& frame)
 void paintMapContent(QPainter& painter, const MapFrame& frame)
 {
     const MapPaint p(painter, frame);
-    paintArea(p);
     const MapLayers& layers = frame.style.layers;
+    withOpacity(p, layers.opacity(MapLayer::Places), [&] { paintPlaceNames(p); });
+    paintArea(p);
     AreaNames names(p);
     paintClosedAreas(p, names);
     withOpacity(p, layers.opacity(MapLayer::Permit), [&] { paintPermit(p, names); });

@@ -107,6 +107,8 @@ AreaNames::AreaNames(const MapPaint& p) : m_p(p), m_taken(p.layout.overlays())
     for (const PlacedLabel& label : p.layout.labels)
         if (!label.rect.isNull())
             m_taken.push_back(label.rect);
+    for (const MapPlaceName& name : p.layout.places)
+        m_taken.push_back(name.rect);
     constexpr QSizeF kUav_px(40, 40);
     constexpr QSizeF kAsset_px(100, 60); // with its name below
     const auto take = [&](const Point& place_m, const QSizeF& size_px) {

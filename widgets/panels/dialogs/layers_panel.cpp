@@ -36,6 +36,7 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
     };
     const std::array<Row, kMapLayers> rows{
         {{MapLayer::Labels, "labels", tr("Names")},
+         {MapLayer::Places, "places", tr("Place names")},
          {MapLayer::Drift, "drift", tr("Drift arrows")},
          {MapLayer::Rings, "rings", tr("Rings of uncertainty")},
          {MapLayer::Graticule, "graticule", tr("Graticule")},

@@ -23,8 +23,7 @@ public:
         auto* names = new QStandardItemModel(this);
         for (const NamedPlace& place : namedPlaces()) {
             auto* item = new QStandardItem(place.name);
-            item->setData(QString(searchText(place.name) + u'\n' + searchText(place.english)),
-                          kSearchRole);
+            item->setData(searchNames(place).join(u'\n'), kSearchRole);
             names->appendRow(item);
         }
         setModel(names);

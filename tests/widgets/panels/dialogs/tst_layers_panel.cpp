@@ -31,6 +31,7 @@ MapPicture picture()
     shown.routes.front().swept = std::make_shared<const std::vector<MapPose>>(std::vector<MapPose>{
         {.position_m = {1000, 1000}}, {.position_m = {3000, 1000}, .time_s = 100}});
     shown.comparisonTracks = {{{.position_m = {500, 2500}}, {.position_m = {4500, 2800}}}};
+    shown.origin = {48.63, -53.14}; // Bonavista is among them
     shown.airspace = {{.corners_m = {{500, 500}, {4500, 500}, {2500, 3500}}}};
     return shown;
 }
@@ -53,9 +54,9 @@ private slots:
     void eachLayerIsMadeFaintAndHidden_data()
     {
         QTest::addColumn<int>("layer");
-        const std::array<const char*, kMapLayers> names{"labels",    "drift",      "rings",
-                                                        "graticule", "formerPlan", "swept",
-                                                        "permit",    "backdrop",   "compared"};
+        const std::array<const char*, kMapLayers> names{
+            "labels", "drift",  "rings",    "graticule", "formerPlan",
+            "swept",  "permit", "backdrop", "compared",  "places"};
         for (std::size_t i = 0; i < kMapLayers; ++i)
             QTest::newRow(names[i]) << static_cast<int>(i);
     }
@@ -65,7 +66,7 @@ private slots:
         QFETCH(int, layer);
         MapLayers all;
         all.backdrop = std::make_shared<const BackdropShapes>(BackdropShapes{
-            {.kind = MapShape::Kind::Polygon, .parts = {{{46, -49}, {46, -47}, {48, -48}}}}});
+            {.kind = MapShape::Kind::Polygon, .parts = {{{47, -54}, {47, -52}, {50, -53}}}}});
         MapLayers faint = all;
         faint.set(static_cast<MapLayer>(layer), 0.3);
         MapLayers hidden = all;
