@@ -207,7 +207,7 @@ void ContextMenus::addPanelActions(QMenu& menu, MapPanel panel)
 {
     const auto place = static_cast<std::size_t>(panel);
     if (std::ranges::find(kFoldingPanels, panel) != kFoldingPanels.end())
-        menu.addAction(panels().map->panels()[place].isFolded ? tr("Unfold") : tr("Fold"), this,
+        menu.addAction(panels().map->isFolded(panel) ? tr("Unfold") : tr("Fold"), this,
                        [this, panel] { panels().map->foldPanel(panel); });
     menu.addAction(tr("Hide"), m_actions.panels[place], &QAction::trigger);
     if (panel == MapPanel::Legend)

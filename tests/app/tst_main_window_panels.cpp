@@ -171,6 +171,25 @@ private slots:
         QVERIFY(!w.action(u"titlePanelAction"_s).isChecked());
     }
 
+    /** On a low map there is no room for the legend: its icon opens it all the same. */
+    void aLegendWithoutRoomIsOpenedByItsIcon()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        for (int height_px = 700; height_px >= 400 && !w.map().isFolded(MapPanel::Legend);
+             height_px -= 20)
+            w.window().resize(1000, height_px);
+        QVERIFY(w.map().isFolded(MapPanel::Legend));
+        QVERIFY(!stateOf(w, MapPanel::Legend).isFolded); // not by the user
+        const QPoint icon(25, w.map().height() - 25);
+        QCOMPARE(w.map().panelAt(w.map().mapToGlobal(icon)), std::optional(MapPanel::Legend));
+        w.click(icon);
+        QVERIFY(!w.map().isFolded(MapPanel::Legend));
+        w.map().foldPanel(MapPanel::Legend);
+        QVERIFY(w.map().isFolded(MapPanel::Legend));
+        w.click(icon);
+        QVERIFY(!w.map().isFolded(MapPanel::Legend));
+    }
+
     void hiddenStaysHidden()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

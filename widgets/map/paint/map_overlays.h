@@ -28,6 +28,7 @@ struct MapPanelState
 {
     bool isHidden = false;
     bool isFolded = false; ///< an icon in its corner
+    bool isOpened = false; ///< from its icon: shown even where it takes the room of others
     QPointF moved_px;      ///< from where it is by itself
     bool operator==(const MapPanelState&) const = default;
 };
@@ -53,8 +54,8 @@ struct SymbolScale
     double ring_pxpm = 2;   ///< pixels of ring for each metre of the root of sigma
     double driftTime_s = 0; ///< drift arrows show the way of this time; 0: no arrows
     bool showsDots = false; ///< of icebergs without room for their symbols
-    /** Radius of the ring round a symbol of `symbol_px`; 0 in view or for sigma 0. */
     bool showsRings = true; ///< there is room for them
+    /** Radius of the ring round a symbol of `symbol_px`; 0 in view or for sigma 0. */
     [[nodiscard]] double ringRadius_px(double symbol_px, double sigma_m2) const;
 };
 

@@ -121,6 +121,23 @@ QRectF freePlace(const MapLayout& layout, const QRectF& inner, const QSizeF& siz
     return {};
 }
 
+/** At the bottom, beside the title if there is room: what it lies over is away until it is folded.
+ */
+void openLegend(MapLayout& layout, const QRectF& inner, const QSizeF& size)
+{
+    QRectF rect(QPointF(inner.left(), inner.bottom() - size.height()), size);
+    const double besideTitle = layout.title.right() + kOverlayGap_px;
+    if (rect.intersects(layout.title) && besideTitle + size.width() <= inner.right())
+        rect.moveLeft(besideTitle);
+    if (!inner.adjusted(-1, -1, 1, 1).contains(rect))
+        return;
+    for (QRectF* other :
+         {&layout.title, &layout.scaleBar, &layout.north, &layout.wind, &layout.inset})
+        if (other->intersects(rect))
+            *other = {};
+    layout.legend = rect;
+}
+
 } // namespace
 
 void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
@@ -158,8 +175,10 @@ void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle&
         layout.inset = inset;
     if (layout.legend.isNull() && fits(legend, layout.rect))
         layout.legend = freePlace(layout, inner, legend);
-    rearrange(layout, style);
     constexpr auto kLegend = static_cast<std::size_t>(MapPanel::Legend);
+    if (layout.legend.isNull() && !legend.isEmpty() && style.panels[kLegend].isOpened)
+        openLegend(layout, inner, legend);
+    rearrange(layout, style);
     const QRectF icon(inner.left(), inner.bottom() - kFolded_px, kFolded_px, kFolded_px);
     if (style.isLive && !legend.isEmpty() && layout.legend.isNull() &&
         !style.panels[kLegend].isHidden && layout.icons[kLegend].isNull() && isClear(layout, icon))

@@ -83,6 +83,10 @@ public:
     [[nodiscard]] std::optional<MapPanelPart> panelPartAt(const QPointF& at);
     /** The panel or icon that is there. */
     [[nodiscard]] std::optional<MapPanel> panelAt(const QPointF& at);
+    [[nodiscard]] bool isFolded(MapPanel panel)
+    {
+        return !layout().icons[static_cast<std::size_t>(panel)].isNull();
+    }
     [[nodiscard]] const MapPanelStates& panels() const { return m_panels; }
     void setPanels(const MapPanelStates& panels);
     [[nodiscard]] const MapLayers& layers() const { return m_layers; }

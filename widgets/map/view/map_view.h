@@ -60,6 +60,8 @@ public:
     [[nodiscard]] const MapLayers& layers() const { return m_scene.layers(); }
     /** To its icon or back, as by mouse. */
     void foldPanel(MapPanel panel);
+    /** Only its icon is shown: the user has folded it, or there is no room. */
+    [[nodiscard]] bool isFolded(MapPanel panel) { return m_scene.isFolded(panel); }
     /** The panel or icon at this place of the screen. */
     [[nodiscard]] std::optional<MapPanel> panelAt(const QPoint& globalPos);
     /** What is shown: corners, and points between them, all the way round. */

@@ -82,9 +82,11 @@ bool MapView::pressPanel(const QPointF& at)
 
 void MapView::foldPanel(MapPanel panel)
 {
+    const bool isIcon = isFolded(panel);
     MapPanelStates states = m_scene.panels();
-    bool& isFolded = states[static_cast<std::size_t>(panel)].isFolded;
-    isFolded = !isFolded;
+    MapPanelState& state = states[static_cast<std::size_t>(panel)];
+    state.isFolded = !isIcon;
+    state.isOpened = isIcon;
     setPanels(states);
     emit panelsChanged();
 }
