@@ -125,6 +125,21 @@ private slots:
         QTRY_VERIFY(fits());
     }
 
+    /** It takes one line or two as the flight goes. */
+    void aLongerStateOfThePlanMovesNothing()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        auto& state = test::child<QLabel>(w.window(), u"planState"_s);
+        const auto& below = test::child<QToolButton>(w.window(), u"planDetails"_s);
+        const auto place = [&] { return below.mapTo(&w.window(), QPoint()); };
+        QTest::qWait(50); // laid out
+        const QPoint before = place();
+        state.setText(u"Solver limit reached; flying to the nearest iceberg, which is far"_s);
+        QTest::qWait(50);
+        QVERIFY(state.heightForWidth(state.width()) > QFontMetrics(state.font()).height() * 3 / 2);
+        QCOMPARE(place(), before);
+    }
+
     /** However many docks share a place. */
     void namesOnTabsAreWhole_data()
     {

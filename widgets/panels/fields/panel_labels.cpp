@@ -79,6 +79,12 @@ void FigureLabel::paintEvent(QPaintEvent*)
     drawTabular(painter, {left_px, baseline_px}, text());
 }
 
+int heightOfTwoLines_px(const QFont& font)
+{
+    constexpr QRect kRoom(0, 0, 1000, 1000);
+    return QFontMetrics(font).boundingRect(kRoom, Qt::TextWordWrap, u"X\nX"_s).height();
+}
+
 void setCaptionTheme(QWidget& panel, const Theme& theme)
 {
     for (CaptionLabel* caption : panel.findChildren<CaptionLabel*>())

@@ -38,6 +38,10 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 };
 
+/** Height of two lines of a label that wraps; twice `QFontMetrics::height` is rounded down twice.
+ */
+[[nodiscard]] int heightOfTwoLines_px(const QFont& font);
+
 /** Gives the theme to every caption below `panel`. */
 void setCaptionTheme(QWidget& panel, const Theme& theme);
 

@@ -50,6 +50,7 @@ PlanReadoutView::PlanReadoutView(QWidget* parent) : QWidget(parent)
     m_state = new QLabel(this);
     m_state->setObjectName(u"planState"_s);
     m_state->setWordWrap(true);
+    m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     connect(m_state, &QLabel::linkActivated, this, &PlanReadoutView::checksRequested);
     stateRow->addWidget(m_mark, 0, Qt::AlignTop);
     stateRow->addWidget(m_state, 1);
@@ -121,6 +122,7 @@ void PlanReadoutView::setTheme(const Theme& theme)
     for (FigureLabel* figure : {m_objective, m_mu})
         figure->setFont(theme.strong());
     m_state->setFont(theme.body());
+    m_state->setMinimumHeight(heightOfTwoLines_px(theme.body())); // it grows in flight
     drawMark();
 }
 

@@ -324,7 +324,7 @@ void TradeoffPanel::showTau()
 void TradeoffPanel::setTheme(const Theme& theme)
 {
     setCaptionTheme(*this, theme);
-    m_forecast->setMinimumHeight(2 * QFontMetrics(theme.small()).height()); // with a range
+    m_forecast->setMinimumHeight(heightOfTwoLines_px(theme.small())); // with a range
     m_policy->setTheme(theme);
     m_strip->setTheme(theme);
     m_result->setTheme(theme);
