@@ -41,7 +41,8 @@ void setSurroundings(MapPicture& picture, const Scenario& scenario,
 /**
  * The picture with everything that can be edited taken from the scenario at t = 0: icebergs (those
  * still to come too), UAVs, area, asset, wind. The plans keep the order of the icebergs that
- * are still there. So an edit is seen at once, before it is planned again.
+ * are still there. So an edit is seen at once, before it is planned again. The colour scale of
+ * sigma stays until then; a picture without icebergs gets that of the scenario.
  */
 [[nodiscard]] MapPicture withScenario(MapPicture picture, const Scenario& scenario);
 
