@@ -9,6 +9,7 @@
 #include "core/plan/policy/policy.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -63,16 +64,29 @@ std::string bestTauText(const BestTau& best)
            percent(best.relative.mean) + " (" + intervalText(best.relative) + ")\n";
 }
 
+/** Names of the settings that may be the best, the first few of many. */
+std::string contendersText(const StudySummary& summary)
+{
+    constexpr std::size_t kMost = 4;
+    const std::vector<std::size_t>& settings = summary.recommendation->contenders;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(kMost, settings.size()); ++i)
+        names += (i > 0 ? ", " : "") + settingText(summary.settings[settings[i]].setting);
+    if (settings.size() > kMost)
+        names += " and " + std::to_string(settings.size() - kMost) + " more";
+    return names;
+}
+
 std::string recommendedText(const StudySummary& summary)
 {
-    const Recommendation& best = *summary.recommendation;
-    if (!best.next || summary.cases.size() == 1)
+    const Recommendation& found = *summary.recommendation;
+    if (summary.settings.size() == 1 || summary.cases.size() == 1)
         return {};
-    const auto name = [&](std::size_t s) { return settingText(summary.settings[s].setting); };
-    return (best.isSure ? "recommended: " : "no policy is surely the best; lowest: ") +
-           name(best.setting) + ", " + percent(best.relative.mean) + " (" +
-           intervalText(best.relative) + ") vs " + name(*best.next) +
-           ", the best of another policy\n";
+    if (!found.best)
+        return "no clear winner; may be the best: " + contendersText(summary) + "\n";
+    return "recommended: " + settingText(summary.settings[*found.best].setting) + ", " +
+           percent(found.relative.mean) + " (" + intervalText(found.relative) + ") vs " +
+           settingText(summary.settings[*found.next].setting) + ", the closest other setting\n";
 }
 
 std::string tableText(const StudySummary& summary)

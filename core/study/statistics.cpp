@@ -101,4 +101,36 @@ MeanInterval meanInterval(std::span<const double> values)
     return {.mean = s.mean, .low = s.mean - half, .high = s.mean + half};
 }
 
+std::vector<double> relativeDifferences(std::span<const double> values,
+                                        std::span<const double> reference)
+{
+    require(values.size() == reference.size(), "relativeDifferences: values without a reference");
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (reference[i] != 0)
+            differences.push_back(values[i] / reference[i] - 1);
+        else if (values[i] == 0)
+            differences.push_back(0);
+    return differences;
+}
+
+bool isSurelyLower(std::span<const double> values, std::span<const double> others)
+{
+    const std::vector<double> differences = relativeDifferences(values, others);
+    return differences.size() > 1 && meanInterval(differences).high < 0;
+}
+
+bool isSurelyLowest(std::span<const double> values, std::span<const std::vector<double>> all)
+{
+    bool isAnyOther = false;
+    for (const std::vector<double>& others : all) {
+        if (std::ranges::equal(values, others))
+            continue;
+        if (!isSurelyLower(values, others))
+            return false;
+        isAnyOther = true;
+    }
+    return isAnyOther;
+}
+
 } // namespace berg

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 namespace berg {
 
@@ -37,5 +38,21 @@ struct MeanInterval
     double high = 0;
 };
 [[nodiscard]] MeanInterval meanInterval(std::span<const double> values);
+
+/**
+ * Each value / its reference - 1. There is no share of a reference of 0: where only that is 0 the
+ * pair is left out; where both are, nothing differs.
+ */
+[[nodiscard]] std::vector<double> relativeDifferences(std::span<const double> values,
+                                                      std::span<const double> reference);
+
+/** Returns true if the 95 % interval of the relative differences, of two pairs or more, is below 0.
+ */
+[[nodiscard]] bool isSurelyLower(std::span<const double> values, std::span<const double> others);
+
+/** Returns true if `values` are surely lower than each of `all` that differs from them; of those at
+ * least one. */
+[[nodiscard]] bool isSurelyLowest(std::span<const double> values,
+                                  std::span<const std::vector<double>> all);
 
 } // namespace berg

@@ -51,20 +51,6 @@ private:
     std::vector<std::size_t> m_cases;
 };
 
-/** Value by value. There is no share of a reference of 0: where only that is 0 (whoever flew it saw
- * all at all times), the case is left out; where both are, nothing differs. */
-std::vector<double> relativeDifferences(const std::vector<double>& values,
-                                        const std::vector<double>& reference)
-{
-    std::vector<double> differences;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (reference[i] != 0)
-            differences.push_back(values[i] / reference[i] - 1);
-        else if (values[i] == 0)
-            differences.push_back(0);
-    return differences;
-}
-
 SettingSummary summaryOf(const StudySetting& setting, const CompleteCases& complete, std::size_t s)
 {
     const auto visits =
@@ -120,31 +106,41 @@ BestTau bestTauOf(const std::vector<StudySetting>& settings, const CompleteCases
     return best;
 }
 
-/** The first of the lowest means among the settings that are `eligible`. */
-template <class Eligible>
-std::optional<std::size_t> lowestMean(const std::vector<SettingSummary>& settings,
-                                      const Eligible& eligible)
+/** Of the settings that are surely higher than `best`, the one that is so least surely. */
+void addClosest(Recommendation& recommendation, const std::vector<std::vector<double>>& zeta_m2s)
 {
-    std::optional<std::size_t> lowest;
-    for (std::size_t s = 0; s < settings.size(); ++s)
-        if (eligible(settings[s]) &&
-            (!lowest || settings[s].zeta_m2s.mean < settings[*lowest].zeta_m2s.mean))
-            lowest = s;
-    return lowest;
+    const std::vector<double>& best_m2s = zeta_m2s[*recommendation.best];
+    for (std::size_t s = 0; s < zeta_m2s.size(); ++s) {
+        if (zeta_m2s[s] == best_m2s)
+            continue;
+        const MeanInterval relative = meanInterval(relativeDifferences(best_m2s, zeta_m2s[s]));
+        if (!recommendation.next || relative.high > recommendation.relative.high) {
+            recommendation.next = s;
+            recommendation.relative = relative;
+        }
+    }
 }
 
 Recommendation recommendationOf(const std::vector<SettingSummary>& settings,
                                 const CompleteCases& complete)
 {
-    Recommendation best{.setting = *lowestMean(settings, [](const auto&) { return true; })};
-    best.next = lowestMean(settings, [&](const SettingSummary& other) {
-        return other.setting.policy != settings[best.setting].setting.policy;
-    });
-    if (best.next)
-        best.relative = meanInterval(
-            relativeDifferences(complete.zeta_m2s(best.setting), complete.zeta_m2s(*best.next)));
-    best.isSure = best.next && complete.cases().size() > 1 && best.relative.high < 0;
-    return best;
+    std::vector<std::vector<double>> zeta_m2s;
+    for (std::size_t s = 0; s < settings.size(); ++s)
+        zeta_m2s.push_back(complete.zeta_m2s(s));
+    Recommendation recommendation;
+    for (std::size_t s = 0; s < settings.size(); ++s) {
+        if (settings[s].zeta_m2s.mean < settings[recommendation.lowest].zeta_m2s.mean)
+            recommendation.lowest = s;
+        if (std::ranges::none_of(zeta_m2s, [&](const std::vector<double>& other_m2s) {
+                return isSurelyLower(other_m2s, zeta_m2s[s]);
+            }))
+            recommendation.contenders.push_back(s);
+        if (!recommendation.best && isSurelyLowest(zeta_m2s[s], zeta_m2s))
+            recommendation.best = s;
+    }
+    if (recommendation.best)
+        addClosest(recommendation, zeta_m2s);
+    return recommendation;
 }
 
 } // namespace

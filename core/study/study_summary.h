@@ -33,13 +33,14 @@ struct BestTau
     MeanInterval relative; ///< against the reference
 };
 
-/** The setting of lowest mean zeta against the best one of another policy. */
+/** Which setting to fly; every tau and every policy counts alike. */
 struct Recommendation
 {
-    std::size_t setting = 0;
-    std::optional<std::size_t> next; ///< best setting of another policy; none: there is none
-    MeanInterval relative;           ///< zeta of `setting` / zeta of `next` - 1, case by case
-    bool isSure = false;             ///< two cases or more, and the interval is below 0
+    std::size_t lowest = 0;          ///< index of the lowest mean zeta, the first of a tie
+    std::optional<std::size_t> best; ///< surely lowest (`isSurelyLowest`); nullopt: no clear winner
+    std::optional<std::size_t> next; ///< with `best`: the setting that comes closest to it
+    MeanInterval relative;           ///< zeta of `best` / zeta of `next` - 1, case by case
+    std::vector<std::size_t> contenders; ///< no setting is surely lower than these; ascending
 };
 
 /** Statistics of the cases that every setting has flown; with none of them all numbers are 0. */

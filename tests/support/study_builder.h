@@ -53,4 +53,12 @@ inline StudyPointer fourCases()
         {{100, 80, 90, 110}, {200, 160, 150, 190}, {120, 100, 104, 100}, {90, 95, 99, 70}});
 }
 
+/** tau = 2 is lowest in each of four cases, tau = 1 the next. */
+inline StudyPointer clearWinner()
+{
+    return studyOf(
+        quickStudy(),
+        {{100, 80, 60, 110}, {200, 160, 121, 190}, {120, 100, 74, 105}, {90, 84, 64, 98}});
+}
+
 } // namespace berg::test

@@ -142,49 +142,58 @@ std::string bestTauTable(const BestTau& best, const ReportWords& words)
     return table.html();
 }
 
-/** The policy to fly by these cases, where one is surely the best. */
+/** Names of the settings, the first few of many. */
+std::string contendersText(const StudySummary& summary, const ReportWords& words)
+{
+    constexpr std::size_t kMost = 4;
+    const std::vector<std::size_t>& settings = summary.recommendation->contenders;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(kMost, settings.size()); ++i)
+        names += (i > 0 ? ", " : "") + strong(settingName(summary.settings[settings[i]].setting));
+    if (settings.size() <= kMost)
+        return names;
+    return words.html(QT_TRANSLATE_NOOP("Report", "%1 and %2 more"),
+                      {names, std::to_string(settings.size() - kMost)});
+}
+
+/** The setting to fly by these cases, where one is surely the best. */
 std::string recommendedText(const StudySummary& summary, const ReportWords& words)
 {
-    const Recommendation& best = *summary.recommendation;
-    if (!best.next)
+    const Recommendation& found = *summary.recommendation;
+    if (summary.settings.size() == 1)
         return {};
     if (summary.cases.size() == 1)
         return item(words.html(
             QT_TRANSLATE_NOOP("Report", "One case recommends no policy: fly more of them.")));
+    if (!found.best)
+        return item(words.html(
+            QT_TRANSLATE_NOOP("Report", "No clear winner. These settings may be the best: %1."),
+            {contendersText(summary, words)}));
     const auto name = [&](std::size_t s) { return settingName(summary.settings[s].setting); };
-    const std::string difference =
-        change(best.relative.mean) + " (" + interval(best.relative, 100, 1) + ")";
-    if (best.isSure)
-        return item(
-            words.html(QT_TRANSLATE_NOOP(
-                           "Report", "Recommended: %1, %2 against %3, the best of another policy."),
-                       {strong(name(best.setting)), difference, name(*best.next)}));
     return item(words.html(
-        QT_TRANSLATE_NOOP("Report", "No policy is surely the best: %1 is %2 against %3."),
-        {name(best.setting), difference, name(*best.next)}));
+        QT_TRANSLATE_NOOP("Report", "Recommended: %1, %2 against %3, the closest other setting."),
+        {strong(name(*found.best)),
+         change(found.relative.mean) + " (" + interval(found.relative, 100, 1) + ")",
+         name(*found.next)}));
 }
 
-/** The setting of lowest mean zeta, and how it compares. */
+/** The setting of lowest mean zeta. Its difference from the reference is told of one case alone:
+ * over several the mean of the differences may contradict the means. */
 std::string lowestText(const StudySummary& summary, const ReportWords& words)
 {
-    const std::size_t index = summary.recommendation->setting;
+    const std::size_t index = summary.recommendation->lowest;
     const SettingSummary& lowest = summary.settings[index];
     const bool isOneCase = summary.cases.size() == 1;
     std::vector<std::string> told{strong(settingName(lowest.setting)),
                                   printedNumber(lowest.zeta_m2s.mean, zetaDecimals(summary))};
+    if (!isOneCase)
+        return item(words.html(QT_TRANSLATE_NOOP("Report", "Lowest mean ζ: %1, %2 m² s."), told));
     if (index == summary.reference)
-        return item(words.html(isOneCase
-                                   ? QT_TRANSLATE_NOOP("Report", "Lowest ζ: %1, %2 m² s.")
-                                   : QT_TRANSLATE_NOOP("Report", "Lowest mean ζ: %1, %2 m² s."),
-                               told));
-    const MeanInterval& relative = summary.differences[index].relative;
-    told.push_back(change(relative.mean) +
-                   (isOneCase ? std::string() : " (" + interval(relative, 100, 1) + ")"));
+        return item(words.html(QT_TRANSLATE_NOOP("Report", "Lowest ζ: %1, %2 m² s."), told));
+    told.push_back(change(summary.differences[index].relative.mean));
     told.push_back(settingName(summary.settings[summary.reference].setting));
-    return item(words.html(
-        isOneCase ? QT_TRANSLATE_NOOP("Report", "Lowest ζ: %1, %2 m² s, %3 against %4.")
-                  : QT_TRANSLATE_NOOP("Report", "Lowest mean ζ: %1, %2 m² s, %3 against %4."),
-        told));
+    return item(
+        words.html(QT_TRANSLATE_NOOP("Report", "Lowest ζ: %1, %2 m² s, %3 against %4."), told));
 }
 
 std::string bestTauText(const StudySummary& summary, const ReportWords& words)

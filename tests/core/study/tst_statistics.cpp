@@ -171,6 +171,27 @@ private slots:
         QCOMPARE(none.high, 0.0);
     }
 
+    /** -20, -10 and -30 %: t(2) = 4.303, so the interval ends at -20 + 24.8 %. */
+    void lowerIsSureWhenTheIntervalIs()
+    {
+        const Values reference{100, 200, 400};
+        QVERIFY(!isSurelyLower(Values{80, 180, 280}, reference));
+        QVERIFY(isSurelyLower(Values{80, 162, 320}, reference));
+        QVERIFY(!isSurelyLower(reference, Values{80, 162, 320}));
+        QVERIFY(!isSurelyLower(Values{80}, Values{100})); // one pair is sure of nothing
+        QVERIFY(!isSurelyLower(reference, reference));
+    }
+
+    void lowestIsSureAgainstEveryOther()
+    {
+        const Values best{80, 162, 320};
+        const std::vector<std::vector<double>> all{best, {100, 200, 400}, {90, 181, 362}};
+        QVERIFY(isSurelyLowest(best, all));
+        QVERIFY(!isSurelyLowest(all[2], all));
+        QVERIFY(!isSurelyLowest(best, std::vector<std::vector<double>>{best, best}));
+        QVERIFY(!isSurelyLowest(best, std::vector<std::vector<double>>{best, {70, 200, 400}}));
+    }
+
     /** 19 of 20 intervals of normal samples hold the true mean, also for few values. */
     void intervalCoversTheTruth()
     {

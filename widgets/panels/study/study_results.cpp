@@ -107,8 +107,8 @@ void StudyResults::addHeader(QBoxLayout& column)
     m_useBest = new QPushButton;
     m_useBest->setObjectName(u"useRecommendedSetting"_s);
     connect(m_useBest, &QPushButton::clicked, this, [this] {
-        const StudySummary& summary = m_runner.result()->summary;
-        emit settingRequested(summary.settings[summary.recommendation->setting].setting);
+        if (const std::optional<std::size_t> offered = offeredSetting())
+            emit settingRequested(m_runner.result()->summary.settings[*offered].setting);
     });
     auto* recommended = new QHBoxLayout;
     recommended->setSpacing(kGap_px);
@@ -150,7 +150,6 @@ QTableView* StudyResults::makeTable(const char* name, const QString& title, Stud
     QHeaderView* header = table->horizontalHeader();
     header->setResizeContentsPrecision(kMeasuredRows);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
-    header->setSectionResizeMode(0, QHeaderView::Stretch);
     header->setMinimumSectionSize(kLeastColumn_px);
     header->setSortIndicator(0, Qt::AscendingOrder);
     table->setSortingEnabled(true);
@@ -224,39 +223,62 @@ void StudyResults::showResult()
     showCases();
 }
 
+/** "τ 1.50, Round tour and 3 more": those that may be the best. */
+QString StudyResults::contendersText(const StudySummary& summary) const
+{
+    constexpr std::size_t kMost = 4;
+    const std::vector<std::size_t>& settings = summary.recommendation->contenders;
+    QStringList names;
+    for (std::size_t i = 0; i < std::min(kMost, settings.size()); ++i)
+        names << settingText(summary.settings[settings[i]].setting, locale());
+    const QString text = names.join(u", "_s);
+    return settings.size() <= kMost ? text
+                                    : tr("%1 and %2 more").arg(text).arg(settings.size() - kMost);
+}
+
+/** The setting that the button takes over: the one recommended, or the lowest of a single case. */
+std::optional<std::size_t> StudyResults::offeredSetting() const
+{
+    const StudyPointer& result = m_runner.result();
+    if (!result || !result->summary.recommendation || result->summary.settings.size() < 2)
+        return std::nullopt;
+    const Recommendation& found = *result->summary.recommendation;
+    return result->summary.cases.size() == 1 ? found.lowest : found.best;
+}
+
 void StudyResults::showRecommendation()
 {
     const StudyPointer& result = m_runner.result();
     const bool isKnown =
-        result && result->summary.recommendation && result->summary.recommendation->next;
+        result && result->summary.recommendation && result->summary.settings.size() > 1;
+    const std::optional<std::size_t> offered = offeredSetting();
     m_recommendation->setVisible(isKnown);
-    m_useBest->setVisible(isKnown);
+    m_useBest->setVisible(offered.has_value());
     if (!isKnown)
         return;
     const StudySummary& summary = result->summary;
-    const Recommendation& best = *summary.recommendation;
+    const Recommendation& found = *summary.recommendation;
+    const auto cases = static_cast<int>(summary.cases.size());
     const auto name = [&](std::size_t s) {
         return settingText(summary.settings[s].setting, locale());
     };
-    m_useBest->setText(
-        (best.isSure ? tr("Use %1") : tr("Use the lowest: %1")).arg(name(best.setting)));
-    m_useBest->setToolTip(tr("Plans the scenario on the map with this setting."));
-    if (summary.cases.size() == 1) {
+    if (!offered) {
         m_recommendation->setText(
-            tr("Lowest ζ: %1. One case recommends no policy: fly more of them.")
-                .arg(name(best.setting)));
+            tr("No clear winner over %n cases. These settings may be the best: %1.", nullptr, cases)
+                .arg(contendersText(summary)));
         return;
     }
+    m_useBest->setText(tr("Use %1").arg(name(*offered)));
+    m_useBest->setToolTip(tr("Plans the scenario on the map with this setting."));
     m_recommendation->setText(
-        (best.isSure ? tr("Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the best of "
-                          "another policy, in %n cases.",
-                          nullptr, static_cast<int>(summary.cases.size()))
-                     : tr("No policy is surely the best: the ζ of %1 is %2 (95 %: %3 to %4) "
-                          "against %5, in %n cases.",
-                          nullptr, static_cast<int>(summary.cases.size())))
-            .arg(name(best.setting), changeText(best.relative.mean, locale()),
-                 changeText(best.relative.low, locale()), changeText(best.relative.high, locale()),
-                 name(*best.next)));
+        cases == 1 ? tr("Lowest ζ: %1. One case recommends no policy: fly more of them.")
+                         .arg(name(*offered))
+                   : tr("Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the closest "
+                        "other setting, over %n cases.",
+                        nullptr, cases)
+                         .arg(name(*offered), changeText(found.relative.mean, locale()),
+                              changeText(found.relative.low, locale()),
+                              changeText(found.relative.high, locale()), name(*found.next)));
 }
 
 void StudyResults::showReferences()

@@ -66,6 +66,8 @@ private:
                                         StudyTableModel& model);
     void connectPicture(StudyPicture& picture);
     void showResult();
+    [[nodiscard]] QString contendersText(const StudySummary& summary) const;
+    [[nodiscard]] std::optional<std::size_t> offeredSetting() const;
     void showRecommendation();
     void showReferences();
     void showCases();

@@ -313,18 +313,17 @@ private slots:
     {
         StudyPanelFixture f;
         auto& use = f.get<QPushButton>(u"useRecommendedSetting"_s);
-        QVERIFY(!use.isVisible());
-        f.show(test::fourCases());
-        QVERIFY(use.isVisible());
+        const auto& told = f.get<QLabel>(u"studyRecommendation"_s);
+        QVERIFY(!use.isVisible() && !told.isVisible());
+        f.show(test::clearWinner());
+        QVERIFY(use.isVisible() && told.isVisible());
+        QVERIFY(told.text().startsWith(u"Recommended: τ 2.00. Its ζ is −"_s));
+        QVERIFY(told.text().contains(u"against τ 1.00, the closest other setting"_s));
         QSignalSpy wanted(&f.panel.results(), &StudyResults::settingRequested);
         use.click();
-        const StudySummary& summary = f.runner.result()->summary;
-        const StudySetting& best = summary.settings[summary.recommendation->setting].setting;
         QCOMPARE(wanted.count(), 1);
-        QVERIFY(wanted.front().front().value<berg::StudySetting>() == best);
-        QCOMPARE(use.text(),
-                 (summary.recommendation->isSure ? u"Use %1"_s : u"Use the lowest: %1"_s)
-                     .arg(settingText(best, QLocale::c())));
+        QVERIFY(wanted.front().front().value<berg::StudySetting>().tau == 2.0);
+        QCOMPARE(use.text(), u"Use τ 2.00"_s);
     }
 
     void pointLeadsToItsCases()
@@ -404,18 +403,23 @@ private slots:
         QCOMPARE(combo.currentText(), u"Shortest path"_s);
     }
 
-    void policyIsRecommended()
+    /** Nothing is offered that the sentence does not say. */
+    void withoutAClearWinnerNothingIsOffered()
     {
         StudyPanelFixture f;
-        const auto& told = f.get<QLabel>(u"studyRecommendation"_s);
-        QVERIFY(!told.isVisibleTo(&f.panel));
         f.show(test::fourCases());
-        const Recommendation best = *f.runner.result()->summary.recommendation;
-        QVERIFY(told.isVisibleTo(&f.panel));
-        QVERIFY(told.text().startsWith(best.isSure ? u"Recommended: "_s
-                                                   : u"No policy is surely the best: "_s));
-        QVERIFY(told.text().contains(changeText(best.relative.mean, QLocale(QLocale::English))));
-        QVERIFY(told.text().contains(u"in 4 cases."));
+        QCOMPARE(f.get<QLabel>(u"studyRecommendation"_s).text(),
+                 u"No clear winner over 4 cases. These settings may be the best: τ 0.00, τ 1.00, "
+                 u"τ 2.00, Shortest path."_s);
+        QVERIFY(!f.get<QPushButton>(u"useRecommendedSetting"_s).isVisible());
+    }
+
+    void lowestOfOneCaseIsOffered()
+    {
+        StudyPanelFixture f;
+        f.show(test::studyOf(test::quickStudy(1), {{100, 80, 90, 110}}));
+        QVERIFY(f.get<QLabel>(u"studyRecommendation"_s).text().startsWith(u"Lowest ζ: τ 1.00."_s));
+        QCOMPARE(f.get<QPushButton>(u"useRecommendedSetting"_s).text(), u"Use τ 1.00"_s);
     }
 
     void casesAreNamed()
