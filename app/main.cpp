@@ -118,6 +118,10 @@ struct Options
         Main::tr("file")};
     QCommandLineOption at{u"at"_s, Main::tr("Fly until this time before the screenshot."),
                           Main::tr("seconds"), u"0"_s};
+    QCommandLineOption wait{u"wait"_s,
+                            Main::tr("Before the screenshot, wait so long at most for predictions "
+                                     "and the lower bound."),
+                            Main::tr("seconds"), u"0"_s};
     QCommandLineOption manual{
         u"manual"_s,
         Main::tr(
@@ -149,6 +153,11 @@ berg::WindowOptions windowOptionsOf(const QCommandLineParser& parser, const Opti
     window.at_s = parser.value(options.at).toDouble(&isNumber);
     if (!isNumber || !(window.at_s >= 0))
         fault = Main::tr("--at: \"%1\" is not a number of seconds.").arg(parser.value(options.at));
+    window.wait_s = parser.value(options.wait).toDouble(&isNumber);
+    if (!isNumber || !(window.wait_s >= 0 && window.wait_s <= berg::kLongestScreenshotWait_s))
+        fault = Main::tr("--wait: \"%1\" is not a number of seconds up to %2.")
+                    .arg(parser.value(options.wait))
+                    .arg(berg::kLongestScreenshotWait_s);
     const QStringList files = parser.positionalArguments();
     if (files.size() > 1)
         fault = Main::tr("Name one scenario file at most; %1 were named.").arg(files.size());
@@ -284,7 +293,8 @@ int main(int argc, char* argv[])
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     parser.addOptions({options.pictures, options.force, options.size, options.theme,
-                       options.screenshot, options.at, options.manual, options.config});
+                       options.screenshot, options.at, options.wait, options.manual,
+                       options.config});
     parser.addPositionalArgument(
         Main::tr("file"), Main::tr("A scenario (.berg), run (.bergrun) or study (.bergstudy)."));
     if (!parser.parse(QApplication::arguments())) {

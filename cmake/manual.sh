@@ -26,7 +26,7 @@ for language in en nb; do
         nb) export LANG=nb_NO.UTF-8 ;;
     esac
     mkdir "$output/$language"
-    "$program" --config "$folder/settings" --screenshot "$output/$language/window.png" --at 600 \
+    "$program" --config "$folder/settings" --screenshot "$output/$language/window.png" --at 600 --wait 60 \
         "$scenarios/grand-banks-12.berg"
     drawn lost bonavista-lost 520 map 1280x800
     drawn asset hibernia-asset 900 map 1280x800

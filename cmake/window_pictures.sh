@@ -11,7 +11,7 @@ trap 'rm -rf "$folder"' EXIT
 
 picture() { # name scenario time_s [size [theme]]
     "$program" --config "$folder/settings" --screenshot "$folder/$1.png" --size "${4:-1280x800}" \
-        --theme "${5:-light}" --at "$3" "scenarios/$2.berg"
+        --theme "${5:-light}" --at "$3" --wait 60 "scenarios/$2.berg"
     convert "$folder/$1.png" +dither -colors 256 "png8:pictures/$1.png"
 }
 

@@ -59,17 +59,17 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
         }
         QApplication::exit(code);
     };
-    const auto whenPredicted = [&window, &workspace, done] {
-        constexpr int kLongestWait_ms = 60000;
+    const auto whenPredicted = [&window, &workspace, done,
+                                wait_ms = static_cast<int>(1000 * options.wait_s)] {
         constexpr int kUntilDrawn_ms = 1000;
         const auto isPredicted = [&workspace] {
-            return workspace.forecasts().isDrawn() && workspace.bound().isComplete();
+            return workspace.forecasts().isComplete() && workspace.bound().isComplete();
         };
-        if (isPredicted()) {
+        if (wait_ms == 0 || isPredicted()) {
             done();
             return;
         }
-        QTimer::singleShot(kLongestWait_ms, &window, done);
+        QTimer::singleShot(wait_ms, &window, done);
         const auto look = [&window, isPredicted, done] {
             if (isPredicted())
                 QTimer::singleShot(kUntilDrawn_ms, &window, done);

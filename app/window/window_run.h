@@ -16,7 +16,10 @@ struct WindowOptions
     std::optional<QSize> size_px; ///< none: as it was left, at first what fits the screen
     std::optional<bool> dark;     ///< none: as the user chose
     double at_s = 0;              ///< flown until then before the screenshot
+    double wait_s = 0;            ///< at most, before it, for predictions and bound
 };
+
+inline constexpr int kLongestScreenshotWait_s = 3600;
 
 /** Runs the window until it is closed; the exit code of the program. */
 int runWindow(const WindowOptions& options);

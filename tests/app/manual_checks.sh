@@ -47,7 +47,7 @@ done
     bergwatch-cli --help
     [ -z "$window" ] || bergwatch --help
 } >../help.txt 2>/dev/null
-[ -n "$window" ] || echo "--pictures --screenshot --at --config --manual" >>../help.txt
+[ -n "$window" ] || echo "--pictures --screenshot --at --wait --config --manual" >>../help.txt
 for language in en nb; do
     check "$language: every option exists" test -z "$(cat "$source_dir/resources/manual/$language"/*.md |
         grep -oE -e '--[a-z][a-z-]+' | sort -u | grep -vE '^--version$' |

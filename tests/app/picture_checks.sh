@@ -58,6 +58,9 @@ check "a screenshot: a picture" test "$(head -c 4 shot.png | tail -c 3)" = PNG
 check "a screenshot that exists" exits 2 "$bergwatch" --screenshot shot.png $scenario
 check "a screenshot that exists: says so" says "--screenshot: shot.png: exists; --force overwrites it"
 check "a screenshot again" exits 0 "$bergwatch" --screenshot shot.png --force $scenario
+check "a screenshot that waits" exits 0 "$bergwatch" --screenshot shot.png --force --wait 1 $scenario
+check "a screenshot that waits for what" exits 2 "$bergwatch" --screenshot shot.png --force --wait long $scenario
+check "a screenshot that waits for what: says so" says '--wait: "long" is not a number of seconds'
 cp $scenario own.berg
 check "a screenshot over its scenario" exits 2 "$bergwatch" --screenshot own.berg --force own.berg
 check "a screenshot over its scenario: as before" cmp -s $scenario own.berg
