@@ -143,11 +143,18 @@ void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat
     if (stop.stop_requested())
         throw Interrupted{};
     const PlanAnswer plan = planned(run.scenario);
+    std::optional<ZetaPrediction> predicted;
+    if (format.holds.predicted)
+        predicted =
+            naming(arguments.file, [&] { return predictZeta(run.scenario, {.stop = stop}); });
+    if (stop.stop_requested())
+        throw Interrupted{};
     addExported(set,
                 {.scenario = run.scenario,
                  .plan = plan,
                  .mission = &mission,
                  .flown = flown,
+                 .predicted = predicted,
                  .words = reportLanguage()},
                 arguments, format);
 }

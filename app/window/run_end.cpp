@@ -57,7 +57,7 @@ void RunEnd::showEnd()
 /** Again when more is known of what the run is set against. */
 void RunEnd::tell()
 {
-    m_card->showSummary(flightSummary(workspace().record(), workspace().forecasts().forecasts()));
+    m_card->showSummary(flightSummary(workspace().record(), workspace().predicted()));
 }
 
 } // namespace berg

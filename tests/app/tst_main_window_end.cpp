@@ -1,3 +1,4 @@
+#include "core/base/number_text.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/panels/flight/flight_card.h"
@@ -9,7 +10,10 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QTemporaryDir>
 #include <QToolButton>
+
+#include <cmath>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
@@ -76,7 +80,7 @@ private slots:
     void cardTellsWhatTheRunHasComeTo()
     {
         WindowFixture w(test::MapFixture::shortRun());
-        QVERIFY(w.until([&] { return w.workspace.forecasts().isDrawn(); }));
+        QVERIFY(w.until([&] { return w.workspace.forecasts().isComplete(); }));
         QVERIFY(!card(w).isVisible());
         QVERIFY(flyToEnd(w));
         QTRY_VERIFY(card(w).isVisible());
@@ -87,13 +91,35 @@ private slots:
         QCOMPARE(text(w, u"flightCardVisits"_s), QString::number(metrics.visits));
         QVERIFY(text(w, u"flightCardPredicted"_s).contains(u"%"_s));
         QVERIFY(text(w, u"flightCardUnseen"_s).contains(u"berg-"_s));
-        const PolicyForecast& forecast =
-            w.workspace.forecasts().forecasts().at(w.scenario().planner.policy);
-        QVERIFY(forecast.isFlown());
-        const ZetaRange range = forecast.range().value();
-        QVERIFY(text(w, u"flightCardRange"_s)
-                    .endsWith(u" %1 to %2"_s.arg(significantText(range.least_m2s, 4, QLocale()),
-                                                 significantText(range.most_m2s, 4, QLocale()))));
+        const ZetaPrediction predicted = predictZeta(w.scenario()).value();
+        QVERIFY(w.workspace.predicted() == predicted);
+        const QString mean = significantText(predicted.mean_m2s, 4, QLocale());
+        QVERIFY(text(w, u"flightCardPredicted"_s).endsWith(u"(%1 m² s)"_s.arg(mean)));
+        QVERIFY(text(w, u"policyForecast"_s)
+                    .startsWith(u"Predicted before take-off: ζ %1 m² s"_s.arg(mean)));
+        QVERIFY(
+            text(w, u"flightCardRange"_s)
+                .endsWith(u" %1 to %2"_s.arg(significantText(predicted.least_m2s, 4, QLocale()),
+                                             significantText(predicted.most_m2s, 4, QLocale()))));
+    }
+
+    /** The log has the number of the card. */
+    void logTellsWhatTheCardTells()
+    {
+        WindowFixture w(test::MapFixture::shortRun());
+        QVERIFY(w.until([&] { return w.workspace.forecasts().isComplete(); }));
+        QVERIFY(flyToEnd(w));
+        std::string page;
+        connect(&w.workspace.runner(), &MissionRunner::exportReady, &w.window(),
+                [&](const std::vector<ExportFile>& files) { page = files.front().content; });
+        const QTemporaryDir folder;
+        w.workspace.runner().requestExport(
+            {.formatId = "log-html", .path = folder.filePath(u"log.html"_s)});
+        QVERIFY(w.until([&] { return !page.empty(); }));
+        const double mean_m2s = w.workspace.predicted().value().mean_m2s;
+        const std::string told =
+            "predicted before take-off " + printedNumber(std::round(mean_m2s), 0) + " m² s";
+        QVERIFY2(page.find(told) != std::string::npos, told.c_str());
     }
 
     void cardTellsWhereInThePredictionTheRunIs_data()
@@ -115,7 +141,8 @@ private slots:
         const auto& range = test::child<QLabel>(card, u"flightCardRange"_s);
         QCOMPARE(range.text(), u"–"_s);
         card.showSummary(
-            {.zeta_m2s = zeta_m2s, .range = ZetaRange{.least_m2s = 100, .most_m2s = 200}});
+            {.zeta_m2s = zeta_m2s,
+             .predicted = ZetaPrediction{.mean_m2s = 140, .least_m2s = 100, .most_m2s = 200}});
         QCOMPARE(range.text(), told);
     }
 

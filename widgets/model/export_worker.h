@@ -11,7 +11,8 @@ struct ExportOrder
 {
     ExportRequest request;
     std::uint64_t generation = 0;
-    std::stop_token stop; ///< of a preview
+    std::optional<ZetaPrediction> predicted = {}; ///< before take-off; nullopt: not known
+    std::stop_token stop = {};                    ///< of a preview
 };
 
 /** What is handed to the thread of exports. Qt loses its copies when memory runs out: one only. */

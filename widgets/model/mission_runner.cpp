@@ -212,18 +212,30 @@ void MissionRunner::setExportPaint(const ExportPaint& paint)
     post([paint](MissionWorker& worker) { worker.setExportPaint(paint); });
 }
 
+void MissionRunner::setPredictor(const Predictor& predictor)
+{
+    m_predictor = predictor;
+}
+
+ExportOrder MissionRunner::orderOf(const ExportRequest& request) const
+{
+    return {.request = request,
+            .generation = m_generation,
+            .predicted = m_predictor ? m_predictor() : std::nullopt};
+}
+
 void MissionRunner::requestExport(const ExportRequest& request)
 {
-    post([order = ExportOrder{.request = request, .generation = m_generation, .stop = {}}](
-             MissionWorker& worker) { worker.sendExport(order); });
+    post([order = orderOf(request)](MissionWorker& worker) { worker.sendExport(order); });
 }
 
 void MissionRunner::requestExportPreview(const ExportRequest& request)
 {
     m_previewStop.request_stop();
     m_previewStop = std::stop_source();
-    if (m_mail.previewRequests.put(
-            {.request = request, .generation = m_generation, .stop = m_previewStop.get_token()}))
+    ExportOrder order = orderOf(request);
+    order.stop = m_previewStop.get_token();
+    if (m_mail.previewRequests.put(std::move(order)))
         post([](MissionWorker& worker) { worker.sendExportPreview(); });
 }
 

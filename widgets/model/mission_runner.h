@@ -8,7 +8,9 @@
 #include <QObject>
 #include <QThread>
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace berg {
@@ -95,6 +97,10 @@ public:
     /** Applies the change at the present instant of a flight that has begun. */
     void intervene(const Intervention& intervention);
 
+    using Predictor = std::function<std::optional<ZetaPrediction>()>;
+    /** Asked at each export what zeta was predicted before take-off. */
+    void setPredictor(const Predictor& predictor);
+
     /** From now on these exports can be asked for, too. */
     void setExportPaint(const ExportPaint& paint);
     /**
@@ -140,6 +146,7 @@ private:
     template <class Command>
     void post(Command command);
     void connectExports();
+    [[nodiscard]] ExportOrder orderOf(const ExportRequest& request) const;
     template <class Command>
     void postToFlight(Command command);
 
@@ -151,6 +158,7 @@ private:
     std::uint64_t m_generation = 0;
     std::stop_source m_stop; ///< of the generation under way
     std::stop_source m_previewStop;
+    Predictor m_predictor;
     Scenario m_scenario;
     MissionOptions m_options;
 };

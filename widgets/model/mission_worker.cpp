@@ -282,6 +282,7 @@ std::shared_ptr<const ExportJob> MissionWorker::prepared(const ExportOrder& orde
     const ExportSource source{.scenario = m_mission->scenario(),
                               .plan = plan,
                               .mission = m_phase == RunPhase::Ready ? nullptr : m_mission.get(),
+                              .predicted = order.predicted,
                               .words = reportLanguage()};
     return std::make_shared<const ExportJob>(
         ExportJob{.order = order, .prepared = prepareExport(source, order.request, m_paint)});

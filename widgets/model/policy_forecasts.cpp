@@ -1,8 +1,6 @@
 #include "widgets/model/policy_forecasts.h"
 
 #include "core/scenario/validate.h"
-#include "core/sim/policy_forecast.h"
-#include "core/study/statistics.h"
 #include "widgets/model/compared_run.h"
 
 #include <algorithm>
@@ -15,7 +13,6 @@ namespace berg {
 namespace {
 
 constexpr int kPause_ms = 300;
-constexpr int kBetweenReports_ms = 200;
 
 /** Those that are soon flown first. */
 std::vector<PolicyKind> soonFirst()
@@ -48,29 +45,18 @@ PlannerSettings relevant(PolicyKind policy, const PlannerSettings& settings)
 
 using Tell = std::function<void(PolicyForecast)>;
 
-void foresee(const Scenario& scenario, PolicyKind policy, const std::stop_token& stop,
-             const Tell& tell)
+void flyDrawn(const Scenario& scenario, PolicyKind policy, int flights, const std::stop_token& stop,
+              const Tell& tell)
 {
-    ReportPace pace(kBetweenReports_ms);
-    const auto report = [&](double share) {
-        if (pace.isDue())
-            tell({.state = ForecastState::Computing, .share = share});
-    };
-    if (const auto metrics = forecastOf(scenario, policy, stop, report))
-        tell({.state = ForecastState::Known, .share = 1, .metrics = *metrics});
-}
-
-/** Those of `flights` that `forecast` does not have. */
-void flyDrawn(const Scenario& scenario, PolicyForecast forecast, PolicyKind policy, int flights,
-              const std::stop_token& stop, const Tell& tell)
-{
-    while (!forecast.drawsNoMore) {
-        const auto number = static_cast<int>(forecast.drawn_m2s.size());
+    PolicyForecast forecast{.state = ForecastState::Computing};
+    for (int number = 0; number < flights; ++number) {
         const std::optional<double> zeta_m2s = drawnZeta_m2s(scenario, policy, number, stop);
         if (!zeta_m2s)
             return;
         forecast.drawn_m2s.push_back(*zeta_m2s);
-        forecast.drawsNoMore = number + 1 >= flights;
+        forecast.share = (number + 1.0) / flights;
+        if (number + 1 == flights)
+            forecast.state = ForecastState::Known;
         tell(forecast);
     }
 }
@@ -80,21 +66,13 @@ bool isUnderWay(const PolicyForecast& forecast)
     return forecast.state == ForecastState::Waiting || forecast.state == ForecastState::Computing;
 }
 
-bool awaitsDrawn(const PolicyForecast& forecast)
-{
-    return forecast.state == ForecastState::Known && !forecast.drawsNoMore;
-}
-
 } // namespace
 
-std::optional<ZetaRange> PolicyForecast::range() const
+std::optional<ZetaPrediction> PolicyForecast::prediction() const
 {
-    if (!isFlown())
+    if (state != ForecastState::Known)
         return std::nullopt;
-    std::vector<double> sorted_m2s = drawn_m2s;
-    std::ranges::sort(sorted_m2s);
-    return ZetaRange{.least_m2s = quantile(sorted_m2s, 0.05),
-                     .most_m2s = quantile(sorted_m2s, 0.95)};
+    return predictionOf(drawn_m2s);
 }
 
 PolicyForecasts::PolicyForecasts(QObject* parent, int limit_ms, int drawnFlights)
@@ -104,11 +82,7 @@ PolicyForecasts::PolicyForecasts(QObject* parent, int limit_ms, int drawnFlights
     , m_task(u"forecasts"_s,
              {.work =
                   [](const Request& request, const std::stop_token& stop, const auto& tell) {
-                      if (request.soFar.state == ForecastState::Known)
-                          flyDrawn(request.scenario, request.soFar, request.policy,
-                                   request.drawnFlights, stop, tell);
-                      else
-                          foresee(request.scenario, request.policy, stop, tell);
+                      flyDrawn(request.scenario, request.policy, request.drawnFlights, stop, tell);
                   },
               .deliver = [this](PolicyForecast forecast) { take(std::move(forecast)); },
               .end =
@@ -130,13 +104,6 @@ bool PolicyForecasts::isComplete() const
 {
     return std::none_of(m_forecasts.begin(), m_forecasts.end(),
                         [](const auto& entry) { return isUnderWay(entry.second); });
-}
-
-bool PolicyForecasts::isDrawn() const
-{
-    return isComplete() &&
-           std::none_of(m_forecasts.begin(), m_forecasts.end(),
-                        [](const auto& entry) { return awaitsDrawn(entry.second); });
 }
 
 void PolicyForecasts::setScenario(const Scenario& scenario)
@@ -177,27 +144,21 @@ void PolicyForecasts::startNext()
 {
     if (m_present || m_pause.isActive())
         return;
-    for (const PolicyKind policy : m_order)
-        if (m_forecasts[policy].state == ForecastState::Waiting) {
-            m_forecasts[policy].state = ForecastState::Computing;
-            startPresent(policy);
-            return;
-        }
-    for (const PolicyKind policy : m_order)
-        if (awaitsDrawn(m_forecasts[policy])) {
-            startPresent(policy);
-            return;
-        }
+    const auto waits = [this](PolicyKind policy) {
+        return m_forecasts[policy].state == ForecastState::Waiting;
+    };
+    const PolicyKind chosen = m_scenario->planner.policy;
+    const auto next = std::ranges::find_if(m_order, waits);
+    if (next != m_order.end())
+        startPresent(waits(chosen) ? chosen : *next);
 }
 
 void PolicyForecasts::startPresent(PolicyKind policy)
 {
     m_present = policy;
+    m_forecasts[policy].state = ForecastState::Computing;
     m_limit.start();
-    m_task.start({.scenario = *m_scenario,
-                  .policy = policy,
-                  .soFar = m_forecasts[policy],
-                  .drawnFlights = m_drawnFlights});
+    m_task.start({.scenario = *m_scenario, .policy = policy, .drawnFlights = m_drawnFlights});
 }
 
 void PolicyForecasts::stopPresent()
@@ -209,36 +170,29 @@ void PolicyForecasts::stopPresent()
 
 void PolicyForecasts::giveUp()
 {
-    PolicyForecast& forecast = m_forecasts[*m_present];
-    if (forecast.state == ForecastState::Known)
-        forecast.drawsNoMore = true;
-    else
-        forecast = {.state = ForecastState::TooLong};
+    m_forecasts[*m_present] = {.state = ForecastState::TooLong};
     stopPresent();
     emit updated();
     startNext();
 }
 
-/** The flights in drawn worlds take as long as the one that has just ended. */
-bool PolicyForecasts::hasTimeToDraw() const
+/** Each flight takes as long as those before. */
+bool PolicyForecasts::isTooSlow(const PolicyForecast& forecast) const
 {
-    return (m_limit.interval() - m_limit.remainingTime()) * m_drawnFlights <= m_limit.interval();
+    const int passed_ms = m_limit.interval() - m_limit.remainingTime();
+    return passed_ms > forecast.share * m_limit.interval();
 }
 
 void PolicyForecasts::take(PolicyForecast forecast)
 {
     if (!m_present)
         return;
-    const bool isDone = forecast.state == ForecastState::Known
-                            ? forecast.drawn_m2s.empty() || forecast.drawsNoMore
-                            : forecast.state != ForecastState::Computing;
-    PolicyForecast& present = m_forecasts[*m_present];
-    if (present.state == ForecastState::Known && forecast.state == ForecastState::Impossible)
-        present.drawsNoMore = true; // of a drawn world: what was foreseen holds
-    else
-        present = std::move(forecast);
-    if (awaitsDrawn(present) && present.drawn_m2s.empty())
-        present.drawsNoMore = !hasTimeToDraw();
+    if (forecast.state == ForecastState::Computing && isTooSlow(forecast)) {
+        giveUp();
+        return;
+    }
+    const bool isDone = forecast.state != ForecastState::Computing;
+    m_forecasts[*m_present] = std::move(forecast);
     if (isDone)
         stopPresent();
     emit updated();

@@ -34,6 +34,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
     connect(&m_runner, &MissionRunner::updated, this, &Workspace::acceptSnapshot);
     connect(&m_runner, &MissionRunner::commandRefused, this, &Workspace::refused);
     connect(&m_runner, &MissionRunner::instantUpdated, this, &Workspace::acceptInstant);
+    m_runner.setPredictor([this] { return predicted(); });
     connect(&m_bound, &BoundRunner::updated, this, [this] { m_record.bound = m_bound.known(); });
     connect(&m_studyFiles, &StudyFiles::saved, &m_study,
             [this](const QString&, const StudySavePoint& point) {
@@ -99,6 +100,13 @@ std::string Workspace::assignedUavOf(const std::string& iceberg) const
         return {};
     const int uav = shown.assigned[static_cast<std::size_t>(it - shown.icebergs.begin())];
     return uav < 0 ? std::string() : m_record.scenario.uavs[static_cast<std::size_t>(uav)].id;
+}
+
+std::optional<ZetaPrediction> Workspace::predicted() const
+{
+    const PolicyForecastList& forecasts = m_forecasts.forecasts();
+    const auto found = forecasts.find(m_record.scenario.planner.policy);
+    return found == forecasts.end() ? std::nullopt : found->second.prediction();
 }
 
 bool Workspace::mayIntervene() const

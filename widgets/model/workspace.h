@@ -44,6 +44,9 @@ public:
     [[nodiscard]] CurveRunner& curve() { return m_curve; }
     /** Of the flight from the start, made before take-off. */
     [[nodiscard]] PolicyForecasts& forecasts() { return m_forecasts; }
+    /** Zeta of the flight as it was chosen at take-off; nullopt while it is being predicted, or if
+     * that takes too long. */
+    [[nodiscard]] std::optional<ZetaPrediction> predicted() const;
     /** Of zeta of every flight of the scenario; the record has it too. */
     [[nodiscard]] BoundRunner& bound() { return m_bound; }
     /** What was flown, at its end or when it was given up. */

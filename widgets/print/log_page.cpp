@@ -66,7 +66,7 @@ std::vector<BriefFact> factsOf(const ExportContent& content, const FlightLog& lo
              briefClock(content, log.flown_s)},
             {LogText::tr("Zeta flown"), zetaText(log.metrics.zeta_m2s, locale)},
             {LogText::tr("Predicted before take-off"),
-             log.predicted ? zetaText(log.predicted->zeta_m2s, locale) : u"–"_s},
+             log.predicted ? zetaText(log.predicted->mean_m2s, locale) : u"–"_s},
             {LogText::tr("Visits"), locale.toString(log.metrics.visits)},
             {LogText::tr("Plans made"), locale.toString(log.metrics.replans)},
             {LogText::tr("Planned by"), policyText(scenario.planner, locale)},

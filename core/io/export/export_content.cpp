@@ -316,6 +316,7 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         .wind_mps =
             source.mission ? source.mission->simulation().motion(0).wind_mps : scenario.wind_mps,
         .zeta_m2s = {},
+        .predicted = source.predicted,
         .mission = source.mission,
         .words = source.words};
     if (content.asset)

@@ -9,6 +9,7 @@
 #include "core/scenario/operation.h"
 #include "core/sim/mission.h"
 #include "core/sim/visits.h"
+#include "core/study/zeta_prediction.h"
 
 #include <array>
 #include <functional>
@@ -33,7 +34,8 @@ struct ExportSource
     const Mission* mission = nullptr; ///< null: nothing flown
     /** By UAV, moved from; none: what the mission recorded. */
     std::span<TrackPoints> flown = {};
-    ReportWords words = {}; ///< of pages for people
+    std::optional<ZetaPrediction> predicted = {}; ///< before take-off; nullopt: not known
+    ReportWords words = {};                       ///< of pages for people
 };
 
 enum class ExportWhat
@@ -145,11 +147,12 @@ struct ExportContent
     std::optional<NoFlyArea> standoff;        ///< round the asset
     std::optional<OperationVolume> operation; ///< at the altitude and airspeed chosen
     PlannerSettings planner;
-    ExportPlan plan;                  ///< in force, or the last one
-    Point wind_mps = Point::Zero();   ///< at `now_s`, in the plane
-    std::optional<double> zeta_m2s;   ///< until now, of all UAVs; none: nothing was flown
-    const Mission* mission = nullptr; ///< for formats that are `flownOnly` alone; borrowed
-    ReportWords words;                ///< of pages for people
+    ExportPlan plan;                         ///< in force, or the last one
+    Point wind_mps = Point::Zero();          ///< at `now_s`, in the plane
+    std::optional<double> zeta_m2s;          ///< until now, of all UAVs; none: nothing was flown
+    std::optional<ZetaPrediction> predicted; ///< before take-off; nullopt: not known
+    const Mission* mission = nullptr;        ///< for formats that are `flownOnly` alone; borrowed
+    ReportWords words;                       ///< of pages for people
 };
 
 /**

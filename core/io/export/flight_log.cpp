@@ -3,7 +3,6 @@
 #include "core/io/export/export_flight.h"
 #include "core/io/export/plan_wpl.h"
 #include "core/io/text/sha256.h"
-#include "core/sim/policy_forecast.h"
 
 #include <algorithm>
 
@@ -167,7 +166,7 @@ FlightLog flightLog(const ExportContent& content)
     const Mission& mission = *content.mission;
     FlightLog log{.flown_s = mission.simulation().time_s(),
                   .metrics = mission.metrics(),
-                  .predicted = forecastOf(mission.scenario(), mission.scenario().planner.policy),
+                  .predicted = content.predicted,
                   .wasChanged = !mission.interventions().empty()};
     const PlanAnswer plan = startPlan(mission);
     for (std::size_t row = 0; row < mission.scenario().uavs.size(); ++row) {

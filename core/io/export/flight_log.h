@@ -38,16 +38,16 @@ struct FlightLog
 {
     double flown_s = 0;
     Metrics metrics;
-    std::optional<Metrics> predicted; ///< before take-off, until the end of the run (`forecastOf`)
-    bool wasChanged = false;          ///< in flight: then the prediction was for another flight
+    std::optional<ZetaPrediction> predicted; ///< of the content: before take-off, of the whole run
+    bool wasChanged = false; ///< in flight: then the prediction was for another flight
     std::vector<LogUav> uavs;
     std::vector<LogIceberg> icebergs;     ///< those that have appeared
     std::vector<MissionEvent> deviations; ///< from what was planned; of a drag of tau the last
 };
 
 /**
- * The log of the mission of the content, all UAVs. Cost: the flight is flown again in advance for
- * the prediction; else linear in the record. Throws `Error{InvalidInput}` without a mission.
+ * The log of the mission of the content, all UAVs. Cost: linear in the record. Throws
+ * `Error{InvalidInput}` without a mission.
  */
 [[nodiscard]] FlightLog flightLog(const ExportContent& content);
 

@@ -57,7 +57,7 @@ std::string zetaText(const FlightLog& log, const ReportWords& words)
     if (log.predicted)
         text += "; " + words.html(QT_TRANSLATE_NOOP("Report", "predicted before take-off %1 m² s, "
                                                               "until the end of the run"),
-                                  {rounded(log.predicted->zeta_m2s)});
+                                  {rounded(log.predicted->mean_m2s)});
     if (log.wasChanged)
         text += "; " + words.html(QT_TRANSLATE_NOOP("Report", "changed in flight, so that the "
                                                               "prediction was for another flight"));

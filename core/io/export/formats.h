@@ -36,6 +36,7 @@ struct ExportHolds
     bool airspeed = false;  ///< of the UAVs, besides the times it leads to
     bool wayHome = false;   ///< at the end of an order; of a path it is part of the line
     bool painted = false;   ///< a picture or a page: an `ExportPainter` makes it
+    bool predicted = false; ///< zeta that was predicted before take-off
 
     /** Whether a file of this content depends on the option. */
     [[nodiscard]] bool dependsOn(ExportOption option, const ExportContent& content) const;

@@ -1,6 +1,5 @@
 #include "widgets/panels/flight/flight_card.h"
 
-#include "core/study/statistics.h"
 #include "widgets/model/compared_run.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
@@ -31,29 +30,18 @@ bool isChanged(const ComparedRun& run)
     return run.wasChanged || !run.worldChanges.empty();
 }
 
-/** Of the flight as it was chosen at take-off; null: none, or something was changed in flight. */
-const PolicyForecast* knownForecast(const ComparedRun& run, const PolicyForecastList& forecasts)
-{
-    const auto found = forecasts.find(run.planner.policy);
-    if (isChanged(run) || found == forecasts.end() || found->second.state != ForecastState::Known)
-        return nullptr;
-    return &found->second;
-}
-
 } // namespace
 
-FlightSummary flightSummary(const FlightRecord& record, const PolicyForecastList& forecasts)
+FlightSummary flightSummary(const FlightRecord& record,
+                            const std::optional<ZetaPrediction>& predicted)
 {
     const ComparedRun run = comparedRun(record);
     const RunFigures figures = figuresAt(run, run.flown_s);
     FlightSummary summary{.zeta_m2s = run.metrics.zeta_m2s,
                           .visits = run.metrics.visits,
                           .wasChanged = isChanged(run)};
-    if (const PolicyForecast* forecast = knownForecast(run, forecasts)) {
-        summary.predicted_m2s =
-            forecast->isFlown() ? summarise(forecast->drawn_m2s).mean : forecast->metrics.zeta_m2s;
-        summary.range = forecast->range();
-    }
+    if (!summary.wasChanged)
+        summary.predicted = predicted;
     if (const KnownBound bound = record.boundOfFlight(); bound.zeta_m2s > 0) {
         summary.bound_m2s = bound.zeta_m2s;
         summary.boundShare = bound.whole ? 1 : bound.share;
@@ -159,13 +147,13 @@ void FlightCard::showSummary(const FlightSummary& summary)
         return tr("%1 m² s").arg(significantText(zeta_m2s, 4, locale()));
     };
     showValue(*m_zeta, u"ζ "_s + zeta(summary.zeta_m2s));
-    showValue(
-        *m_predicted,
-        summary.predicted_m2s && *summary.predicted_m2s > 0
-            ? u"%1 (%2)"_s.arg(changeText(summary.zeta_m2s / *summary.predicted_m2s - 1, locale()),
-                               zeta(*summary.predicted_m2s))
-        : summary.wasChanged ? tr("changed in flight")
-                             : noFigure());
+    showValue(*m_predicted,
+              summary.predicted && summary.predicted->mean_m2s > 0
+                  ? u"%1 (%2)"_s.arg(
+                        changeText(summary.zeta_m2s / summary.predicted->mean_m2s - 1, locale()),
+                        zeta(summary.predicted->mean_m2s))
+              : summary.wasChanged ? tr("changed in flight")
+                                   : noFigure());
     showValue(*m_range, rangeText(summary));
     const QString bound = summary.bound_m2s ? zeta(*summary.bound_m2s) : noFigure();
     const bool isComputing = summary.bound_m2s && summary.boundShare < 1;
@@ -190,9 +178,10 @@ void FlightCard::showSummary(const FlightSummary& summary)
 /** Where ζ is in what was predicted. */
 QString FlightCard::rangeText(const FlightSummary& summary) const
 {
-    if (!summary.range)
+    if (!summary.predicted)
         return noFigure();
-    const auto [least_m2s, most_m2s] = *summary.range;
+    const double least_m2s = summary.predicted->least_m2s;
+    const double most_m2s = summary.predicted->most_m2s;
     const QString text = summary.zeta_m2s < least_m2s  ? tr("below %1 to %2")
                          : summary.zeta_m2s > most_m2s ? tr("above %1 to %2")
                                                        : tr("inside %1 to %2");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/policy_forecasts.h"
+#include "core/study/zeta_prediction.h"
 #include "widgets/theme/theme.h"
 
 #include <QFrame>
@@ -18,20 +18,18 @@ class FigureLabel;
 struct FlightSummary
 {
     double zeta_m2s = 0;
-    std::optional<double> predicted_m2s; ///< before take-off; none: not known, or of another flight
-    std::optional<ZetaRange> range;      ///< of it, where it is known
-    std::optional<double> bound_m2s;     ///< zeta of no flight is below
-    double boundShare = 1;               ///< of the work for it that is done; then it may rise
+    std::optional<ZetaPrediction> predicted; ///< before take-off; nullopt: unknown, or of another
+    std::optional<double> bound_m2s;         ///< zeta of no flight is below
+    double boundShare = 1;                   ///< of the work for it that is done; then it may rise
     int visits = 0;
     bool wasChanged = false; ///< in flight: what was predicted was for another one
     QString longestUnseen;   ///< the iceberg that was out of view longest; empty: none was
     double longestUnseen_s = 0;
 };
 
-/** At the end of a run. `forecasts` were made for it before take-off. Cost: linear in the record.
- */
+/** At the end of a run. `predicted`: before take-off. Cost: linear in the record. */
 [[nodiscard]] FlightSummary flightSummary(const FlightRecord& record,
-                                          const PolicyForecastList& forecasts);
+                                          const std::optional<ZetaPrediction>& predicted);
 
 /**
  * A card on the map, at its lower right, that tells what a run has come to and offers what one does

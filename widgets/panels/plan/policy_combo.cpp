@@ -1,6 +1,5 @@
 #include "widgets/panels/plan/policy_combo.h"
 
-#include "core/sim/policy_forecast.h"
 #include "core/study/statistics.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/panels/fields/panel_labels.h"
@@ -65,7 +64,7 @@ void PolicyDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
     const bool present = index.data(PresentRole).toBool();
     text(upper, Qt::AlignRight, m_theme.body(), present ? ink : muted, FigureRole);
     text(lower, Qt::AlignRight, small, muted, RemarkRole);
-    if (const QString pill = index.data(LowestRole).toString(); !pill.isEmpty()) {
+    if (const QString pill = index.data(RecommendedRole).toString(); !pill.isEmpty()) {
         painter->setRenderHint(QPainter::Antialiasing);
         const QString title = index.data(Qt::DisplayRole).toString();
         painter->setPen(muted);
@@ -106,7 +105,7 @@ int PolicyDelegate::widthFor(const QAbstractItemModel& offers) const
         const auto width = [&](const QFontMetrics& metrics, int role) {
             return metrics.horizontalAdvance(index.data(role).toString());
         };
-        const int pill_px = width(small, LowestRole) + 2 * kPillMargin_px + kMargin_px;
+        const int pill_px = width(small, RecommendedRole) + 2 * kPillMargin_px + kMargin_px;
         left_px =
             std::max({left_px, width(name, Qt::DisplayRole) + pill_px, width(small, SentenceRole)});
         right_px = std::max(
@@ -147,13 +146,6 @@ void PolicyCombo::showForecasts(const PolicyForecastList& forecasts)
     if (forecasts == m_forecasts)
         return;
     m_forecasts = forecasts;
-    m_isDrawn = std::ranges::all_of(m_forecasts, [](const auto& entry) {
-        const PolicyForecast& forecast = entry.second;
-        return forecast.state == ForecastState::Known
-                   ? forecast.drawsNoMore || forecast.isFlown()
-                   : forecast.state != ForecastState::Waiting &&
-                         forecast.state != ForecastState::Computing;
-    });
     updateOffers();
 }
 
@@ -169,74 +161,66 @@ const PolicyForecast* PolicyCombo::forecastOf(PolicyKind policy) const
     return found == m_forecasts.end() ? nullptr : &found->second;
 }
 
-std::optional<double> PolicyCombo::zetaOf(PolicyKind policy) const
+std::optional<ZetaPrediction> PolicyCombo::predictionOf(PolicyKind policy) const
 {
     const PolicyForecast* const forecast = forecastOf(policy);
-    if (forecast == nullptr || forecast->state != ForecastState::Known)
-        return std::nullopt;
-    return hasMean(policy) ? summarise(forecast->drawn_m2s).mean : forecast->metrics.zeta_m2s;
+    return forecast == nullptr ? std::nullopt : forecast->prediction();
 }
 
-/** Its zeta is the mean of flights in drawn worlds; in flight, when it is no longer weighed against
- * the others, as at the end of the flight. */
-bool PolicyCombo::hasMean(PolicyKind policy) const
+bool PolicyCombo::isComplete() const
 {
-    const PolicyForecast* const forecast = forecastOf(policy);
-    return (m_isDrawn || m_inFlight) && forecast != nullptr &&
-           forecast->state == ForecastState::Known && forecast->isFlown();
+    return std::ranges::none_of(m_forecasts, [](const auto& entry) {
+        return entry.second.state == ForecastState::Waiting ||
+               entry.second.state == ForecastState::Computing;
+    });
 }
 
-/** Predicted, but too slow for the drawn worlds that others were flown in. */
-std::vector<PolicyKind> PolicyCombo::leftOut() const
+/** Those that cannot be set beside the others, once these are known. */
+std::vector<PolicyKind> PolicyCombo::tooSlow() const
 {
     std::vector<PolicyKind> policies;
-    if (!m_isDrawn)
-        return policies;
     for (const auto& [policy, forecast] : m_forecasts)
-        if (forecast.state == ForecastState::Known && !forecast.isFlown())
+        if (isComplete() && forecast.state == ForecastState::TooLong)
             policies.push_back(policy);
     return policies;
 }
 
-/** Of zeta with the policy against that with the one chosen, both found in the same way. */
+/** Of its mean zeta against that of the policy chosen. */
 std::optional<double> PolicyCombo::changeTo(PolicyKind policy) const
 {
-    const std::optional<double> zeta_m2s = zetaOf(policy);
-    const std::optional<double> chosen_m2s = zetaOf(shownPolicy());
-    if (!zeta_m2s || !chosen_m2s)
+    const std::optional<ZetaPrediction> to = predictionOf(policy);
+    const std::optional<ZetaPrediction> from = predictionOf(shownPolicy());
+    if (!to || !from || from->mean_m2s <= 0)
         return std::nullopt;
-    const bool isOfMeans = hasMean(policy) && hasMean(shownPolicy());
-    const double to_m2s = isOfMeans ? *zeta_m2s : forecastOf(policy)->metrics.zeta_m2s;
-    const double from_m2s = isOfMeans ? *chosen_m2s : forecastOf(shownPolicy())->metrics.zeta_m2s;
-    return from_m2s > 0 ? std::optional(to_m2s / from_m2s - 1) : std::nullopt;
+    return to->mean_m2s / from->mean_m2s - 1;
 }
 
 /** "65 120 to 80 330": of 20 flights all but the one or two at each end. Empty: not known. */
 QString PolicyCombo::spreadOf(PolicyKind policy) const
 {
-    if (!hasMean(policy))
+    const std::optional<ZetaPrediction> prediction = predictionOf(policy);
+    if (!prediction)
         return {};
-    const ZetaRange range = forecastOf(policy)->range().value();
     return tr("%1 to %2")
-        .arg(significantText(range.least_m2s, 4, locale()),
-             significantText(range.most_m2s, 4, locale()));
+        .arg(significantText(prediction->least_m2s, 4, locale()),
+             significantText(prediction->most_m2s, 4, locale()));
 }
 
-/** Of those that are known; none while some are still to come or cannot be set beside the others.
- */
-std::optional<PolicyKind> PolicyCombo::lowest() const
+/** The policy that is surely the lowest in the same worlds, of several that are the one chosen;
+ * nullopt while some are still to come, if one is too slow, or without a clear winner. */
+std::optional<PolicyKind> PolicyCombo::recommended() const
 {
+    if (!isComplete() || !tooSlow().empty())
+        return std::nullopt;
+    std::vector<std::vector<double>> all;
+    for (const auto& [policy, forecast] : m_forecasts)
+        if (forecast.state == ForecastState::Known)
+            all.push_back(forecast.drawn_m2s);
     std::optional<PolicyKind> best;
-    const bool isAnyFlown = std::ranges::any_of(
-        m_forecasts, [this](const auto& entry) { return hasMean(entry.first); });
-    if (isAnyFlown && !leftOut().empty())
-        return best;
-    for (const auto& [policy, forecast] : m_forecasts) {
-        if (forecast.state == ForecastState::Waiting || forecast.state == ForecastState::Computing)
-            return std::nullopt;
-        if (const auto zeta_m2s = zetaOf(policy); zeta_m2s && (!best || *zeta_m2s < *zetaOf(*best)))
+    for (const auto& [policy, forecast] : m_forecasts)
+        if (forecast.state == ForecastState::Known && isSurelyLowest(forecast.drawn_m2s, all) &&
+            (!best || policy == shownPolicy()))
             best = policy;
-    }
     return best;
 }
 
@@ -252,7 +236,7 @@ QString PolicyCombo::figureOf(PolicyKind policy) const
         return forecast->share > 0 ? tr("%1 %…").arg(fixedText(100 * forecast->share, 0, locale()))
                                    : u"…"_s;
     case ForecastState::Known:
-        return u"ζ "_s + zetaText(*zetaOf(policy), locale());
+        return u"ζ "_s + zetaText(predictionOf(policy)->mean_m2s, locale());
     case ForecastState::TooLong:
     case ForecastState::Impossible:
         return noFigure();
@@ -268,8 +252,6 @@ QString PolicyCombo::remarkOf(PolicyKind policy) const
     QStringList parts;
     if (const QString spread = spreadOf(policy); !spread.isEmpty())
         parts << spread;
-    else if (std::ranges::count(leftOut(), policy) > 0)
-        parts << tr("too slow for %1 flights").arg(kDrawnFlights);
     if (policy == shownPolicy())
         parts << tr("chosen");
     else if (const std::optional<double> change = changeTo(policy))
@@ -285,7 +267,8 @@ QString PolicyCombo::toolTipOf(PolicyKind policy) const
         return text;
     if (forecast->state == ForecastState::TooLong)
         return text + u"\n\n"_s +
-               tr("Not predicted: flying it in advance takes more than %1.")
+               tr("Not predicted: flying it %1 times in advance takes more than %2.")
+                   .arg(kDrawnFlights)
                    .arg(durationText(PolicyForecasts::kLimit_ms / 1000.0, locale()));
     if (forecast->state == ForecastState::Impossible)
         return forecast->whyNot.isEmpty() ? text : text + u"\n\n"_s + forecast->whyNot;
@@ -294,59 +277,73 @@ QString PolicyCombo::toolTipOf(PolicyKind policy) const
 
 QString PolicyCombo::explanation()
 {
-    return tr("ζ is predicted before take-off by flying the mission in advance with the policy, "
-              "planned\nagain at each sighting as in flight, with icebergs that drift exactly as "
-              "entered. The real\nflight differs by the noise of the drift.") +
-           u"\n\n"_s +
-           tr("Then each policy is flown %1 times with drift and sightings drawn as the scenario "
-              "describes\nthem, in the same %1 worlds: ζ is the mean of these flights, the range "
-              "that of 90 % of them,\nand the policy with the lowest mean is recommended.")
-               .arg(kDrawnFlights);
+    return tr("ζ is predicted before take-off by flying the mission %1 times with each policy, "
+              "with "
+              "drift\nand sightings drawn as the scenario describes them, in the same %1 worlds: ζ "
+              "is "
+              "the mean of\nthese flights, the range that of 90 % of them. A policy is recommended "
+              "if its ζ is surely lower\nthan that of every other one (95 % interval of the "
+              "differences in the same worlds).")
+        .arg(kDrawnFlights);
+}
+
+/** What there is instead of a figure. */
+QString PolicyCombo::waitingText(const PolicyForecast& forecast) const
+{
+    if (forecast.state == ForecastState::TooLong)
+        return tr("ζ not predicted: takes too long");
+    if (m_inFlight || forecast.state == ForecastState::Impossible)
+        return {};
+    return forecast.share > 0
+               ? tr("Predicting ζ: %1 %").arg(fixedText(100 * forecast.share, 0, locale()))
+               : tr("Predicting ζ…");
 }
 
 QString PolicyCombo::summary() const
 {
     const PolicyKind policy = shownPolicy();
     const PolicyForecast* const forecast = forecastOf(policy);
-    if (forecast == nullptr || forecast->state == ForecastState::Impossible)
+    if (forecast == nullptr)
         return {};
-    if (forecast->state == ForecastState::TooLong)
-        return tr("ζ not predicted: takes too long");
-    const std::optional<double> zeta_m2s = zetaOf(policy);
-    if (!zeta_m2s)
-        return m_inFlight ? QString() : tr("Predicting ζ…");
-    const QString spread = spreadOf(policy);
-    const QString figure = spread.isEmpty()
-                               ? zetaText(*zeta_m2s, locale())
-                               : u"%1 (%2)"_s.arg(zetaText(*zeta_m2s, locale()), spread);
+    const std::optional<ZetaPrediction> prediction = forecast->prediction();
+    if (!prediction)
+        return waitingText(*forecast);
+    if (prediction->mean_m2s <= 0)
+        return {}; // nothing to monitor
+    const QString figure =
+        u"%1 (%2)"_s.arg(zetaText(prediction->mean_m2s, locale()), spreadOf(policy));
     if (m_inFlight)
         return tr("Predicted before take-off: ζ %1").arg(figure);
-    QString told = (hasMean(policy) ? tr("Mean ζ %1") : tr("Predicted ζ %1")).arg(figure);
-    const std::optional<PolicyKind> best = lowest();
-    if (!best) {
-        QStringList slow;
-        for (const PolicyKind left : leftOut())
-            slow << policyName(left);
-        return slow.isEmpty() ? told
-                              : tr("%1; too slow to compare: %2").arg(told, slow.join(u", "_s));
+    const QString told = tr("Predicted ζ %1").arg(figure);
+    if (!isComplete())
+        return told;
+    if (const std::vector<PolicyKind> slow = tooSlow(); !slow.empty()) {
+        QStringList names;
+        for (const PolicyKind left : slow)
+            names << policyName(left);
+        return tr("%1; too slow to compare: %2").arg(told, names.join(u", "_s));
     }
+    const std::optional<PolicyKind> best = recommended();
+    if (!best)
+        return tr("%1; no policy is a clear winner").arg(told);
     if (best == policy)
-        return tr("%1, the lowest").arg(told);
-    return tr("%1, lowest %2").arg(told, changeText(*zetaOf(*best) / *zeta_m2s - 1, locale()));
+        return tr("%1; recommended").arg(told);
+    return tr("%1; recommended: %2").arg(told, policyName(*best));
 }
 
 void PolicyCombo::updateOffers()
 {
-    const std::optional<PolicyKind> best = lowest();
-    const QString pill = best && hasMean(*best) ? tr("Recommended") : tr("Lowest");
+    const std::optional<PolicyKind> best = recommended();
     for (int row = 0; row < count(); ++row) {
         const auto policy = static_cast<PolicyKind>(itemData(row).toInt());
         const QString figure = figureOf(policy);
         const QString remark = remarkOf(policy);
         setItemData(row, figure, PolicyDelegate::FigureRole);
         setItemData(row, remark, PolicyDelegate::RemarkRole);
-        setItemData(row, best == policy ? pill : QString(), PolicyDelegate::LowestRole);
-        setItemData(row, !m_inFlight && zetaOf(policy).has_value(), PolicyDelegate::PresentRole);
+        setItemData(row, best == policy ? tr("Recommended") : QString(),
+                    PolicyDelegate::RecommendedRole);
+        setItemData(row, !m_inFlight && predictionOf(policy).has_value(),
+                    PolicyDelegate::PresentRole);
         setItemData(row, toolTipOf(policy), Qt::ToolTipRole);
         QStringList spoken{itemText(row)};
         for (const QString& part : {figure, remark})

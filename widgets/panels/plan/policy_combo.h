@@ -17,10 +17,10 @@ public:
     enum Role
     {
         SentenceRole = Qt::UserRole + 1,
-        FigureRole,  ///< right of the name
-        RemarkRole,  ///< below the figure
-        LowestRole,  ///< what is said of the best of those known, e.g. "Recommended"
-        PresentRole, ///< bool: the figure is of the flight to come
+        FigureRole,      ///< right of the name
+        RemarkRole,      ///< below the figure
+        RecommendedRole, ///< "Recommended" of the one that is
+        PresentRole,     ///< bool: the figure is of the flight to come
     };
 
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -56,9 +56,8 @@ public:
     /** In flight the forecasts are of the time before take-off. */
     void setInFlight(bool inFlight);
 
-    /** Of the policy shown, e.g. "Predicted ζ 71 230 m² s, lowest −14.1 %"; once those that are
-     * fast enough were flown in drawn worlds "Mean ζ 72 410 m² s (65 120 to 80 330), lowest −12.8
-     * %". */
+    /** Of the policy shown, e.g. "Predicted ζ 72 410 m² s (65 120 to 80 330); recommended: Least
+     * waiting time". */
     [[nodiscard]] QString summary() const;
     /** What the forecasts are. */
     [[nodiscard]] static QString explanation();
@@ -71,20 +70,20 @@ protected:
 private:
     [[nodiscard]] PolicyKind shownPolicy() const;
     [[nodiscard]] const PolicyForecast* forecastOf(PolicyKind policy) const;
-    [[nodiscard]] std::optional<double> zetaOf(PolicyKind policy) const;
-    [[nodiscard]] bool hasMean(PolicyKind policy) const;
-    [[nodiscard]] std::vector<PolicyKind> leftOut() const;
+    [[nodiscard]] std::optional<ZetaPrediction> predictionOf(PolicyKind policy) const;
+    [[nodiscard]] bool isComplete() const;
+    [[nodiscard]] std::vector<PolicyKind> tooSlow() const;
     [[nodiscard]] std::optional<double> changeTo(PolicyKind policy) const;
     [[nodiscard]] QString spreadOf(PolicyKind policy) const;
-    [[nodiscard]] std::optional<PolicyKind> lowest() const;
+    [[nodiscard]] std::optional<PolicyKind> recommended() const;
     [[nodiscard]] QString figureOf(PolicyKind policy) const;
     [[nodiscard]] QString remarkOf(PolicyKind policy) const;
     [[nodiscard]] QString toolTipOf(PolicyKind policy) const;
+    [[nodiscard]] QString waitingText(const PolicyForecast& forecast) const;
     void updateOffers();
 
     PolicyDelegate* m_delegate;
     PolicyForecastList m_forecasts;
-    bool m_isDrawn = false; ///< all that are fast enough were flown in drawn worlds
     bool m_inFlight = false;
 };
 
