@@ -215,9 +215,9 @@ std::vector<QStringList> sortieRows(const ExportContent& content)
         addLimited(columns, FlightBrief::tr("Reserve"),
                    [](const ExportUav& uav) { return reserve_s(uav.uav.spec); });
         if (isPlanned) {
-            addLimited(columns, FlightBrief::tr("Home before the reserve"),
+            addLimited(columns, FlightBrief::tr("Home, above the reserve"),
                        [outlook](const ExportUav& uav) { return *outlook(uav).margin_s; });
-            addLimited(columns, FlightBrief::tr("One flight in twenty"),
+            addLimited(columns, FlightBrief::tr("In 1 flight of 20"),
                        [&content](const ExportUav& uav) {
                            return *lowMargin_s(uav.uav, plannedPath(content, uav));
                        });

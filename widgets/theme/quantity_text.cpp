@@ -86,6 +86,8 @@ QString clockText(double time_s)
 
 QString marginText(double time_s)
 {
+    if (!std::isfinite(time_s))
+        return QuantityText::tr("not home");
     return time_s < 0 ? u"\u2212"_s + clockText(-time_s) : clockText(time_s);
 }
 

@@ -42,7 +42,7 @@ struct ShownUnit
 
 /** mm:ss, from one hour on h:mm:ss; rounded to whole seconds, negative times as zero; "∞". */
 [[nodiscard]] QString clockText(double time_s);
-/** The same with a sign where it is negative, as a margin may be. */
+/** A time above the reserve, with a sign where it is below: "−02:44"; "not home" if infinite. */
 [[nodiscard]] QString marginText(double time_s);
 
 /** "45 s", "45 min" or "0:16:40": a duration in a field, exact to `decimals` of a second. */

@@ -26,6 +26,7 @@ struct SentenceRow
     const char* text =
         nullptr;      ///< %1 stands for the field, %2, %3, ... for the arguments of the reason
     int distance = 0; ///< which of them is a distance, told in the user's unit; 0: none
+    int clock = 0;    ///< which of them is a time, told as mm:ss or h:mm:ss; 0: none
     int height = 0;   ///< likewise a height, whatever the field is
 };
 
@@ -89,7 +90,7 @@ public:
         {SameLayer,
          QT_TR_NOOP("Starts too near another UAV of the same altitude layer: they fly "
                     "apart first. Let their altitudes differ by %2."),
-         0, 2},
+         0, 0, 2},
         {NoPathHome, QT_TR_NOOP("The endurance is too short for the path home from the start.")},
         {NoRoundTrip,
          QT_TR_NOOP("The endurance is too short for the path to the nearest iceberg and back.")},
@@ -112,22 +113,27 @@ public:
         {CrowdedReturn,
          QT_TR_NOOP(
              "On the way home this UAV may have to wait %2 for others of its altitude layer, "
-             "longer than its reserve. Separate altitudes, or a greater reserve, avoid it.")},
+             "longer than its reserve. Separate altitudes, or a greater reserve, avoid it."),
+         0, 2},
         {RecoverySlot,
          QT_TR_NOOP(
              "Other UAVs of this altitude layer land on the same pad, so this UAV is planned "
              "home %2 early, in a recovery slot of its own. Separate altitudes or pads "
-             "avoid it.")},
-        {ThinReserve, QT_TR_NOOP("With wind and airspeed off their values, one flight in twenty "
-                                 "uses %2 or more of the reserve to come home.")},
-        {MayNotReturn, QT_TR_NOOP("With wind and airspeed off their values, in one flight in "
-                                  "twenty the wind is too strong to come home.")},
-        {NoContact, QT_TR_NOOP("The plan leads out of the range of the ground station for %2.")},
+             "avoid it."),
+         0, 2},
+        {ThinReserve,
+         QT_TR_NOOP("With the usual errors in wind and airspeed, 1 flight in 20 uses %2 or more of "
+                    "the reserve to come home."),
+         0, 2},
+        {MayNotReturn, QT_TR_NOOP("With the usual errors in wind and airspeed, in 1 flight in 20 "
+                                  "the wind is too strong to come home.")},
+        {NoContact, QT_TR_NOOP("The plan leads out of the range of the ground station for %2."), 0,
+         2},
         {DarkTakeOff, QT_TR_NOOP("Takes off in the dark, at %2 UTC: civil twilight begins at "
                                  "%3 UTC.")},
         {DarkLanding, QT_TR_NOOP("Lands in the dark, at %2 UTC: civil twilight ends at %3 UTC.")},
         {AirspaceEntered,
-         QT_TR_NOOP("The operation may enter the airspace \"%2\", which begins at %3."), 0, 3},
+         QT_TR_NOOP("The operation may enter the airspace \"%2\", which begins at %3."), 0, 0, 3},
         {FenceUnplanned,
          QT_TR_NOOP(
              "This policy plans without geofence and no-fly areas; they are kept in flight.")},
@@ -266,12 +272,14 @@ QString issueText(const Issue& issue, const QLocale& locale)
     const SentenceRow& sentence = IssueText::kSentences.at(id);
     texts << fieldName(issue.field);
     for (const IssueArgument& argument : issue.reason.arguments) {
+        const auto number = static_cast<int>(texts.size()) + 1;
         const auto* const metres = std::get_if<std::int64_t>(&argument);
-        const auto place = texts.size() + 1;
-        texts << (metres != nullptr && place == sentence.distance
+        const auto* const time_s = std::get_if<double>(&argument);
+        texts << (metres != nullptr && number == sentence.distance
                       ? distanceText(static_cast<double>(*metres), locale, 2)
-                  : place == sentence.height ? fieldValue(kHeightField, argument, locale)
-                                             : argumentText(issue, argument, locale));
+                  : time_s != nullptr && number == sentence.clock ? clockText(*time_s)
+                  : number == sentence.height ? fieldValue(kHeightField, argument, locale)
+                                              : argumentText(issue, argument, locale));
     }
     return filledIn(QCoreApplication::translate("IssueText", sentence.text), texts);
 }

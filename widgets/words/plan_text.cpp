@@ -210,6 +210,20 @@ QString gapText(double gap, const QLocale& locale)
     return fixedText(std::max(1.0, std::ceil(10 * percent - kRounding)) / 10, 1, locale);
 }
 
+QStringList marginLines(double margin_s, double low_s)
+{
+    if (!std::isfinite(margin_s))
+        return {PlanText::tr("The wind is too strong to come home")};
+    const QString home = margin_s < 0 ? PlanText::tr("Home with %1 of the reserve used")
+                                      : PlanText::tr("Home with %1 above the reserve");
+    const QString low = !std::isfinite(low_s)
+                            ? PlanText::tr("In 1 flight of 20 the wind is too strong to come home")
+                        : low_s < 0 ? PlanText::tr("1 flight in 20 uses %1 or more of the reserve")
+                                    : PlanText::tr("1 flight in 20: %1 or less above the reserve");
+    const auto clock = [](double time_s) { return clockText(std::abs(time_s)); };
+    return {home.arg(clock(margin_s)), std::isfinite(low_s) ? low.arg(clock(low_s)) : low};
+}
+
 QString chanceText(double chance, const QLocale& locale)
 {
     return PlanText::tr("%1 %").arg(fixedText(100 * chance, 0, locale));

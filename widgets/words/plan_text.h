@@ -5,6 +5,7 @@
 
 #include <QLocale>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 
@@ -58,6 +59,13 @@ struct PlanFigures
  * true.
  */
 [[nodiscard]] QString gapText(double gap, const QLocale& locale);
+
+/**
+ * What is left of the endurance above the reserve at home: "Home with 03:46 above the reserve", "1
+ * flight in 20 uses 02:44 or more of the reserve". `margin_s` as planned, `low_s` of 1 flight in
+ * 20; minus infinity: the UAV never comes home against the wind.
+ */
+[[nodiscard]] QStringList marginLines(double margin_s, double low_s);
 
 /** "87 %" for 0.87. */
 [[nodiscard]] QString chanceText(double chance, const QLocale& locale);

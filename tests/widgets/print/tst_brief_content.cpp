@@ -344,7 +344,7 @@ private slots:
         };
         const double flown_s = content.uavs[0].visits.back().time_s; // back home
         QCOMPARE(cellOf(u"Reserve"_s), u"16:40"_s);
-        QCOMPARE(cellOf(u"Home before the reserve"_s), clockText(4000 - flown_s));
+        QCOMPARE(cellOf(u"Home, above the reserve"_s), clockText(4000 - flown_s));
         QCOMPARE(cellOf(u"Out of radio range"_s), clockText(flown_s));
         QVERIFY(brief.warnings.join(u' ').contains(u"out of the range of the ground station"));
     }

@@ -63,9 +63,9 @@ std::optional<MapReadout> homeMarginReadout(const FlightRecord& record)
     const auto isUnlimited = [](const Uav& uav) { return uav.spec.endurance_s <= 0; };
     if (std::ranges::all_of(record.scenario.uavs, isUnlimited))
         return std::nullopt;
-    return MapReadout{.caption = MissionPicture::tr("Home margin"),
+    return MapReadout{.caption = MissionPicture::tr("Above the reserve"),
                       .value = least_s ? marginText(*least_s) : u"–"_s,
-                      .unit = {}};
+                      .unit = MissionPicture::tr("if home now")};
 }
 
 /** None: UAVs in one altitude layer have kept well apart. */

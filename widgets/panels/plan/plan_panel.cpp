@@ -4,6 +4,7 @@
 #include "widgets/panels/plan/plan_delegate.h"
 #include "widgets/panels/plan/plan_model.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/plan_text.h"
 
 #include <QContextMenuEvent>
 #include <QDragMoveEvent>
@@ -259,8 +260,7 @@ QStringList PlanPanel::sortieLines() const
     }
     QStringList lines;
     if (least != nullptr)
-        lines << tr("Home %1 before the reserve (5 %: %2)")
-                     .arg(marginText(*least->outlook.margin_s), marginText(*least->lowMargin_s));
+        lines << marginLines(*least->outlook.margin_s, least->lowMargin_s.value_or(0));
     QStringList landings;
     for (const PlannedSortie& sortie : landingOrder(m_sorties))
         landings << u"%1 %2"_s.arg(QString::fromStdString(sortie.uav), clockText(*sortie.slot_s));

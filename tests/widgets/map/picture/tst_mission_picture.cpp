@@ -171,8 +171,9 @@ private slots:
         QCOMPARE(left.unit, u"two"_s);
         record.now.homeMargins_s = {std::nullopt, 95, 0}; // ordered home, it has no limit either
         const MapReadout margin = missionPicture(record, kLocale).readouts.back();
-        QCOMPARE(margin.caption, u"Home margin"_s);
+        QCOMPARE(margin.caption, u"Above the reserve"_s);
         QCOMPARE(margin.value, u"01:35"_s);
+        QCOMPARE(margin.unit, u"if home now"_s);
     }
 
     void nearMissesAreShown()

@@ -65,7 +65,7 @@ private slots:
             {Issue{Severity::Warning, "uavs[0]", {.id = IssueId::NoContact, .arguments = {90.0}}}});
         QCOMPARE(f.list().count(), 2);
         QCOMPARE(f.line(0), u"uav-1: The plan leads out of the range of the ground station "
-                            "for 90 s."_s);
+                            "for 01:30."_s);
         QCOMPARE(f.panel.issues().size(), std::size_t{2});
         QCOMPARE(changed.count(), 2);
         f.panel.setPlanIssues({});

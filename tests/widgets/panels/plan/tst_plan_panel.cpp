@@ -120,7 +120,8 @@ private slots:
         f.panel.showSorties(
             {PlannedSortie{.outlook = {.margin_s = 300, .noContact_s = 61}, .lowMargin_s = 200},
              std::nullopt, PlannedSortie{.outlook = {.margin_s = 90}, .lowMargin_s = -30}});
-        QCOMPARE(summary.text(), u"Home 01:30 before the reserve (5 %: −00:30)\n"
+        QCOMPARE(summary.text(), u"Home with 01:30 above the reserve\n"
+                                 "1 flight in 20 uses 00:30 or more of the reserve\n"
                                  "Out of radio range for 01:01"_s);
     }
 
@@ -135,7 +136,8 @@ private slots:
              PlannedSortie{
                  .outlook = {.margin_s = 310}, .lowMargin_s = 200, .slot_s = 720, .uav = "first"}});
         QCOMPARE(test::child<QLabel>(f.panel, u"planSummary"_s).text(),
-                 u"Home 05:00 before the reserve (5 %: 03:20)\n"
+                 u"Home with 05:00 above the reserve\n"
+                 "1 flight in 20: 03:20 or less above the reserve\n"
                  "Recovery slots: first 12:00, second 12:30"_s);
     }
 
