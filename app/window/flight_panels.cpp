@@ -76,11 +76,6 @@ void FlightPanels::showPlan()
     std::vector<PlanSection> sections = planSections(record.shown(), record.scenario);
     PlanReadout readout = readoutOf(record, fault);
     readout.isHeld = !sections.empty() && std::ranges::none_of(sections, &PlanSection::isPlanned);
-    const auto leavesVisits = [](const PlanEvent& plan) { // for the next sortie
-        return plan.thisSortie && *plan.thisSortie < static_cast<int>(plan.order.size());
-    };
-    if (std::ranges::none_of(record.shown().plans, leavesVisits)) // else of all, as the reward
-        readout.distance_m = planLength_m(sections);              // one figure wherever it is told
     panels().tradeoff->showPlan(readout);
     showSorties(record.isOver() ? std::vector<std::optional<PlannedSortie>>()
                                 : plannedSorties(record.shown(), record.scenario),

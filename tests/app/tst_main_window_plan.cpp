@@ -1,7 +1,12 @@
+#include "core/io/export/export_flight.h"
 #include "core/io/files/run_json.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
+#include "widgets/charts/pareto_chart.h"
 #include "widgets/panels/plan/plan_model.h"
+#include "widgets/print/brief_content.h"
+#include "widgets/print/brief_table.h"
+#include "widgets/theme/quantity_text.h"
 
 #include <QContextMenuEvent>
 #include <QDropEvent>
@@ -112,6 +117,39 @@ private slots:
                    predictions().filter(u"without another plan"_s).size() == 1;
         }));
         QCOMPARE(predictions().size(), 2);
+    }
+
+    /** The whole order as the solver weighs it in panel and chart, this sortie in plan and brief.
+     */
+    void lengthsSayWhatTheyAreOf()
+    {
+        Scenario scenario = test::MapFixture::fourIcebergs();
+        scenario.planner.policy = PolicyKind::Visitation;
+        scenario.wind_mps = {9, 0};
+        scenario.uavs.front().spec.endurance_s = 500; // the rest of the order is for later
+        WindowFixture w(scenario);
+        QVERIFY(w.until([&] { return w.workspace.curve().curve().complete; }));
+        const auto& chart = test::child<ParetoChart>(w.window(), {});
+        const TauCurve& curve = w.workspace.curve().curve();
+        const CurveInterval& present =
+            curve.intervals.at(static_cast<std::size_t>(intervalAt(curve, scenario.planner.tau)));
+        const QString whole = distanceText(present.distance_m, QLocale());
+        QCOMPARE(test::child<QLabel>(w.window(), u"planDistance"_s).text(), whole);
+        QCOMPARE(test::child<QLabel>(w.window(), u"planReward"_s).text(),
+                 sigmaText(present.reward_m2, QLocale()));
+        QVERIFY2(chart.accessibleDescription().contains(u"whole order %1,"_s.arg(whole)),
+                 qUtf8Printable(chart.accessibleDescription()));
+        const ExportContent content =
+            exportContent({.scenario = scenario, .plan = planFromStart(scenario)});
+        const QString sortie = distanceText(pathTotals(content.uavs.front()).length_m, QLocale());
+        QVERIFY(sortie != whole);
+        QVERIFY(test::child<QLabel>(w.window(), u"planSummary"_s)
+                    .toolTip()
+                    .startsWith(u"This sortie: %1 with the return"_s.arg(sortie)));
+        const auto& facts = briefContent(content, QLocale()).flight;
+        QVERIFY(std::ranges::any_of(facts, [&](const BriefFact& fact) {
+            return fact.caption == u"This sortie"_s && fact.value == sortie;
+        }));
     }
 
     void beforeTakeOffItIsAnEdit()

@@ -63,7 +63,7 @@ Figure ParetoChart::figure() const
                 .largest = largest.x,
                 .spacing_px = 64,
                 .text = numberText(locale()),
-                .title = utf8(tr("Distance, %1").arg(longDistanceUnit().name))};
+                .title = utf8(tr("Whole order, %1").arg(longDistanceUnit().name))};
     figure.y = {
         .least = least.y, .largest = largest.y, .spacing_px = 34, .text = numberText(locale())};
     figure.leftTitles = {utf8(tr("Uncertainty reward, m²")), utf8(tr("Reward, m²"))};

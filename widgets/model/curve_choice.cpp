@@ -70,8 +70,8 @@ std::optional<double> tauOfPreviousPlan(const TauCurve& curve, double tau)
 
 QString intervalText(const CurveInterval& interval, const QLocale& locale)
 {
-    const QString text = interval.proven ? CurveText::tr("τ %1: %2, proven optimal")
-                                         : CurveText::tr("τ %1: %2, not proven");
+    const QString text = interval.proven ? CurveText::tr("τ %1: whole order %2, proven optimal")
+                                         : CurveText::tr("τ %1: whole order %2, not proven");
     return text.arg(tauRangeText(interval, locale), distanceText(interval.distance_m, locale));
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/model/flight_record.h"
 
+#include "core/plan/policy/fleet_task.h"
 #include "widgets/model/compared_run.h"
 #include "widgets/words/plan_text.h"
 
@@ -219,6 +220,39 @@ FlightRecord recordOf(const Mission& mission)
     return record;
 }
 
+namespace {
+
+/** Length of an order of the request; a leg counts as the mean of both directions, as in
+ * `visitationTask`. */
+double weighedLength_m(const PlanRequest& request, const UavRequest& uav,
+                       const std::vector<int>& order, Route route)
+{
+    const auto leg_m = [&uav](int from, int to) {
+        return (uav.distance_m(from, to) + uav.distance_m(to, from)) / 2;
+    };
+    double length_m = 0;
+    int at = 0;
+    for (const int iceberg : order)
+        if (std::ranges::find(request.ids, iceberg) != request.ids.end()) { // one of each cluster
+            const int next = nodeOfId(request, iceberg);
+            length_m += leg_m(std::exchange(at, next), next);
+        }
+    return route == Route::Closed ? length_m + leg_m(at, 0) : length_m;
+}
+
+/** Of the plan in force and those that were made with it. */
+double weighedDistance_m(const MissionSnapshot& shown, Route route)
+{
+    double length_m = 0;
+    for (const UavRequest& uav : shown.request->uavs)
+        if (const PlanEvent* plan = planOf(shown, uav.uav);
+            plan != nullptr && plan->time_s == shown.plan->time_s)
+            length_m += weighedLength_m(*shown.request, uav, plan->order, route);
+    return length_m;
+}
+
+} // namespace
+
 PlanReadout readoutOf(const FlightRecord& record, const QString& fault)
 {
     const MissionSnapshot& shown = record.shown();
@@ -231,6 +265,8 @@ PlanReadout readoutOf(const FlightRecord& record, const QString& fault)
         if (shown.plan && plan.uav != shown.plan->uav && plan.sameSolve &&
             plan.time_s == shown.plan->time_s)
             readout.others.push_back(plan.order);
+    if (shown.plan && shown.request && traitsOf(shown.planner.policy).weighsSigma)
+        readout.weighed_m = weighedDistance_m(shown, record.scenario.planner.route);
     return readout;
 }
 

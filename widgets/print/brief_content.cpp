@@ -105,7 +105,9 @@ std::vector<BriefFact> flightFacts(const ExportContent& content, const QLocale& 
     std::vector<BriefFact> facts{{FlightBrief::tr("Wind, true"), windText(content, locale)}};
     if (!content.scenario->current_mps.isZero(0))
         facts.push_back({FlightBrief::tr("Current, true"), currentText(content, locale)});
-    facts.push_back({FlightBrief::tr("Distance"), distanceText(total.length_m, locale)});
+    facts.push_back({content.what == ExportWhat::Track ? FlightBrief::tr("Distance")
+                                                       : FlightBrief::tr("This sortie"),
+                     distanceText(total.length_m, locale)});
     // Of a track it is that on the ground between sorties, too.
     facts.push_back({content.what == ExportWhat::Track ? FlightBrief::tr("Duration")
                                                        : FlightBrief::tr("Time of flight"),
@@ -156,15 +158,17 @@ std::vector<UavColumn> commonColumns(const ExportContent& content, const QLocale
          }}};
 }
 
-void addOwnTotals(std::vector<UavColumn>& columns, const QLocale& locale)
+void addOwnTotals(std::vector<UavColumn>& columns, ExportWhat what, const QLocale& locale)
 {
     columns.push_back({FlightBrief::tr("Icebergs"), [](const ExportUav& uav) {
                            return QString::number(std::ranges::count_if(
                                uav.visits, [](const Visit& visit) { return visit.iceberg >= 0; }));
                        }});
-    columns.push_back({FlightBrief::tr("Distance"), [&locale](const ExportUav& uav) {
-                           return distanceText(pathTotals(uav).length_m, locale);
-                       }});
+    columns.push_back(
+        {what == ExportWhat::Track ? FlightBrief::tr("Distance") : FlightBrief::tr("This sortie"),
+         [&locale](const ExportUav& uav) {
+             return distanceText(pathTotals(uav).length_m, locale);
+         }});
     columns.push_back({FlightBrief::tr("Time"),
                        [](const ExportUav& uav) { return clockText(pathTotals(uav).time_s); }});
 }
@@ -243,7 +247,7 @@ std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& lo
                             return QString::number(content.options.loiterTurns);
                         }});
     if (areToldApart(content.uavs))
-        addOwnTotals(columns, locale);
+        addOwnTotals(columns, content.what, locale);
     return rowsOf(columns, content);
 }
 

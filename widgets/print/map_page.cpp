@@ -95,7 +95,7 @@ std::vector<MapReadout> plannedFigures(const ExportContent& content, const QLoca
     if (length_m == 0)
         return {};
     const ShownUnit unit = longDistanceUnit();
-    return {{.caption = MapPageText::tr("Distance"),
+    return {{.caption = MapPageText::tr("This sortie"),
              .value = significantText(unit.fromSi(length_m), 3, locale),
              .unit = unit.name},
             {.caption = areToldApart(content.uavs) ? MapPageText::tr("Longest flight")

@@ -188,12 +188,12 @@ PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
     const PlanEvent& plan = *readout.plan;
     if (plan.status == SolveStatus::None || plan.source == AnswerSource::KeptRoute)
         return figures;
-    figures.distance_m = readout.distance_m.value_or(plan.distance_m);
+    figures.distance_m = readout.weighed_m.value_or(plan.distance_m);
     // Only Eq. (1) has a reward: the routes are made as if every sigma were 0, the others weigh
     // time.
     if (!traitsOf(policy).weighsSigma)
         return figures;
-    figures.reward_m2 = plan.mu * plan.distance_m - plan.objective;
+    figures.reward_m2 = plan.mu * *figures.distance_m - plan.objective;
     if (!isSolved(plan))
         return figures;
     figures.objective_m2 = plan.objective;

@@ -20,7 +20,7 @@ struct PlanReadout
     bool isHeld = false; ///< every UAV returns, holds or is on the ground: no plan is in force
     QString fault;       ///< why nothing can be planned; empty: nothing stands in the way
     OrdersByUav others;  ///< of the UAVs that were planned together with it
-    std::optional<double> distance_m = {}; ///< of what lies ahead of all UAVs; none: as solved
+    std::optional<double> weighed_m = {}; ///< D of Eq. (2); nullopt if the policy weighs none
 
     /** In the orders of all of them. */
     [[nodiscard]] std::size_t icebergs() const;

@@ -90,8 +90,9 @@ std::string uavsHtml(const ExportContent& content, const FlightLog& log)
     const ReportWords& words = content.words;
     HtmlTable table(
         words.html(QT_TRANSLATE_NOOP("Report",
-                                     "Planned: the first plan, before take-off, in straight legs. "
-                                     "Distances flown are through the air.")),
+                                     "Planned: the first sortie of the plan before take-off, over "
+                                     "ground in straight legs. Distances flown are through the "
+                                     "air.")),
         words.heads(
             {QT_TRANSLATE_NOOP("Report", "UAV"), QT_TRANSLATE_NOOP("Report", "Visits planned"),
              QT_TRANSLATE_NOOP("Report", "flown"),

@@ -153,7 +153,7 @@ private slots:
         const QString present = f.chart.accessibleDescription();
         QTest::mouseMove(&f.chart, pointsOf(f.chart)[0].toPoint());
         QTRY_VERIFY(f.chart.accessibleDescription() != present);
-        QVERIFY(f.chart.accessibleDescription().contains(u"30.0 km, proven optimal"_s));
+        QVERIFY(f.chart.accessibleDescription().contains(u"whole order 30.0 km, proven optimal"_s));
         QTest::mouseMove(&f.chart, QPoint(f.chart.width() - 40, 180));
         QTRY_COMPARE(f.chart.accessibleDescription(), present);
     }

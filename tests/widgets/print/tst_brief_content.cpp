@@ -305,9 +305,10 @@ private slots:
         for (const QStringList& row : brief.uavs)
             QCOMPARE(row.size(), brief.uavs[0].size());
         QVERIFY(brief.uavs[2].contains(u"160 m"_s)); // 40 m above the first
-        QVERIFY(brief.uavs[0].contains(u"Distance"_s));
-        QVERIFY(
-            !briefContent(planContent(fourIcebergs()), kEnglish).uavs[0].contains(u"Distance"_s));
+        QVERIFY(brief.uavs[0].contains(u"This sortie"_s));
+        QVERIFY(!briefContent(planContent(fourIcebergs()), kEnglish)
+                     .uavs[0]
+                     .contains(u"This sortie"_s));
     }
 
     void uavRowHasWhatIsChosen()

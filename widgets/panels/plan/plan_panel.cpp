@@ -216,8 +216,8 @@ QStringList PlanPanel::summaryLines() const
 {
     QStringList lines;
     if (hasRows(m_sections))
-        lines << (returns(m_sections) ? tr("%1 including the return, flown %2")
-                                      : tr("%1, flown %2"))
+        lines << (returns(m_sections) ? tr("This sortie: %1 with the return, flown %2")
+                                      : tr("This sortie: %1, flown %2"))
                      .arg(distanceText(planLength_m(m_sections), locale()),
                           PlanModel::arrivalText(lastArrival_s(m_sections)));
     lines << sortieLines();
@@ -287,6 +287,8 @@ QString PlanPanel::boundText(const PlanOutlook& outlook) const
 QString PlanPanel::summaryToolTip() const
 {
     QStringList lines = summaryLines();
+    if (hasRows(m_sections))
+        lines << tr("The length of this sortie is over ground, until the run ends at most.");
     if (!m_outlook)
         return lines.join(u'\n');
     if (m_outlook->change)

@@ -37,8 +37,11 @@ PlanReadoutView::PlanReadoutView(QWidget* parent) : QWidget(parent)
     grid->setColumnStretch(1, 1);
     grid->setRowMinimumHeight(2, kRowGap_px);
 
-    m_distance = addFigure(*grid, {0, 0}, u"planDistance"_s, tr("Distance"),
-                           tr("Length of the whole plan."));
+    m_distance = addFigure(*grid, {0, 0}, u"planDistance"_s, tr("Whole order"),
+                           tr("Length of the whole order as it was planned, through the air, in "
+                              "wind the mean of both directions, and "
+                              "with its turns: what the solver weighs, as in the trade-off chart. "
+                              "The plan panel has that of this sortie over ground."));
     m_reward = addFigure(*grid, {1, 0}, u"planReward"_s, tr("Uncertainty reward"),
                          tr("Each iceberg's σ times the number of places after its own in the "
                             "order: the sooner the uncertain ones come, the more."));

@@ -100,7 +100,7 @@ private slots:
         const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
         QVERIFY(summary.text().isEmpty());
         f.panel.showPlan(visiting({"a", "b", "c"})); // 1 km each, the last in 3 min
-        QCOMPARE(summary.text(), u"3.00 km, flown in 03:00"_s);
+        QCOMPARE(summary.text(), u"This sortie: 3.00 km, flown in 03:00"_s);
         f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423, .isInFlight = true});
         QCOMPARE(summary.text().section(u'\n', 1),
                  u"ζ at the end without another plan: 84\u202f420 m² s"_s);

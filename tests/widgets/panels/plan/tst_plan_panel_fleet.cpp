@@ -67,7 +67,7 @@ private slots:
         for (int row = 0; row < 5; ++row)
             QCOMPARE(f.model.index(row, 0).data(PlanModel::UavRole).toInt(), row < 3 ? 0 : 1);
         QCOMPARE(test::child<QLabel>(f.panel, u"planSummary"_s).text(),
-                 u"3.00 km, flown in 02:00"_s);
+                 u"This sortie: 3.00 km, flown in 02:00"_s);
         QTest::mouseClick(f.table.viewport(), Qt::LeftButton, {}, f.centre(3));
         QCOMPARE(lastId(f.activated), "uav-2");
         f.panel.showPlan(visiting({"a"})); // back to one

@@ -239,7 +239,7 @@ private slots:
     {
         const TauStripFixture f;
         f.strip->setLocale(QLocale(QLocale::English));
-        QCOMPARE(toolTipAt(*f.strip, 1), u"τ 0.52 to 2.00: 24.0 km, proven optimal"_s);
+        QCOMPARE(toolTipAt(*f.strip, 1), u"τ 0.52 to 2.00: whole order 24.0 km, proven optimal"_s);
         TauCurve partial = test::curveThrough({0.5, 2, 5});
         partial.intervals[1].proven = false;
         f.strip->setCurve(partial);
