@@ -1,6 +1,8 @@
 #include "app/start/start_content.h"
 
+#include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
+#include "core/io/text/atomic_file.h"
 #include "core/sim/mission.h"
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/map/picture/scenario_picture.h"
@@ -73,21 +75,32 @@ QImage pictureOf(const Scenario& scenario, const Theme& theme, double pixelRatio
     return painted(picture, theme, kExamplePicture_px, pixelRatio);
 }
 
+/** What the file is about: a scenario, or that of a run; nullopt for studies. */
+std::optional<Scenario> scenarioIn(const QFileInfo& file)
+{
+    const std::string path = QFile::encodeName(file.filePath()).toStdString();
+    if (file.suffix() == u"berg"_s)
+        return loadScenario(path, ScenarioUse::Editing);
+    if (file.suffix() == u"bergrun"_s)
+        return runFromJson(readFile(path), path).scenario;
+    return std::nullopt;
+}
+
 /** Its picture has no plan: that of a large scenario takes its time. */
 RecentFile readRecentFile(const QString& path, const Theme& theme, double pixelRatio)
 {
     const QFileInfo file(path);
     RecentFile recent{.path = path, .exists = file.exists(), .changed = file.lastModified()};
-    if (recent.exists && file.suffix() == u"berg"_s) {
-        // Opening it tells why not.
-        static_cast<void>(failureOf([&] {
-            const Scenario scenario =
-                loadScenario(QFile::encodeName(path).toStdString(), ScenarioUse::Editing);
-            recent.icebergs = static_cast<int>(scenario.icebergs.size());
-            recent.picture =
-                painted(withScenario({}, scenario), theme, kRecentPicture_px, pixelRatio, true);
-        }));
-    }
+    if (!recent.exists)
+        return recent;
+    static_cast<void>(failureOf([&] { // opening it tells why not
+        const std::optional<Scenario> scenario = scenarioIn(file);
+        if (!scenario)
+            return;
+        recent.icebergs = static_cast<int>(scenario->icebergs.size());
+        recent.picture =
+            painted(withScenario({}, *scenario), theme, kRecentPicture_px, pixelRatio, true);
+    }));
     return recent;
 }
 

@@ -21,7 +21,7 @@ struct RecentFile
     bool exists = false;
     QDateTime changed;
     std::optional<int> icebergs; ///< none: cannot be read
-    QImage picture;              ///< of `kRecentPicture_px`; null: of no scenario
+    QImage picture;              ///< of `kRecentPicture_px`; null: of no scenario or run
 };
 
 /** A scenario that comes with the program. */

@@ -2,6 +2,7 @@
 #include "app/start/start_page.h"
 #include "app/start/tour.h"
 #include "app/window/start_guide.h"
+#include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/file_texts.h"
@@ -277,6 +278,26 @@ private slots:
             for (int x = 0; x < picture.width(); ++x)
                 sea += picture.pixelColor(x, y) == Theme::dark().sea ? 1 : 0;
         QVERIFY2(sea > 0.65 * picture.width() * picture.height(), qPrintable(QString::number(sea)));
+    }
+
+    /** A run has the picture of its scenario. */
+    void runsHavePictures()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"flown.bergrun"_s);
+        Scenario scenario = three();
+        scenario.duration_s = 30;
+        Mission mission(scenario);
+        mission.advance(scenario.duration_s);
+        saveRun(runOf(mission), path.toStdString());
+        StartContent content;
+        QList<RecentFile> recent;
+        connect(&content, &StartContent::recentRead, this,
+                [&](const QList<RecentFile>& files) { recent = files; });
+        content.readRecent({path}, Theme::light(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(recent.size(), 1, 60000);
+        QCOMPARE(recent.front().icebergs.value_or(0), int(scenario.icebergs.size()));
+        QCOMPARE(recent.front().picture.size(), kRecentPicture_px);
     }
 
     void opensAndBegins()
