@@ -252,6 +252,23 @@ private slots:
         QVERIFY(w.scenario() == withEverything());
     }
 
+    /** Ctrl+U with the pointer at rest, and copies of one UAV, each have a place of their own. */
+    void uavsAreAddedBesideEachOther()
+    {
+        WindowFixture w(withEverything());
+        for (int k = 0; k < 3; ++k)
+            w.trigger(u"addUavAction"_s);
+        for (int k = 0; k < 2; ++k) {
+            w.workspace.selection().set({"uav-1"});
+            w.trigger(u"duplicateAction"_s);
+        }
+        const std::vector<Uav>& uavs = w.scenario().uavs;
+        QCOMPARE(uavs.size(), 6U);
+        for (std::size_t a = 0; a < uavs.size(); ++a)
+            for (std::size_t b = 0; b < a; ++b)
+                QVERIFY((uavs[a].position_m - uavs[b].position_m).norm() > kPixel_m);
+    }
+
     void assetAndAreaAreRemoved()
     {
         WindowFixture w(withEverything());

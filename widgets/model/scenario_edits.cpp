@@ -333,6 +333,19 @@ Point freeOffset(const Scenario& scenario, std::span<const Iceberg> icebergs, co
     return offset_m;
 }
 
+Point freeUavPlace_m(const Scenario& scenario, const Point& place_m, const Point& step_m)
+{
+    const auto hides = [&](const Point& at_m) {
+        return std::ranges::any_of(scenario.uavs, [&](const Uav& uav) {
+            return (uav.position_m - at_m).norm() < step_m.norm() / 2;
+        });
+    };
+    Point free_m = place_m;
+    for (std::size_t tries = 0; tries < scenario.uavs.size() && hides(free_m); ++tries)
+        free_m += step_m;
+    return free_m;
+}
+
 bool sharesLayer(const Scenario& scenario)
 {
     Scenario apart = scenario;

@@ -84,6 +84,10 @@ std::vector<std::string> addCopies(Scenario& scenario, std::span<const Iceberg> 
 [[nodiscard]] Point freeOffset(const Scenario& scenario, std::span<const Iceberg> icebergs,
                                const Point& step_m);
 
+/** `place_m`, or the nearest multiple of `step_m` from it where no UAV is. */
+[[nodiscard]] Point freeUavPlace_m(const Scenario& scenario, const Point& place_m,
+                                   const Point& step_m);
+
 /** Two UAVs less than `kLayerHeight_m` apart in altitude are kept apart in flight. */
 [[nodiscard]] bool sharesLayer(const Scenario& scenario);
 /** Raises UAVs, none more than it takes, until no two of them share a layer. */

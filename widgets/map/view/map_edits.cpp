@@ -169,7 +169,8 @@ void MapEdits::duplicateUavs(const std::vector<Uav>& uavs)
     const auto count = static_cast<int>(uavs.size());
     m_context.document.edit(tr("Duplicate %n UAVs", nullptr, count), [&](Scenario& scenario) {
         for (const Uav& uav : uavs) {
-            scenario.uavs.push_back(anotherUav(scenario, uav, uav.position_m + step_m));
+            scenario.uavs.push_back(anotherUav(
+                scenario, uav, freeUavPlace_m(scenario, uav.position_m + step_m, step_m)));
             ids.push_back(scenario.uavs.back().id);
         }
     });
@@ -190,7 +191,9 @@ void MapEdits::addUavAt(const Point& place_m)
 {
     if (!begin() || !hasRoomForUavs(1))
         return;
-    const Uav uav = anotherUav(m_context.document.scenario(), roundedTo(place_m, kPositionStep_m));
+    const Scenario& scenario = m_context.document.scenario();
+    const Point free_m = freeUavPlace_m(scenario, place_m, copyStep_m());
+    const Uav uav = anotherUav(scenario, roundedTo(free_m, kPositionStep_m));
     m_context.document.edit(tr("Add UAV"),
                             [&](Scenario& scenario) { scenario.uavs.push_back(uav); });
     m_context.selection.set({uav.id});
