@@ -159,12 +159,11 @@ void FlightCard::showSummary(const FlightSummary& summary)
     const bool isComputing = summary.bound_m2s && summary.boundShare < 1;
     const bool isUseless =
         summary.bound_m2s && !isUsefulBound(*summary.bound_m2s, summary.zeta_m2s);
-    showValue(
-        *m_bound,
-        isComputing
-            ? tr("%1, %2 % computed").arg(bound, fixedText(100 * summary.boundShare, 0, locale()))
-        : isUseless ? tr("no useful bound")
-                    : bound);
+    showValue(*m_bound,
+              isComputing
+                  ? tr("being computed, %1 %").arg(fixedText(100 * summary.boundShare, 0, locale()))
+              : isUseless ? tr("no useful bound")
+                          : bound);
     showValue(*m_visits, fixedText(summary.visits, 0, locale()));
     showValue(*m_unseen,
               summary.longestUnseen.isEmpty()

@@ -271,16 +271,15 @@ QStringList PlanPanel::sortieLines() const
     return lines;
 }
 
-/** Those of the work that is under way after the bound so far. */
+/** A bound that still grows is no figure yet. */
 QString PlanPanel::boundText(const PlanOutlook& outlook) const
 {
-    const QString bound = significantText(*outlook.bound_m2s, 4, locale());
-    if (outlook.boundShare >= 1 && !isUsefulBound(*outlook.bound_m2s, outlook.zeta_m2s))
+    if (outlook.boundShare < 1)
+        return tr("Lower bound on ζ: being computed, %1 %")
+            .arg(fixedText(100 * outlook.boundShare, 0, locale()));
+    if (!isUsefulBound(*outlook.bound_m2s, outlook.zeta_m2s))
         return tr("No useful lower bound on ζ");
-    if (outlook.boundShare >= 1)
-        return tr("Lower bound on ζ: %1 m² s").arg(bound);
-    return tr("Lower bound on ζ: %1 m² s, %2 % computed")
-        .arg(bound, fixedText(100 * outlook.boundShare, 0, locale()));
+    return tr("Lower bound on ζ: %1 m² s").arg(significantText(*outlook.bound_m2s, 4, locale()));
 }
 
 /** The same unabridged, the order before, and what the prediction rests on. */
