@@ -4,6 +4,9 @@
 #include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/theme/theme.h"
 
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -41,6 +44,31 @@ double contrastOf(const QWidget& field)
     return (std::max(text, ground) + 0.05) / (std::min(text, ground) + 0.05);
 }
 
+/** In small letters, without what is only punctuation. */
+QString plainWords(QString text)
+{
+    for (const QChar mark : u"&…:."_s)
+        text.remove(mark);
+    return text.trimmed().toLower();
+}
+
+/** What is to be read on a button or label, or beside a field; empty: pictures alone. */
+QString wordsOn(const QWidget& widget)
+{
+    if (const auto* label = qobject_cast<const QLabel*>(&widget))
+        return label->text();
+    if (const auto* tool = qobject_cast<const QToolButton*>(&widget))
+        return tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull()
+                   ? QString()
+                   : tool->text();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
+        return button->text();
+    const bool isField = qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr ||
+                         qobject_cast<const QComboBox*>(&widget) != nullptr ||
+                         qobject_cast<const QLineEdit*>(&widget) != nullptr;
+    return isField ? widget.accessibleName() : QString(); // its label stands beside it
+}
+
 } // namespace
 
 /** What the window shows of states that come and go. */
@@ -50,6 +78,18 @@ class TestMainWindowStates : public QObject
 
 private slots:
     void init() { test::failOnWarnings(); }
+
+    /** A tool tip says more than what it is at, or nothing. */
+    void noToolTipRepeatsItsLabel()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QStringList repeated;
+        for (const QWidget* widget : w.window().findChildren<QWidget*>())
+            if (const QString words = plainWords(wordsOn(*widget));
+                !words.isEmpty() && plainWords(widget->toolTip()) == words)
+                repeated << widget->objectName() + u": "_s + widget->toolTip();
+        QVERIFY2(repeated.isEmpty(), qUtf8Printable(repeated.join(u'\n')));
+    }
 
     void lockedFieldsAreReadableInEveryTheme()
     {

@@ -63,6 +63,7 @@ RunTable::RunTable(RunList& list, QWidget* parent)
     for (const int number : {RunZeta, RunDifference})
         horizontalHeaderItem(number)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     horizontalHeader()->setSectionResizeMode(RunName, QHeaderView::Stretch);
+    setTextElideMode(Qt::ElideMiddle); // what tells runs apart may come last: "..., to 05:00"
     connect(this, &QTableWidget::cellClicked, this, &RunTable::choose);
     connect(this, &QTableWidget::cellDoubleClicked, this, [this](int row, int column) {
         if (column >= RunName) // a circle has had its click

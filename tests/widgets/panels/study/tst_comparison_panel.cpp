@@ -204,6 +204,17 @@ private slots:
         QCOMPARE(f.runs.item(1, RunName)->text(), u"Nearest first, to 01:00 \u2013 Elsewhere"_s);
     }
 
+    /** What tells runs apart may come last; the whole name is in the tool tip. */
+    void longNamesAreCutInTheMiddle()
+    {
+        ComparisonPanelFixture f({260, 300});
+        f.add(PolicyKind::Latency, 60);
+        const QTableWidgetItem& cell = *f.runs.item(0, RunName);
+        QVERIFY(cell.text().endsWith(u"to 01:00"_s));
+        QVERIFY(cell.toolTip().startsWith(cell.text()));
+        QCOMPARE(f.runs.textElideMode(), Qt::ElideMiddle);
+    }
+
     void clicksAndKeysChoose()
     {
         ComparisonPanelFixture f;
