@@ -127,8 +127,13 @@ private slots:
         scenario.planner.policy = PolicyKind::Visitation;
         scenario.wind_mps = {9, 0};
         scenario.uavs.front().spec.endurance_s = 500; // the rest of the order is for later
+        const ExportContent content = // nothing is solved on this thread while there is a window
+            exportContent({.scenario = scenario, .plan = planFromStart(scenario)});
         WindowFixture w(scenario);
-        QVERIFY(w.until([&] { return w.workspace.curve().curve().complete; }));
+        QVERIFY(w.until([&] {
+            const TauCurve& found = w.workspace.curve().curve();
+            return found.complete && !found.intervals.empty();
+        }));
         const auto& chart = test::child<ParetoChart>(w.window(), {});
         const TauCurve& curve = w.workspace.curve().curve();
         const CurveInterval& present =
@@ -139,8 +144,6 @@ private slots:
                  sigmaText(present.reward_m2, QLocale()));
         QVERIFY2(chart.accessibleDescription().contains(u"whole order %1,"_s.arg(whole)),
                  qUtf8Printable(chart.accessibleDescription()));
-        const ExportContent content =
-            exportContent({.scenario = scenario, .plan = planFromStart(scenario)});
         const QString sortie = distanceText(pathTotals(content.uavs.front()).length_m, QLocale());
         QVERIFY(sortie != whole);
         QVERIFY(test::child<QLabel>(w.window(), u"planSummary"_s)
