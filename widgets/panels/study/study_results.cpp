@@ -73,8 +73,8 @@ void StudyResults::addHeader(QBoxLayout& column)
     auto* caption = new QLabel(tr("Compared with"));
     m_reference = new QComboBox;
     m_reference->setObjectName(u"studyReference"_s);
-    m_reference->setAccessibleName(tr("Reference that the other settings are compared with"));
-    m_reference->setToolTip(m_reference->accessibleName());
+    m_reference->setAccessibleName(caption->text());
+    m_reference->setToolTip(tr("Reference that the other settings are compared with"));
     m_reference->setMinimumWidth(kReference_px);
     guardWheel(*m_reference);
     caption->setBuddy(m_reference);
