@@ -5,14 +5,12 @@
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 
-#include <QDateTime>
 #include <QFontDatabase>
 #include <QHeaderView>
 #include <QPainter>
 #include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QTableView>
-#include <QTimeZone>
 
 using namespace Qt::StringLiterals;
 
@@ -95,15 +93,6 @@ std::vector<WaypointRow> waypointRows(const ExportContent& content)
     return rows;
 }
 
-QString timeText(const ExportContent& content, double time_s)
-{
-    if (!content.start)
-        return clockText(time_s);
-    const qint64 start_ms = content.start->time_since_epoch().count();
-    return QDateTime::fromMSecsSinceEpoch(start_ms + qRound64(time_s * 1000), QTimeZone::utc())
-        .toString(u"yyyy-MM-dd HH:mm:ss 'UTC'"_s);
-}
-
 QString cellText(const ExportContent& content, const WaypointRow& row, int cell,
                  const QLocale& locale)
 {
@@ -116,7 +105,7 @@ QString cellText(const ExportContent& content, const WaypointRow& row, int cell,
     case Place:
         return placeText(content.frame.toGeographic(row.visit->position_m), kPlaceDecimals, locale);
     case Time:
-        return timeText(content, row.visit->time_s);
+        return MissionClock{.start = content.start}.dateText(row.visit->time_s);
     default:
         return QString::fromStdString(titleOf(row.uav->uav));
     }

@@ -6,7 +6,7 @@
 #include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/flight/event_panel.h"
 #include "widgets/panels/flight/playback_bar.h"
-#include "widgets/theme/quantity_text.h"
+#include "widgets/theme/mission_clock.h"
 
 using namespace Qt::StringLiterals;
 
@@ -66,8 +66,10 @@ void FlightControls::togglePlay()
 void FlightControls::showGivenUp()
 {
     const std::optional<double> flown_s = workspace().givenUp_s();
-    panels().alarms->showGivenUp(flown_s ? tr("Flight to %1 given up").arg(clockText(*flown_s))
-                                         : QString());
+    panels().alarms->showGivenUp(
+        flown_s
+            ? tr("Flight to %1 given up").arg(clockOf(workspace().record().scenario).text(*flown_s))
+            : QString());
     if (flown_s)
         m_givenUpTimer.start();
 }

@@ -81,7 +81,7 @@ void FlightPanels::showPlan()
                                 : plannedSorties(record.shown(), record.scenario),
                 darkFlights(record.shown(), record.scenario, sections));
     panels().plan->setFaulty(!fault.isEmpty());
-    panels().plan->showPlan(std::move(sections));
+    panels().plan->showPlan(std::move(sections), timesOf(record));
     panels().plan->showOutlook(planOutlook(record));
 }
 
@@ -167,10 +167,10 @@ void FlightPanels::showEvents()
         const bool isNews = workspace().inFlight() && !workspace().lookedAt_s() && !isNew;
         for (; m_markedEvents < events.size(); ++m_markedEvents) {
             const MissionEvent& event = events[m_markedEvents];
-            m_marks.push_back(
-                {.time_s = event.time_s,
-                 .kind = event.kind,
-                 .text = eventText(event, record.now.icebergs, record.scenario.uavs, locale())});
+            m_marks.push_back({.time_s = event.time_s,
+                               .kind = event.kind,
+                               .text = eventText(event, record.now.icebergs, record.scenario.uavs,
+                                                 locale(), clockOf(record.scenario))});
             if (isNews)
                 panels().announcer->say(m_marks.back().text);
         }

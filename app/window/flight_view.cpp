@@ -77,6 +77,9 @@ void FlightView::showFlight()
     panels().icebergs->setSigmaFull(picture.sigmaFull_m2);
     panels().map->setPicture(std::move(picture));
     panels().map->setMayIntervene(workspace().mayIntervene());
+    const MissionClock clock = clockOf(record.scenario);
+    panels().playback->setClock(clock);
+    panels().alarms->setClock(clock);
     const QString fault = planFault(workspace());
     const bool playing = workspace().isPlaying();
     if (!playing) // else at the pace of the tables

@@ -397,7 +397,10 @@ void Menus::buildToolBar()
                 button->setToolButtonStyle(Qt::ToolButtonIconOnly);
         }
     }
-    addMenu(tr("&Tools")).addActions(tools->actions());
+    QMenu& menu = addMenu(tr("&Tools"));
+    menu.addActions(tools->actions());
+    menu.addSeparator();
+    m_parts.preferences.buildSources(*menu.addMenu(tr("&New icebergs seen by")));
 }
 
 void Menus::updateActions()

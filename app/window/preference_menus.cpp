@@ -4,10 +4,12 @@
 #include "app/window/appearance_choice.h"
 #include "app/window/run_settings.h"
 #include "core/base/coordinates.h"
+#include "widgets/model/sigma_end.h"
+#include "widgets/model/workspace.h"
 #include "widgets/theme/declination.h"
 #include "widgets/theme/quantity_text.h"
-#include "widgets/model/sigma_end.h"
 #include "widgets/theme/unit_settings.h"
+#include "widgets/words/source_text.h"
 
 #include <QActionGroup>
 #include <QMenu>
@@ -16,10 +18,16 @@
 using namespace Qt::StringLiterals;
 
 namespace berg {
+namespace {
+
+constexpr const char* kSourceKey = "icebergs/source"; ///< radar, visual, satellite ...
+
+} // namespace
 
 PreferenceMenus::PreferenceMenus(WindowContext& context, AppearanceChoice& appearance)
     : WindowPart(context), m_appearance(appearance)
 {
+    useSavedSource();
 }
 
 void PreferenceMenus::build(QMenu& menu)
@@ -104,6 +112,12 @@ void PreferenceMenus::buildUnits(QMenu& menu)
     choices(tr("Drift and &wind"), kVectorFormKey,
             {{u"direction"_s, tr("Speed and direction: wind from, drift towards")},
              {u"components"_s, tr("Components east and north")}});
+    choices(tr("&Times"), kTimeFormKey,
+            {{u"utc"_s, tr("UTC, where the scenario has a start")},
+             {u"elapsed"_s, tr("Elapsed since the start")}});
+    choices(tr("&Uncertainty"), kUncertaintyFormKey,
+            {{u"sigma"_s, tr("σ first, 95 % radius beside it")},
+             {u"radius"_s, tr("95 % radius first, σ beside it")}});
     constexpr double kExample_deg = 47.05;
     const auto form = [&](CoordinateForm one) {
         return QString::fromStdString(angleText(kExample_deg, one, 2))
@@ -152,6 +166,32 @@ void PreferenceMenus::chooseNorth(const QAction& action)
     if (readUnits(settings()) != shownUnits() ||
         readDeclination_deg(settings()) != typedDeclination_deg())
         emit unitsChosen();
+}
+
+void PreferenceMenus::useSavedSource()
+{
+    const std::string name = settings().value(kSourceKey).toString().toStdString();
+    workspace().document().setNewIcebergSource(sourceNamed(name).value_or(kSightingSources[0]));
+}
+
+void PreferenceMenus::buildSources(QMenu& menu)
+{
+    ScenarioDocument& document = workspace().document();
+    for (const SightingSource source : kSightingSources)
+        addChoice(menu, sourceText(source, locale()), QLatin1String(kSourceKey),
+                  QString::fromUtf8(errorOf(source).name.data()));
+    connect(&menu, &QMenu::triggered, this, [&document](const QAction* action) {
+        if (const auto source = sourceNamed(action->data().toString().toStdString()))
+            document.setNewIcebergSource(*source);
+    });
+    connect(&document, &ScenarioDocument::newIcebergSourceChanged, &menu,
+            [this, &menu](SightingSource source) {
+                const QString name = QString::fromUtf8(errorOf(source).name.data());
+                settings().setValue(kSourceKey, name);
+                for (QAction* action : menu.actions())
+                    if (action->data().toString() == name)
+                        action->setChecked(true);
+            });
 }
 
 void PreferenceMenus::buildLanguage(QMenu& menu)

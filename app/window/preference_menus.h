@@ -20,6 +20,8 @@ public:
     void build(QMenu& menu);
     /** Where the colours of sigma end: of each scenario its own, or one for all. */
     void buildSigmaEnd(QMenu& menu);
+    /** What icebergs that are placed were seen by. */
+    void buildSources(QMenu& menu);
 
 signals:
     void languageChosen(const QString& language);
@@ -34,6 +36,8 @@ private:
     void chooseNorth(const QAction& action);
     void buildLanguage(QMenu& menu);
     void addChoice(QMenu& menu, const QString& text, const QString& key, const QString& value);
+
+    void useSavedSource();
 
     AppearanceChoice& m_appearance;
 };

@@ -29,6 +29,7 @@ constexpr std::array kWords{
     Replacement{"east", "E"},  Replacement{"øst", "E"},  Replacement{"ø", "E"},
     Replacement{"e", "E"},     Replacement{"west", "W"}, Replacement{"vest", "W"},
     Replacement{"w", "W"},     Replacement{"v", "W"},    Replacement{"deg", "*"},
+    Replacement{"sud", "S"},   Replacement{"est", "E"},  Replacement{"ouest", "W"},
     Replacement{"d", "*"},     Replacement{"min", "'"},  Replacement{"sec", "\""}};
 
 constexpr std::size_t kLongestNumber = 20;

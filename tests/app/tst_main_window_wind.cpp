@@ -1,5 +1,6 @@
 #include "app/dialogs/wind_dialog.h"
 #include "core/io/files/run_json.h"
+#include "core/tracking/position_error.h"
 #include "tests/support/approx.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
@@ -273,7 +274,8 @@ private slots:
         QCOMPARE(first.id, std::string("berg-5"));
         QCOMPARE(second.id, std::string("berg-6"));
         QVERIFY((first.position_m - kWater_m).norm() < kPixel_m);
-        QCOMPARE(w.record().now.world.tracks[4].sigma_m2, 5.0);
+        QCOMPARE(w.record().now.world.tracks[4].sigma_m2,
+                 berg::errorOf(SightingSource::Radar).sigma_m2());
         QCOMPARE(countEvents(w, [](const auto& e) { return e.kind == EventKind::Appeared; }), 2);
         QVERIFY(w.record().now.plan->order.size() >= 5);
         w.workspace.selection().set({first.id}); // and reported seen as the others are

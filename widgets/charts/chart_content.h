@@ -1,5 +1,7 @@
 #pragma once
 
+#include "widgets/theme/mission_clock.h"
+
 #include <QList>
 #include <QPointF>
 #include <QString>
@@ -61,6 +63,7 @@ struct TimeChartContent
     QString leftTitle;  ///< quantity and unit
     QString rightTitle; ///< empty: no right axis
     double duration_s = 1000;
+    MissionClock clock; ///< writes the instants
     std::vector<TimeLine> lines;
     bool isThinned = false; ///< at most two points for each column of the view already, all finite
     std::vector<ReferenceLine> references;

@@ -89,7 +89,8 @@ void addItems(Figure& figure, const RunComparison& comparison, const QList<QPoin
         figure.items.push_back(
             {.id = static_cast<std::size_t>(i),
              .at = {time_s, zeta_m2s},
-             .readout = utf8(QStringList{clockText(time_s), text(*comparison.reference, zeta_m2s),
+             .readout = utf8(QStringList{clockOf(comparison.reference->scenario).text(time_s),
+                                         text(*comparison.reference, zeta_m2s),
                                          text(*comparison.other, ordinateAt(other, time_s))})});
     }
 }
@@ -204,12 +205,8 @@ Figure ComparisonChart::figure() const
     figure.rightTitles = {figure.description, utf8(shortVerdict(*m_comparison, locale()))};
     figure.rightInk = {};
     const double duration_s = std::max({1.0, reference.flown_s, other.flown_s});
-    figure.x = {.ends = AxisEnds::Exact,
-                .largest = duration_s,
-                .spacing_px = 84,
-                .text = clockNumber,
-                .title = utf8(duration_s >= 3600 ? tr("Time, h:mm:ss") : tr("Time, mm:ss")),
-                .isTime = true};
+    figure.x = timeAxis(clockOf(reference.scenario), 0, duration_s, tr("Time, UTC"),
+                        duration_s >= 3600 ? tr("Time, h:mm:ss") : tr("Time, mm:ss"));
     figure.y = {.ends = AxisEnds::Around0,
                 .largest = std::max(reference.metrics.zeta_m2s, other.metrics.zeta_m2s),
                 .text = numberText(locale())};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/io/figure/figure.h"
+#include "widgets/theme/mission_clock.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QStringList>
@@ -32,10 +34,18 @@ namespace berg {
         [locale](double value, int decimals) { return utf8(fixedText(value, decimals, locale)); };
 }
 
-/** As times. */
-[[nodiscard]] inline std::string clockNumber(double time_s, int /*decimals*/)
+/** Along the instants of a run, with `title` if they are UTC and `elapsedTitle` if they are not. */
+[[nodiscard]] inline PlotAxis timeAxis(const MissionClock& clock, double from_s, double to_s,
+                                       const QString& title, const QString& elapsedTitle)
 {
-    return utf8(clockText(time_s));
+    return {.ends = AxisEnds::Exact,
+            .least = from_s,
+            .largest = to_s,
+            .spacing_px = 84,
+            .text = [clock](double time_s, int) { return utf8(clock.text(time_s)); },
+            .title = utf8(clock.isUtc() ? title : elapsedTitle),
+            .isTime = true,
+            .midnight = clock.isUtc() ? clock.midnight_s() : 0};
 }
 
 } // namespace berg

@@ -103,7 +103,7 @@ std::optional<TimeLine> boundOfZeta(const FlightRecord& record)
 
 QString atTime(const FlightRecord& record)
 {
-    return clockText(record.now.time_s);
+    return clockOf(record.scenario).text(record.now.time_s);
 }
 
 void fillZeta(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
@@ -113,8 +113,8 @@ void fillZeta(TimeChartContent& content, const FlightRecord& record, const QLoca
     content.rightTitle = MissionCharts::tr("Zeta ζ, m² s");
     if (!hasFlown(record))
         return;
-    const QString zeta = significantText(record.shown().metrics.zeta_m2s, 4, locale);
-    content.lines.push_back({.label = MissionCharts::tr("Zeta %1 m² s").arg(zeta),
+    const QString zeta = zetaText(record.shown().metrics.zeta_m2s, locale);
+    content.lines.push_back({.label = MissionCharts::tr("Zeta %1").arg(zeta),
                              .points = {},
                              .role = LineRole::Accumulated,
                              .onRightAxis = true,
@@ -127,8 +127,8 @@ void fillZeta(TimeChartContent& content, const FlightRecord& record, const QLoca
     if (std::optional<TimeLine> bound = boundOfZeta(record))
         content.lines.push_back(*std::move(bound));
     const Sample& last = record.history.samples.back();
-    content.summary = MissionCharts::tr("At %1 zeta is %2 m² s and the sum of σ %3 m².")
-                          .arg(atTime(record), significantText(last.zeta_m2s, 4, locale),
+    content.summary = MissionCharts::tr("At %1 zeta is %2 and the sum of σ %3 m².")
+                          .arg(atTime(record), zetaText(last.zeta_m2s, locale),
                                significantText(last.sigmaSum_m2, 3, locale));
     if (hasAsset(record))
         content.summary += u' ' + MissionCharts::tr("Weighted by priority the sum is %1 m².")
@@ -184,10 +184,10 @@ void fillSigma(TimeChartContent& content, const FlightRecord& record, const QLoc
         return iceberg.active && iceberg.inView;
     });
     content.summary =
-        MissionCharts::tr("At %1 the most uncertain iceberg is %2 with σ %3 m²; %n in view.",
-                          nullptr, static_cast<int>(inView))
+        MissionCharts::tr("At %1 the most uncertain iceberg is %2: %3; %n in view.", nullptr,
+                          static_cast<int>(inView))
             .arg(atTime(record), content.lines[static_cast<std::size_t>(most - last.begin())].label,
-                 significantText(most->sigma_m2, 3, locale));
+                 uncertaintyText(most->sigma_m2, locale));
 }
 
 } // namespace
@@ -211,6 +211,7 @@ TimeChartContent emptyChart(ChartKind kind, const FlightRecord& record, const QL
 {
     TimeChartContent content;
     content.duration_s = record.now.time_s;
+    content.clock = clockOf(record.scenario);
     if (record.instant)
         content.cursor_s = record.instant->time_s;
     content.emptyText = MissionCharts::tr("Nothing flown yet: Space flies the plan");

@@ -103,11 +103,11 @@ CellSheet MissionSeries::values(const TimeChartContent& content, const QLocale& 
         lines.push_back(m_lines[i].points());
         own.push_back(content.lines[i].points);
     }
-    values.text = [times_s = m_times_s, lines = std::move(lines), own = std::move(own),
-                   locale](int row, int column) {
+    values.text = [clock = content.clock, times_s = m_times_s, lines = std::move(lines),
+                   own = std::move(own), locale](int row, int column) {
         const double time_s = times_s[static_cast<std::size_t>(row)];
         if (column == 0)
-            return clockText(time_s);
+            return clock.text(time_s);
         if (const auto at = pointAt(own[static_cast<std::size_t>(column - 1)], time_s))
             return significantText(at->y(), kDigits, locale);
         const std::vector<QPointF>& line = lines[static_cast<std::size_t>(column - 1)];

@@ -61,7 +61,7 @@ ChartReadout TimeChart::readout() const
     const QFontMetricsF metrics(m_theme.small());
     if (m_hover)
         readout.hover_px = at_px;
-    readout.time = clockText(time_s);
+    readout.time = m_content.clock.text(time_s);
     const double timeWidth_px = metrics.horizontalAdvance(readout.time) + 10;
     readout.timeRect = QRectF(at_px - timeWidth_px / 2, m_figure.drawing.plot.bottom + 4,
                               timeWidth_px, kFlagHeight_px);

@@ -97,14 +97,10 @@ PlotAxis valueAxis(const TimeFigure& time, const TimeChartContent& content, cons
 void addAxes(TimeFigure& time, const TimeChartContent& content, const TimeFigureStyle& style)
 {
     Figure& figure = time.figure;
-    figure.x = {.ends = AxisEnds::Exact,
-                .least = style.window.from_s,
-                .largest = style.window.to_s,
-                .spacing_px = 84,
-                .text = clockNumber,
-                .title = utf8(style.window.to_s >= 3600 ? TimeChartText::tr("Time, h:mm:ss")
-                                                        : TimeChartText::tr("Time, mm:ss")),
-                .isTime = true};
+    figure.x = timeAxis(content.clock, style.window.from_s, style.window.to_s,
+                        TimeChartText::tr("Time, UTC"),
+                        style.window.to_s >= 3600 ? TimeChartText::tr("Time, h:mm:ss")
+                                                  : TimeChartText::tr("Time, mm:ss"));
     figure.y = valueAxis(time, content, style.locale, false);
     figure.leftTitles = {utf8(content.leftTitle)};
     if (hasRightAxis(content)) {

@@ -85,8 +85,8 @@ void fillDistance(TimeChartContent& content, const FlightRecord& record, const Q
                              .name = MissionCharts::tr("Flown"),
                              .unit = unit,
                              .key = column});
-    content.summary =
-        MissionCharts::tr("Distance flown by %1: %2.").arg(clockText(record.now.time_s), flown);
+    content.summary = MissionCharts::tr("Distance flown by %1: %2.")
+                          .arg(content.clock.text(record.now.time_s), flown);
     if (!areToldApart(record.scenario.uavs))
         return;
     content.lines.back().label = MissionCharts::tr("All %1").arg(flown);
@@ -117,9 +117,9 @@ void fillTurnRate(TimeChartContent& content, const FlightRecord& record, const Q
     const auto text = [&](const UavSample& uav) {
         return significantText(degFromRad(uav.u_radps), 3, locale) + u' ' + unit;
     };
-    content.summary =
-        MissionCharts::tr("Turn rate at %1: %2; limit: %3.")
-            .arg(clockText(record.now.time_s), readings(record, text), limits.join(u", "_s));
+    content.summary = MissionCharts::tr("Turn rate at %1: %2; limit: %3.")
+                          .arg(content.clock.text(record.now.time_s), readings(record, text),
+                               limits.join(u", "_s));
 }
 
 void fillCrossTrack(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
@@ -135,7 +135,7 @@ void fillCrossTrack(TimeChartContent& content, const FlightRecord& record, const
         return significantText(uav.crossTrack_m, 3, locale) + u' ' + unit;
     };
     content.summary = MissionCharts::tr("Cross-track error at %1: %2.")
-                          .arg(clockText(record.now.time_s), readings(record, text));
+                          .arg(content.clock.text(record.now.time_s), readings(record, text));
 }
 
 std::optional<double> uavChartValue(ChartKind kind, const Sample& sample, std::size_t line)

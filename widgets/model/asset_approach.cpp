@@ -44,12 +44,13 @@ std::optional<AssetApproach> approachOf(const MissionSnapshot& snapshot, std::si
                       track.velocity_mps);
 }
 
-QString ringEntryText(const QString& iceberg, double entry_s, const QLocale& locale)
+QString ringEntryText(const QString& iceberg, double entry_s, const QLocale& locale,
+                      const TimesAhead& times)
 {
     if (entry_s <= 0)
         return AssetText::tr("%1 is inside the inner ring").arg(iceberg);
     return AssetText::tr("%1 enters the inner ring in %2")
-        .arg(iceberg, roughDurationText(entry_s, locale));
+        .arg(iceberg, roughDurationText(entry_s, locale) + times.minuteInBrackets(entry_s));
 }
 
 QString roughDurationText(double time_s, const QLocale& locale)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scenario/priority.h"
+#include "widgets/theme/mission_clock.h"
 
 #include <QLocale>
 #include <QString>
@@ -27,8 +28,9 @@ struct AssetApproach
 [[nodiscard]] std::optional<AssetApproach> approachOf(const MissionSnapshot& snapshot,
                                                       std::size_t iceberg);
 
-/** "berg-3 enters the inner ring in 12 min", "berg-3 is inside the inner ring". */
-[[nodiscard]] QString ringEntryText(const QString& iceberg, double entry_s, const QLocale& locale);
+/** "berg-3 enters the inner ring in 12 min (12:40Z)", "berg-3 is inside the inner ring". */
+[[nodiscard]] QString ringEntryText(const QString& iceberg, double entry_s, const QLocale& locale,
+                                    const TimesAhead& times = {});
 
 /** Rounded to minutes, below one to ten seconds: "40 s", "12 min". */
 [[nodiscard]] QString roughDurationText(double time_s, const QLocale& locale);

@@ -51,7 +51,7 @@ std::optional<int> rankOf(const QString& wanted, const FindItem& item)
 
 std::optional<FindItem> coordinateOf(const QString& text)
 {
-    const auto read = parsePlace(text.toStdString());
+    const auto read = parsePlace(withPlainHemispheres(text).toStdString());
     const auto* at = std::get_if<LatLon>(&read);
     if (at == nullptr)
         return std::nullopt;

@@ -253,6 +253,11 @@ double weighedDistance_m(const MissionSnapshot& shown, Route route)
 
 } // namespace
 
+TimesAhead timesOf(const FlightRecord& record)
+{
+    return {.clock = clockOf(record.scenario), .now_s = record.shown().time_s};
+}
+
 PlanReadout readoutOf(const FlightRecord& record, const QString& fault)
 {
     const MissionSnapshot& shown = record.shown();

@@ -2,6 +2,7 @@
 
 #include "core/bound/zeta_bound.h"
 #include "widgets/model/mission_snapshot.h"
+#include "widgets/theme/mission_clock.h"
 
 #include <QString>
 
@@ -85,6 +86,9 @@ private:
 };
 
 [[nodiscard]] FlightRecord recordOf(const Mission& mission);
+
+/** Writes instants that are counted from the one shown. */
+[[nodiscard]] TimesAhead timesOf(const FlightRecord& record);
 
 /** Of the instant shown, with the plans of the last solve. */
 [[nodiscard]] PlanReadout readoutOf(const FlightRecord& record, const QString& fault);

@@ -88,7 +88,7 @@ std::variant<FoundPlace, QString> findPlace(const QString& text)
         if (std::ranges::any_of(names, isPart))
             partly.push_back({place.at, place.name});
     }
-    const auto read = parsePlace(text.toStdString());
+    const auto read = parsePlace(withPlainHemispheres(text).toStdString());
     const auto* at = std::get_if<LatLon>(&read);
     const bool isWord = isWithoutDigits(wanted);
     if (at != nullptr && (!isWord || partly.empty()))
@@ -109,7 +109,7 @@ std::variant<LatLon, QString> typedPlace(const QString& text, PlaceHalf half, co
     // Beside a zero an angle alone is a coordinate, and "47 03.2" is not taken for two.
     const bool isLatitude = half == PlaceHalf::Latitude;
     const QString beside = isLatitude ? text + u"; 0°"_s : u"0°; "_s + text;
-    const auto read = parsePlace(beside.toStdString());
+    const auto read = parsePlace(withPlainHemispheres(beside).toStdString());
     if (const auto* at = std::get_if<LatLon>(&read)) {
         if ((isLatitude ? at->longitude_deg : at->latitude_deg) != 0)
             return isLatitude ? PlaceText::tr("This is a longitude, a latitude is needed.")

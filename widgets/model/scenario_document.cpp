@@ -11,6 +11,7 @@
 #include <QUndoStack>
 
 #include <memory>
+#include <utility>
 
 namespace berg {
 
@@ -101,6 +102,19 @@ bool ScenarioDocument::edit(const QString& text, const std::function<void(Scenar
         gesture.isEmpty() ? QString() : gesture + u'#' + QString::number(m_gestureNumber);
     m_undoStack->push(new EditScenario(*this, text, std::move(after), key));
     return true;
+}
+
+void ScenarioDocument::setNewIcebergSource(SightingSource source)
+{
+    if (std::exchange(m_newIcebergSource, source) != source)
+        emit newIcebergSourceChanged(source);
+}
+
+Iceberg ScenarioDocument::newIceberg() const
+{
+    Iceberg iceberg;
+    iceberg.sigma0_m2 = errorOf(m_newIcebergSource).sigma_m2();
+    return iceberg;
 }
 
 void ScenarioDocument::endGesture()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scenario/scenario.h"
+#include "core/tracking/position_error.h"
 
 #include <QObject>
 #include <QString>
@@ -31,6 +32,12 @@ public:
     /** Findings of `validate` about the present scenario. */
     [[nodiscard]] const std::vector<Issue>& issues() const { return m_issues; }
     [[nodiscard]] QUndoStack* undoStack() const { return m_undoStack; }
+
+    /** What new icebergs are seen by: the last choice of the user, whatever the scenario. */
+    [[nodiscard]] SightingSource newIcebergSource() const { return m_newIcebergSource; }
+    void setNewIcebergSource(SightingSource source);
+    /** Without id and place, as uncertain as that source leaves it. */
+    [[nodiscard]] Iceberg newIceberg() const;
 
     /** Empty: never saved. */
     [[nodiscard]] QString filePath() const { return m_filePath; }
@@ -70,6 +77,7 @@ signals:
     void scenarioChanged();
     /** Another scenario altogether: `reset` or `open`. Comes before `scenarioChanged`. */
     void replaced();
+    void newIcebergSourceChanged(berg::SightingSource source);
     void filePathChanged(const QString& path);
     void cleanChanged(bool clean);
     /** A change was asked for while the document is locked. */
@@ -89,6 +97,7 @@ private:
     QUndoStack* m_undoStack;
     QString m_filePath;
     QByteArray m_fileHash;
+    SightingSource m_newIcebergSource = SightingSource::Radar;
     bool m_isLocked = false;
     bool m_isStepping = false; ///< an undo or redo is told of
     int m_gestureNumber = 0;   ///< distinguishes equal gestures that follow each other

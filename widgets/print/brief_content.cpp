@@ -229,8 +229,9 @@ std::vector<QStringList> sortieRows(const ExportContent& content)
     }
     if (isPlanned && std::ranges::any_of(
                          content.uavs, [](const ExportUav& uav) { return uav.slot_s.has_value(); }))
-        columns.push_back({FlightBrief::tr("Recovery slot"),
-                           [](const ExportUav& uav) { return timeOrNone(uav.slot_s); }});
+        columns.push_back({FlightBrief::tr("Recovery slot"), [&content](const ExportUav& uav) {
+                               return uav.slot_s ? briefClock(content, *uav.slot_s) : u"–"_s;
+                           }});
     if (content.scenario->groundStation && isPlanned)
         columns.push_back({FlightBrief::tr("Out of radio range"), [outlook](const ExportUav& uav) {
                                return clockText(outlook(uav).noContact_s);

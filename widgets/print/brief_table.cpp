@@ -3,11 +3,11 @@
 #include "core/base/angles.h"
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/declination.h"
+#include "widgets/theme/mission_clock.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -117,9 +117,8 @@ public:
             const double sigma_m2 = sigmaAt_m2(m_content, visit);
             cells[placeOf(BriefColumn::Number)] = QString::number(++m_icebergs);
             cells[placeOf(BriefColumn::Name)] = printable(titleOf(m_content, visit));
-            cells[placeOf(BriefColumn::Sigma)] = significantText(sigma_m2, 3, m_locale);
-            cells[placeOf(BriefColumn::Deviation)] =
-                significantText(std::sqrt(sigma_m2), 2, m_locale);
+            cells[placeOf(sigmaColumn())] = significantText(sigma_m2, 3, m_locale);
+            cells[placeOf(radiusColumn())] = radius95Text(sigma_m2, m_locale);
         }
         add(TimedPoint{.position_m = visit.position_m, .time_s = visit.time_s}, std::move(cells));
     }
@@ -161,6 +160,18 @@ std::optional<double> briefDeclination_deg(const ExportContent& content)
                                 content.start);
 }
 
+BriefColumn sigmaColumn()
+{
+    return shownUnits().uncertainty == UncertaintyForm::Sigma ? BriefColumn::FirstUncertainty
+                                                              : BriefColumn::SecondUncertainty;
+}
+
+BriefColumn radiusColumn()
+{
+    return shownUnits().uncertainty == UncertaintyForm::Sigma ? BriefColumn::SecondUncertainty
+                                                              : BriefColumn::FirstUncertainty;
+}
+
 BriefCaptions briefCaptions(const ExportContent& content)
 {
     BriefCaptions captions;
@@ -180,9 +191,9 @@ BriefCaptions briefCaptions(const ExportContent& content)
     set(BriefColumn::LegTime, FlightBrief::tr("Time"));
     set(BriefColumn::GroundSpeed, FlightBrief::tr("Speed", "over ground"), speedUnit().name);
     set(BriefColumn::Arrival, isFlown ? FlightBrief::tr("Reached") : FlightBrief::tr("Arrival"),
-        content.start ? u"UTC"_s : QString());
-    set(BriefColumn::Sigma, isFlown ? FlightBrief::tr("σ now") : u"σ"_s, u"m²"_s);
-    set(BriefColumn::Deviation, u"√σ"_s, u"m"_s);
+        MissionClock{.start = content.start}.isUtc() ? u"UTC"_s : QString());
+    set(sigmaColumn(), isFlown ? FlightBrief::tr("σ now") : u"σ"_s, u"m²"_s);
+    set(radiusColumn(), u"95 %"_s);
     return captions;
 }
 
@@ -204,17 +215,7 @@ BriefRoute briefRoute(const ExportContent& content, std::size_t uav, const QLoca
 
 QString briefClock(const ExportContent& content, double time_s)
 {
-    using namespace std::chrono;
-    if (!content.start)
-        return clockText(time_s);
-    const auto instant = round<seconds>(*content.start + milliseconds(std::llround(1000 * time_s)));
-    const auto day = floor<days>(instant);
-    const hh_mm_ss clock(instant - day);
-    const auto later = (day - floor<days>(round<seconds>(*content.start))).count();
-    const auto two = [](auto part) { return u"%1"_s.arg(part.count(), 2, 10, QChar(u'0')); };
-    const QString text =
-        u"%1:%2:%3"_s.arg(two(clock.hours()), two(clock.minutes()), two(clock.seconds()));
-    return later > 0 ? u"%1 +%2"_s.arg(text).arg(later) : text;
+    return MissionClock{.start = content.start}.columnText(time_s);
 }
 
 PathTotals pathTotals(const ExportUav& uav)

@@ -30,12 +30,16 @@ enum class BriefColumn : std::uint8_t
     Magnetic, ///< the same by magnetic north; empty where true north alone is wanted or known
     Leg,      ///< over ground; of a path or track along it
     LegTime,
-    GroundSpeed, ///< mean of the leg
-    Arrival,     ///< UTC, or since the start of the run
-    Sigma,       ///< at arrival; of a track, now
-    Deviation    ///< root of it
+    GroundSpeed,      ///< mean of the leg
+    Arrival,          ///< UTC, or since the start of the run
+    FirstUncertainty, ///< at arrival; of a track, now
+    SecondUncertainty ///< the other of `sigmaColumn` and `radiusColumn`
 };
 inline constexpr std::size_t kBriefColumns = 12;
+
+/** The columns of sigma and of the radius of 95 %: which comes first is the user's choice. */
+[[nodiscard]] BriefColumn sigmaColumn();
+[[nodiscard]] BriefColumn radiusColumn();
 
 using BriefCells = std::array<QString, kBriefColumns>;
 

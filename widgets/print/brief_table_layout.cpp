@@ -21,8 +21,8 @@ constexpr double kWidestName = 18;  // the same
 constexpr int kMeasured_px = 100;   // widths are proportional to the size
 
 /** What is left out where the page is too narrow, the least needed first. */
-constexpr std::array kDispensable = {BriefColumn::Deviation, BriefColumn::LegTime,
-                                     BriefColumn::Sigma, BriefColumn::GroundSpeed};
+constexpr std::array kDispensable = {BriefColumn::SecondUncertainty, BriefColumn::LegTime,
+                                     BriefColumn::FirstUncertainty, BriefColumn::GroundSpeed};
 
 /** Of the captions: two lines, closer than those of the table. */
 double captionsHeight_px(int size_px)

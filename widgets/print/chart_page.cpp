@@ -76,8 +76,11 @@ PicturePage chartPage(const ExportContent& content, const QLocale& locale)
         throw Error(ErrorCode::InvalidInput, "format", {IssueId::NothingFlown});
     auto sheet = std::make_shared<ChartSheet>();
     sheet->title = pageTitle(content);
-    sheet->subtitle = pageSubtitle(
-        content, ChartPageText::tr("Flown until %1").arg(clockText(content.now_s)), locale);
+    sheet->subtitle =
+        pageSubtitle(content,
+                     ChartPageText::tr("Flown until %1")
+                         .arg(MissionClock{.start = content.start}.text(content.now_s)),
+                     locale);
     const FlightRecord record = recordOf(*content.mission);
     std::array contents{missionChart(ChartKind::Zeta, record, locale),
                         missionChart(ChartKind::Sigma, record, locale)};

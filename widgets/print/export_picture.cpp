@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/scenario/priority.h"
+#include "core/tracking/position_error.h"
 #include "widgets/map/picture/plan_stops.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/model/sigma_end.h"
@@ -96,7 +97,7 @@ MapIceberg mapIcebergOf(const ExportIceberg& iceberg, const ExportContent& conte
     if (iceberg.state != IcebergState::Expected)
         drawn.appears_s = 0;
     if (drawn.circle_m > 0) // round an estimate, which a track has not
-        drawn.circle_m = content.what == ExportWhat::Track ? 0 : likelyRadius_m(iceberg.sigma_m2);
+        drawn.circle_m = content.what == ExportWhat::Track ? 0 : radius95_m(iceberg.sigma_m2);
     drawn.ringEntry_s = ringEntry_s(content, iceberg);
     drawn.id = printable(drawn.id);
     return drawn;

@@ -43,11 +43,6 @@ constexpr double kChart_px = 330; ///< height
 constexpr double kMapScale = 0.78;
 constexpr std::size_t kMostPages = 3;
 
-QString zetaText(double zeta_m2s, const QLocale& locale)
-{
-    return u"%1 m² s"_s.arg(significantText(zeta_m2s, 4, locale));
-}
-
 QString timeOrNever(const ExportContent& content, const std::optional<double>& time_s)
 {
     return time_s ? briefClock(content, *time_s) : LogText::tr("never");
@@ -60,18 +55,19 @@ std::vector<BriefFact> factsOf(const ExportContent& content, const FlightLog& lo
     const QString day = content.start
                             ? QString::fromStdString(utcText(*content.start, 0)).left(10) + u' '
                             : QString();
-    return {{content.start ? LogText::tr("Start, UTC") : LogText::tr("Start"),
-             day + briefClock(content, 0)},
-            {content.start ? LogText::tr("Until, UTC") : LogText::tr("Until"),
-             briefClock(content, log.flown_s)},
-            {LogText::tr("Zeta flown"), zetaText(log.metrics.zeta_m2s, locale)},
-            {LogText::tr("Predicted before take-off"),
-             log.predicted ? zetaText(log.predicted->mean_m2s, locale) : u"–"_s},
-            {LogText::tr("Visits"), locale.toString(log.metrics.visits)},
-            {LogText::tr("Plans made"), locale.toString(log.metrics.replans)},
-            {LogText::tr("Planned by"), policyText(scenario.planner, locale)},
-            {LogText::tr("Seed"), QString::number(scenario.seed)},
-            {LogText::tr("Program"), QString::fromStdString(programName())}};
+    const bool isUtc = MissionClock{.start = content.start}.isUtc();
+    return {
+        {isUtc ? LogText::tr("Start, UTC") : LogText::tr("Start"), day + briefClock(content, 0)},
+        {isUtc ? LogText::tr("Until, UTC") : LogText::tr("Until"),
+         briefClock(content, log.flown_s)},
+        {LogText::tr("Zeta flown"), zetaText(log.metrics.zeta_m2s, locale)},
+        {LogText::tr("Predicted before take-off"),
+         log.predicted ? zetaText(log.predicted->mean_m2s, locale) : u"–"_s},
+        {LogText::tr("Visits"), locale.toString(log.metrics.visits)},
+        {LogText::tr("Plans made"), locale.toString(log.metrics.replans)},
+        {LogText::tr("Planned by"), policyText(scenario.planner, locale)},
+        {LogText::tr("Seed"), QString::number(scenario.seed)},
+        {LogText::tr("Program"), QString::fromStdString(programName())}};
 }
 
 std::vector<QStringList> uavRows(const ExportContent& content, const FlightLog& log,
@@ -96,12 +92,14 @@ std::vector<QStringList> sightingRows(const ExportContent& content, const Flight
 {
     std::vector<QStringList> rows{{LogText::tr("Iceberg"), LogText::tr("First seen"),
                                    LogText::tr("Last seen"), LogText::tr("Visits"),
-                                   LogText::tr("Longest unseen"), LogText::tr("σ at the end, m²")}};
+                                   LogText::tr("Longest unseen"), LogText::tr("σ at the end, m²"),
+                                   LogText::tr("95 % within")}};
     for (const LogIceberg& iceberg : log.icebergs)
         rows.push_back({printable(titleOf(content.mission->icebergs()[iceberg.iceberg])),
                         timeOrNever(content, iceberg.first_s), timeOrNever(content, iceberg.last_s),
                         locale.toString(iceberg.visits), clockText(iceberg.longestUnseen_s),
-                        significantText(iceberg.sigma_m2, 3, locale)});
+                        significantText(iceberg.sigma_m2, 3, locale),
+                        radius95Text(iceberg.sigma_m2, locale)});
     return rows;
 }
 

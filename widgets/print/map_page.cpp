@@ -71,11 +71,15 @@ int visitCount(const ExportContent& content)
 std::vector<MapReadout> flownFigures(const ExportContent& content, const QLocale& locale)
 {
     std::vector<MapReadout> figures{
-        {.caption = MapPageText::tr("Time"), .value = clockText(content.now_s), .unit = {}}};
-    if (content.zeta_m2s)
+        {.caption = MapPageText::tr("Time"),
+         .value = MissionClock{.start = content.start}.text(content.now_s),
+         .unit = {}}};
+    if (content.zeta_m2s) {
+        const ShownUnit unit = zetaUnit(*content.zeta_m2s);
         figures.push_back({.caption = MapPageText::tr("Zeta ζ"),
-                           .value = significantText(*content.zeta_m2s, 4, locale),
-                           .unit = u"m² s"_s});
+                           .value = significantText(unit.fromSi(*content.zeta_m2s), 4, locale),
+                           .unit = unit.name});
+    }
     figures.push_back({.caption = MapPageText::tr("Visits, dots on the path"),
                        .value = fixedText(visitCount(content), 0, locale),
                        .unit = {}});
@@ -127,9 +131,10 @@ std::vector<VisitDot> dotsOf(const ExportContent& content, const MapSheet& sheet
         const std::vector<TrackPoint> track = uav.track.all();
         for (const Visit& visit : uav.visits)
             if (isOfIceberg(visit) && !track.empty())
-                dots.push_back({.at_px = sheet.layout.view.toPixel(placeAt_m(track, visit.time_s)),
-                                .colour = uavColour(sheet.theme, static_cast<int>(uav.row)),
-                                .time = clockText(visit.time_s)});
+                dots.push_back(
+                    {.at_px = sheet.layout.view.toPixel(placeAt_m(track, visit.time_s)),
+                     .colour = uavColour(sheet.theme, static_cast<int>(uav.row)),
+                     .time = MissionClock{.start = content.start}.columnText(visit.time_s)});
     }
     return dots;
 }

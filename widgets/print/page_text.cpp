@@ -1,7 +1,7 @@
 #include "widgets/print/page_text.h"
 
 #include "widgets/print/printable_text.h"
-#include "widgets/theme/quantity_text.h"
+#include "widgets/theme/mission_clock.h"
 #include "widgets/words/policy_words.h"
 
 #include <QCoreApplication>
@@ -29,7 +29,7 @@ QString pageTitle(const ExportContent& content)
 
 QString pathsText(const ExportContent& content)
 {
-    const QString now = clockText(content.now_s);
+    const QString now = MissionClock{.start = content.start}.text(content.now_s);
     switch (content.what) {
     case ExportWhat::FirstLeg:
         return content.now_s > 0 ? PageText::tr("First leg at %1").arg(now)

@@ -1,11 +1,15 @@
 #include "widgets/theme/quantity_text.h"
 
 #include "core/base/angles.h"
+#include "core/tracking/position_error.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -208,6 +212,45 @@ QString fixedSpeedText(double speed_mps, int decimals, const QLocale& locale)
     return u"%1 %2"_s.arg(fixedText(unit.fromSi(speed_mps), decimals, locale), unit.name);
 }
 
+ShownUnit radius95Unit(double largest_m2)
+{
+    constexpr double kLeast_nmi = 0.1; // less is said in metres: "0.003 nmi" tells nobody anything
+    constexpr double kLeast_km = 0.9995;
+    const ShownUnit unit = longDistanceUnit();
+    const double least = shownUnits().distance == DistanceUnit::Nautical ? kLeast_nmi : kLeast_km;
+    return unit.fromSi(radius95_m(largest_m2)) >= least ? unit
+                                                        : ShownUnit{.name = QuantityText::tr("m")};
+}
+
+QString radius95Text(double sigma_m2, const QLocale& locale)
+{
+    const ShownUnit unit = radius95Unit(sigma_m2);
+    return u"%1 %2"_s.arg(significantText(unit.fromSi(radius95_m(sigma_m2)), 3, locale), unit.name);
+}
+
+QString uncertaintyText(double sigma_m2, const QLocale& locale)
+{
+    const QString sigma = sigmaText(sigma_m2, locale);
+    const QString radius = radius95Text(sigma_m2, locale);
+    return shownUnits().uncertainty == UncertaintyForm::Sigma
+               ? QuantityText::tr("σ %1 (95 % within %2)").arg(sigma, radius)
+               : QuantityText::tr("95 % within %2 (σ %1)").arg(sigma, radius);
+}
+
+ShownUnit zetaUnit(double largest_m2s)
+{
+    constexpr double kSquareKilometre_m2 = kKilometre_m * kKilometre_m;
+    if (std::abs(largest_m2s) < kSquareKilometre_m2)
+        return {.name = QuantityText::tr("m² s")};
+    return {.inSi = kSquareKilometre_m2, .name = QuantityText::tr("km² s")};
+}
+
+QString zetaText(double zeta_m2s, const QLocale& locale, int digits)
+{
+    const ShownUnit unit = zetaUnit(zeta_m2s);
+    return u"%1 %2"_s.arg(significantText(unit.fromSi(zeta_m2s), digits, locale), unit.name);
+}
+
 QString sigmaText(double sigma_m2, const QLocale& locale)
 {
     return QuantityText::tr("%1 m²").arg(significantText(sigma_m2, 3, locale));
@@ -249,6 +292,25 @@ QString longitudeText(double longitude_deg, int decimals, const QLocale& locale)
         return angle;
     return longitude_deg < 0 ? QuantityText::tr("%1 W", "longitude").arg(angle)
                              : QuantityText::tr("%1 E", "longitude").arg(angle);
+}
+
+QString withPlainHemispheres(const QString& text)
+{
+    const std::array<std::pair<QString, QChar>, 4> letters{
+        {{QuantityText::tr("%1 N", "latitude"), u'N'},
+         {QuantityText::tr("%1 S", "latitude"), u'S'},
+         {QuantityText::tr("%1 E", "longitude"), u'E'},
+         {QuantityText::tr("%1 W", "longitude"), u'W'}}};
+    QString plain = text;
+    for (const auto& [shown, english] : letters) {
+        const QString own = QString(shown).remove(u"%1"_s).trimmed();
+        if (own.size() == 1 && own != english)
+            plain.replace(QRegularExpression(u"(?<!\\p{L})%1(?!\\p{L})"_s.arg(own),
+                                             QRegularExpression::CaseInsensitiveOption |
+                                                 QRegularExpression::UseUnicodePropertiesOption),
+                          english);
+    }
+    return plain;
 }
 
 QString placeText(const LatLon& place, int decimals, const QLocale& locale)

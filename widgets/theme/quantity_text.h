@@ -70,6 +70,22 @@ struct ShownUnit
 /** The same with so many decimals. */
 [[nodiscard]] QString fixedSpeedText(double speed_mps, int decimals, const QLocale& locale);
 
+/** Of radii of 95 % up to that of this sigma: m, km or, from 0.1 nmi on in nautical units, nmi. */
+[[nodiscard]] ShownUnit radius95Unit(double largest_m2);
+/** "367 m", "1.22 km" or "0.198 nmi": the radius of 95 % in its own unit, three digits. */
+[[nodiscard]] QString radius95Text(double sigma_m2, const QLocale& locale);
+
+/**
+ * Both ways of saying how uncertain a position is, the chosen one first: "σ 8.12 m² (95 % within
+ * 6.97 m)" or "95 % within 6.97 m (σ 8.12 m²)".
+ */
+[[nodiscard]] QString uncertaintyText(double sigma_m2, const QLocale& locale);
+
+/** m² s, or km² s from a million on, for numbers up to this. */
+[[nodiscard]] ShownUnit zetaUnit(double largest_m2s);
+/** "84 420 m² s", "16 000 km² s", with so many significant digits. */
+[[nodiscard]] QString zetaText(double zeta_m2s, const QLocale& locale, int digits = 4);
+
 /** "8.12 m²": three digits. */
 [[nodiscard]] QString sigmaText(double sigma_m2, const QLocale& locale);
 
@@ -89,6 +105,11 @@ inline constexpr int kPlaceDecimals = 3;
  */
 [[nodiscard]] QString latitudeText(double latitude_deg, int decimals, const QLocale& locale);
 [[nodiscard]] QString longitudeText(double longitude_deg, int decimals, const QLocale& locale);
+/**
+ * A place as it is typed, with the letters of hemispheres of the window's language, such as O for
+ * west, made N, S, E and W, which every reader knows.
+ */
+[[nodiscard]] QString withPlainHemispheres(const QString& text);
 /** Both, as far apart as they are read. */
 [[nodiscard]] QString placeText(const LatLon& place, int decimals, const QLocale& locale);
 

@@ -44,6 +44,10 @@ Units readUnits(const QSettings& settings)
         units.north = NorthForm::Model;
     else if (north == u"typed"_s)
         units.north = NorthForm::Typed;
+    if (settings.value(kTimeFormKey).toString() == u"elapsed"_s)
+        units.times = TimeForm::Elapsed;
+    if (settings.value(kUncertaintyFormKey).toString() == u"radius"_s)
+        units.uncertainty = UncertaintyForm::Radius95;
     return units;
 }
 

@@ -41,9 +41,23 @@ enum class NorthForm : std::uint8_t
     Typed  ///< `typedDeclination_deg`
 };
 
+/** How the instants of a run are shown if its scenario has a start; else they are elapsed times. */
+enum class TimeForm : std::uint8_t
+{
+    Utc,
+    Elapsed ///< since the start of the run
+};
+
+/** Which way of saying how uncertain a position is comes first; the other is beside it. */
+enum class UncertaintyForm : std::uint8_t
+{
+    Sigma,   ///< the variance along each axis, m²
+    Radius95 ///< of the circle that holds it with 95 %
+};
+
 /**
- * What distances, heights, speeds and places are shown and typed in; one unit for each quantity.
- * Files, the command line and everything inside are SI. Sizes of things, their uncertainty and the
+ * What distances, heights, speeds, places and times are shown and typed in; one unit for each
+ * quantity. Files, the command line and everything inside are SI. Sizes of things and the
  * cross-track error are metres in any case.
  */
 struct alignas(8) Units // one word: Clang stores others by a function of a library
@@ -54,6 +68,8 @@ struct alignas(8) Units // one word: Clang stores others by a function of a libr
     CoordinateForm coordinates = CoordinateForm::DegreesMinutes;
     HeightUnit height = HeightUnit::Metres;
     NorthForm north = NorthForm::True;
+    TimeForm times = TimeForm::Utc;
+    UncertaintyForm uncertainty = UncertaintyForm::Sigma;
     bool operator==(const Units&) const = default;
 };
 
@@ -72,6 +88,8 @@ inline constexpr const char* kCoordinateFormKey =
 inline constexpr const char* kVectorFormKey = "units/vectors"; ///< direction, components
 inline constexpr const char* kHeightUnitKey = "units/heights"; ///< metres, feet
 inline constexpr const char* kNorthFormKey = "units/north";    ///< true, model, typed
+inline constexpr const char* kTimeFormKey = "units/times";     ///< utc, elapsed
+inline constexpr const char* kUncertaintyFormKey = "units/uncertainty"; ///< sigma, radius
 
 /** What is not there or unknown is the default. */
 [[nodiscard]] Units readUnits(const QSettings& settings);

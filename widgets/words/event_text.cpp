@@ -65,9 +65,9 @@ QString eventSentence(const MissionEvent& event, const std::vector<Iceberg>& ice
 }
 
 QString eventText(const MissionEvent& event, const std::vector<Iceberg>& icebergs,
-                  const std::vector<Uav>& uavs, const QLocale& locale)
+                  const std::vector<Uav>& uavs, const QLocale& locale, const MissionClock& clock)
 {
-    return u"%1  %2"_s.arg(clockText(event.time_s), eventSentence(event, icebergs, uavs, locale));
+    return u"%1  %2"_s.arg(clock.text(event.time_s), eventSentence(event, icebergs, uavs, locale));
 }
 
 QString planReasonText(PlanReason reason)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/sim/recorder.h"
+#include "widgets/theme/mission_clock.h"
 
 #include <QLocale>
 #include <QString>
@@ -12,7 +13,8 @@ namespace berg {
  * UAVs it is said which one it was. In the language and the units of the window.
  */
 [[nodiscard]] QString eventText(const MissionEvent& event, const std::vector<Iceberg>& icebergs,
-                                const std::vector<Uav>& uavs, const QLocale& locale);
+                                const std::vector<Uav>& uavs, const QLocale& locale,
+                                const MissionClock& clock = {});
 
 /** The same without the time. */
 [[nodiscard]] QString eventSentence(const MissionEvent& event, const std::vector<Iceberg>& icebergs,

@@ -5,6 +5,7 @@
 #include "core/io/figure/report_style.h"
 #include "core/io/results/event_words.h"
 #include "core/io/text/html_text.h"
+#include "core/tracking/position_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,7 +169,8 @@ std::string sightingsHtml(const ExportContent& content, const FlightLog& log)
             {QT_TRANSLATE_NOOP("Report", "Iceberg"), QT_TRANSLATE_NOOP("Report", "First seen"),
              QT_TRANSLATE_NOOP("Report", "Last seen"), QT_TRANSLATE_NOOP("Report", "Visits"),
              QT_TRANSLATE_NOOP("Report", "Longest unseen"),
-             QT_TRANSLATE_NOOP("Report", "σ at the end, m²")}));
+             QT_TRANSLATE_NOOP("Report", "σ at the end, m²"),
+             QT_TRANSLATE_NOOP("Report", "95 % within, m")}));
     const auto time = [&](const std::optional<double>& time_s) {
         return time_s ? timeOf(content, *time_s) : words.html(QT_TRANSLATE_NOOP("Report", "never"));
     };
@@ -176,7 +178,8 @@ std::string sightingsHtml(const ExportContent& content, const FlightLog& log)
         table.addRow({htmlName(titleOf(content.mission->icebergs()[iceberg.iceberg])),
                       time(iceberg.first_s), time(iceberg.last_s), std::to_string(iceberg.visits),
                       clockOf(iceberg.longestUnseen_s),
-                      printedNumber(std::round(iceberg.sigma_m2 * 10) / 10, 1)});
+                      printedNumber(std::round(iceberg.sigma_m2 * 10) / 10, 1),
+                      printedNumber(std::round(radius95_m(iceberg.sigma_m2) * 10) / 10, 1)});
     return "<section>\n<h2>" + words.html(QT_TRANSLATE_NOOP("Report", "Sightings")) +
            "</h2>\n<div class=\"wide\">" + table.html() + "</div>\n</section>\n";
 }

@@ -142,6 +142,7 @@ struct PlotAxis
     std::function<std::string(double value, int decimals)> text{};
     std::string title{};
     bool isTime = false;  ///< seconds: steps of minutes and hours
+    double midnight = 0;  ///< of a time axis: ticks are round times from this instant on
     bool isWhole = false; ///< whole steps only
     bool hasGrid = true;
     double inset_px = 0;   ///< free at both ends

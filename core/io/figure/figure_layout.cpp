@@ -56,11 +56,11 @@ AxisTicks ticksWithin(const PlotAxis& axis, int most)
         ticks.step = timeStep_s(extent, most);
     if (axis.isWhole)
         ticks.step = std::max(1.0, ticks.decimals() > 0 ? 2 * ticks.step : ticks.step);
-    const double first = std::ceil(axis.least / ticks.step - kAlmost);
-    const double last = std::floor(axis.largest / ticks.step + kAlmost);
+    const double first = std::ceil((axis.least - axis.midnight) / ticks.step - kAlmost);
+    const double last = std::floor((axis.largest - axis.midnight) / ticks.step + kAlmost);
     return {axis.least,
             axis.largest,
-            first * ticks.step,
+            axis.midnight + first * ticks.step,
             ticks.step,
             static_cast<int>(last - first),
             ticks.decimals()};

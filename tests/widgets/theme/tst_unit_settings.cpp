@@ -4,6 +4,7 @@
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
 #include "widgets/map/paint/graticule.h"
+#include "widgets/model/places.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/icebergs/iceberg_table_columns.h"
 #include "widgets/panels/icebergs/iceberg_table_model.h"
@@ -16,6 +17,7 @@
 
 #include <QLabel>
 #include <QTemporaryDir>
+#include <QTranslator>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
@@ -83,6 +85,12 @@ private slots:
         QCOMPARE(readDeclination_deg(settings), 0.0);
         settings.setValue(kNorthFormKey, u"model"_s);
         QVERIFY(readUnits(settings).north == NorthForm::Model);
+        QVERIFY(readUnits(settings).times == TimeForm::Utc);
+        settings.setValue(kTimeFormKey, u"elapsed"_s);
+        QVERIFY(readUnits(settings).times == TimeForm::Elapsed);
+        QVERIFY(readUnits(settings).uncertainty == UncertaintyForm::Sigma);
+        settings.setValue(kUncertaintyFormKey, u"radius"_s);
+        QVERIFY(readUnits(settings).uncertainty == UncertaintyForm::Radius95);
         settings.setValue(kDistanceUnitKey, u"furlongs"_s);
         QVERIFY(readUnits(settings).distance == DistanceUnit::Metric);
     }
@@ -158,6 +166,55 @@ private slots:
             {.id = IssueId::AirspaceEntered, .arguments = {std::string("D 1"), 304.8}}};
         QVERIFY(issueText(entered, kEnglish).contains(u"begins at 1\u202f000 ft"_s));
         QCOMPARE(fieldValue("no_fly[0].floor_m", 304.8, kEnglish), u"1\u202f000 ft"_s);
+    }
+
+    /** The radius of 95 % is 2.4477 standard deviations. */
+    void uncertainties()
+    {
+        QCOMPARE(uncertaintyText(5, kEnglish), u"σ 5.00 m² (95 % within 5.47 m)"_s);
+        QCOMPARE(radius95Text(150.0 * 150, kEnglish), u"367 m"_s);
+        QCOMPARE(radius95Text(500.0 * 500, kEnglish), u"1.22 km"_s);
+        setShownUnits({.uncertainty = UncertaintyForm::Radius95});
+        QCOMPARE(uncertaintyText(5, kNorwegian), u"95 % within 5,47 m (σ 5,00 m²)"_s);
+        setShownUnits(kAtSea);
+        QCOMPARE(radius95Text(150.0 * 150, kEnglish), u"0.198 nmi"_s);
+        QCOMPARE(radius95Text(5, kEnglish), u"5.47 m"_s);
+    }
+
+    void zetas()
+    {
+        QCOMPARE(zetaText(84423, kEnglish), u"84\u202f420 m² s"_s);
+        QCOMPARE(zetaText(16e9, kEnglish), u"16\u202f000 km² s"_s);
+        QCOMPARE(zetaText(1e6, kEnglish, 2), u"1.0 km² s"_s);
+        QCOMPARE(zetaText(-999999, kEnglish, 2), u"-1\u202f000\u202f000 m² s"_s);
+    }
+
+    /** West is O in French: it is shown, and read again. */
+    void frenchLettersAreReadAgain()
+    {
+        class West : public QTranslator
+        {
+        public:
+            [[nodiscard]] bool isEmpty() const override { return false; }
+            [[nodiscard]] QString translate(const char*, const char* source, const char*,
+                                            int) const override
+            {
+                return qstrcmp(source, "%1 W") == 0 ? u"%1 O"_s : QString();
+            }
+        };
+        const LatLon place{.latitude_deg = 48.75, .longitude_deg = -53};
+        West west;
+        QCoreApplication::installTranslator(&west);
+        const QString shown = placeText(place, 3, kEnglish);
+        const auto found = findPlace(shown);
+        const auto half = typedPlace(longitudeText(-53, 3, kEnglish), PlaceHalf::Longitude, place);
+        QCoreApplication::removeTranslator(&west);
+        QCOMPARE(shown, u"48° 45.000′ N  53° 00.000′ O"_s);
+        const auto* read = std::get_if<FoundPlace>(&found);
+        QVERIFY(read != nullptr);
+        COMPARE_NEAR(read->at.longitude_deg, -53, 1e-9);
+        QVERIFY(std::holds_alternative<LatLon>(half));
+        COMPARE_NEAR(std::get<LatLon>(half).longitude_deg, -53, 1e-9);
     }
 
     void places()

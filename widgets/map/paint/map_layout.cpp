@@ -248,9 +248,9 @@ LabelSurroundings surroundingsOf(const MapLayout& layout, const MapPicture& pict
 }
 
 /** What its number, its name and the numbers of its later visits need. */
-QSizeF labelSize_px(const MapIceberg& iceberg, const MapStop& stop, const QFontMetricsF& metrics)
+QSizeF labelSize_px(const QString& text, const MapStop& stop, const QFontMetricsF& metrics)
 {
-    double width_px = std::ceil(metrics.horizontalAdvance(labelText(iceberg))) + 2;
+    double width_px = std::ceil(metrics.horizontalAdvance(text)) + 2;
     if (stop.order > 0)
         width_px += 2 * kOrderDisk_px + kOrderGap_px;
     width_px += static_cast<double>(std::min(stop.later.size(), kMostLater)) *
@@ -294,7 +294,8 @@ LabelGroups labelGroups(const MapLayout& layout, const MapPicture& picture, cons
             continue;
         LabelRequest request{.anchor = anchor,
                              .size_px =
-                                 labelSize_px(picture.icebergs[i], layout.stops[i], metrics)};
+                                 labelSize_px(labelText(picture.icebergs[i], picture.times.clock),
+                                              layout.stops[i], metrics)};
         if (!previous.rect.isNull()) {
             previous.rect.translate(anchor.centre_px);
             request.previous = previous;
@@ -371,10 +372,10 @@ QFont labelFont(const Theme& theme)
     return font;
 }
 
-QString labelText(const MapIceberg& iceberg)
+QString labelText(const MapIceberg& iceberg, const MissionClock& clock)
 {
     if (iceberg.appears_s > 0)
-        return iceberg.id + u" · "_s + clockText(iceberg.appears_s);
+        return iceberg.id + u" · "_s + clock.text(iceberg.appears_s);
     if (iceberg.status == TrackStatus::Lost)
         return iceberg.id + u" · "_s + MapLayoutText::tr("lost");
     if (iceberg.status == TrackStatus::GivenUp)

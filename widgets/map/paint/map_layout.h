@@ -55,7 +55,7 @@ inline constexpr double kLaterGap_px = 2;
 inline constexpr std::size_t kMostLater = 3;
 [[nodiscard]] QFont labelFont(const Theme& theme);
 /** Id of the iceberg; of one still to come with the time when it will, and whether it is lost. */
-[[nodiscard]] QString labelText(const MapIceberg& iceberg);
+[[nodiscard]] QString labelText(const MapIceberg& iceberg, const MissionClock& clock);
 
 /** Icebergs by index whose labels may look for a place. */
 struct LabelTurn

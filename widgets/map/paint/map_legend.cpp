@@ -1,3 +1,4 @@
+#include "core/tracking/position_error.h"
 #include "widgets/map/paint/map_legend_rows.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/theme/painter_state.h"
@@ -97,7 +98,6 @@ void paintSamples(QPainter& painter, const QPointF& from, const MapPicture& pict
             theme);
 }
 
-/** Their sigmas, and the roots below; where they are long every other one, always the last. */
 double widestNumber_px(const MapPicture& picture, const MapStyle& style)
 {
     return QFontMetricsF(style.theme.small())
@@ -110,11 +110,20 @@ double unitAfter_px(double number_px)
     return std::max(16.0, number_px / 2 + 5);
 }
 
+/**
+ * Their sigmas and the radii of 95 %, one below the other; where they are long every other one,
+ * always the last.
+ */
 void paintSigmaNumbers(QPainter& painter, const QPointF& from, const MapPicture& picture,
                        const MapStyle& style)
 {
     const Theme& theme = style.theme;
-    const double root_y = from.y() + kNumber_px;
+    const bool isSigmaFirst = shownUnits().uncertainty == UncertaintyForm::Sigma;
+    const double sigma_y = from.y() + (isSigmaFirst ? 0 : kNumber_px);
+    const double radius_y = from.y() + (isSigmaFirst ? kNumber_px : 0);
+    const QColor& sigmaInk = isSigmaFirst ? theme.text : theme.mutedText;
+    const QColor& radiusInk = isSigmaFirst ? theme.mutedText : theme.text;
+    const ShownUnit radius = radius95Unit(picture.sigmaFull_m2);
     const auto number = [&](double x, double y, const QString& text, const QColor& colour) {
         painter.setPen(colour);
         painter.drawText(QRectF(x - 40, y, 80, kNumber_px), Qt::AlignCenter, text);
@@ -131,15 +140,15 @@ void paintSigmaNumbers(QPainter& painter, const QPointF& from, const MapPicture&
         if (isTight && (ticks_m2.size() - i) % 2 == 0)
             continue;
         const double x = from.x() + kLegendBar_px * ticks_m2[i] / picture.sigmaFull_m2;
-        number(x, from.y(), tickText(ticks_m2[i], style.locale), theme.text);
-        number(x, root_y, significantText(std::sqrt(ticks_m2[i]), 2, style.locale),
-               theme.mutedText);
+        number(x, sigma_y, tickText(ticks_m2[i], style.locale), sigmaInk);
+        number(x, radius_y,
+               significantText(radius.fromSi(radius95_m(ticks_m2[i])), 2, style.locale), radiusInk);
     }
     const double unit_x = from.x() + kLegendBar_px + unitAfter_px(widest_px);
-    label(unit_x, from.y(), u"m²"_s, theme.text);
-    label(unit_x, root_y, u"m"_s, theme.mutedText);
-    label(from.x(), from.y(), u"σ"_s, theme.text);
-    label(from.x(), root_y, u"√σ"_s, theme.mutedText);
+    label(unit_x, sigma_y, u"m²"_s, sigmaInk);
+    label(unit_x, radius_y, radius.name, radiusInk);
+    label(from.x(), sigma_y, u"σ"_s, sigmaInk);
+    label(from.x(), radius_y, u"95 %"_s, radiusInk);
 }
 
 void paintSigma(QPainter& painter, const QPointF& at, const SigmaBlock& block,

@@ -140,7 +140,7 @@ void paintLabel(const MapPaint& p, std::size_t i)
         p.painter.setPen(QPen(p.theme.graticuleText, 1));
         p.painter.drawLine(path.pointAt(std::min(1.0, disk.radius_px / path.length())), near);
     }
-    const QString text = labelText(p.picture.icebergs[i]);
+    const QString text = labelText(p.picture.icebergs[i], p.picture.times.clock);
     const MapStop& stop = p.layout.stops[i];
     const QColor ground =
         stop.order > 0 ? routeColours(p.picture, p.theme, stop.uav).plan : QColor();

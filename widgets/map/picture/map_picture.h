@@ -3,6 +3,7 @@
 #include "core/base/geodesy.h"
 #include "core/scenario/operation.h"
 #include "core/tracking/observer.h"
+#include "widgets/theme/mission_clock.h"
 
 #include <QString>
 
@@ -157,6 +158,7 @@ struct MapPicture
     QString title;
     QString subtitle;
     std::vector<MapReadout> readouts;
+    TimesAhead times;       ///< writes the instants of the run
     LatLon origin{47, -48}; ///< of the local plane
     std::vector<MapUav> uavs;
     std::vector<MapRoute> routes; ///< by place in `uavs`, as many

@@ -1,5 +1,6 @@
 #include "widgets/map/picture/mission_picture.h"
 
+#include "core/tracking/position_error.h"
 #include "core/vehicle/geofence.h"
 #include "widgets/map/picture/plan_stops.h"
 #include "widgets/map/picture/scenario_picture.h"
@@ -85,15 +86,17 @@ std::vector<MapReadout> readoutsOf(const FlightRecord& record, const std::vector
                                    const QLocale& locale)
 {
     const Metrics& metrics = record.shown().metrics;
-    std::vector<MapReadout> readouts{{.caption = MissionPicture::tr("Time"),
-                                      .value = clockText(record.shown().time_s),
-                                      .unit = {}},
-                                     {.caption = MissionPicture::tr("Zeta ζ"),
-                                      .value = significantText(metrics.zeta_m2s, 4, locale),
-                                      .unit = u"m² s"_s},
-                                     {.caption = MissionPicture::tr("Visits"),
-                                      .value = fixedText(metrics.visits, 0, locale),
-                                      .unit = {}}};
+    const ShownUnit zeta = zetaUnit(metrics.zeta_m2s);
+    std::vector<MapReadout> readouts{
+        {.caption = MissionPicture::tr("Time"),
+         .value = clockOf(record.scenario).text(record.shown().time_s),
+         .unit = {}},
+        {.caption = MissionPicture::tr("Zeta ζ"),
+         .value = significantText(zeta.fromSi(metrics.zeta_m2s), 4, locale),
+         .unit = zeta.name},
+        {.caption = MissionPicture::tr("Visits"),
+         .value = fixedText(metrics.visits, 0, locale),
+         .unit = {}}};
     for (const std::optional<MapReadout>& more :
          {enduranceReadout(record, uavs), homeMarginReadout(record),
           closestReadout(record, locale)})
@@ -117,7 +120,7 @@ MapIceberg icebergOf(const FlightRecord& record, std::size_t i)
                      .status = track.status,
                      .keptFor = shown.assigned[i]};
     if (record.scenario.observer.model == ObserverModel::Kalman) {
-        drawn.circle_m = likelyRadius_m(track.sigma_m2);
+        drawn.circle_m = radius95_m(track.sigma_m2);
         drawn.truth_m = shown.truth_m[i];
     }
     if (const std::optional<AssetApproach> approach = approachOf(shown, i))
@@ -355,6 +358,7 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale, Swe
     MapPicture picture;
     picture.title = QString::fromStdString(scenario.name);
     picture.subtitle = policyText(record.shown().planner, locale);
+    picture.times = timesOf(record);
     std::vector<int> shown;
     picture.icebergs = icebergsOf(record, shown);
     picture.clusters = clustersOf(record.shown().plans, shown);

@@ -5,6 +5,7 @@
 #include "core/scenario/fence.h"
 #include "core/scenario/priority.h"
 #include "core/sim/sortie_outlook.h"
+#include "core/tracking/position_error.h"
 #include "widgets/model/asset_approach.h"
 #include "widgets/model/sigma_end.h"
 #include "widgets/model/wind.h"
@@ -27,7 +28,7 @@ MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario)
                      .appears_s = iceberg.appears_s,
                      .key = iceberg.id};
     if (scenario.observer.model == ObserverModel::Kalman)
-        drawn.circle_m = likelyRadius_m(drawn.sigma_m2);
+        drawn.circle_m = radius95_m(drawn.sigma_m2);
     if (const std::optional<AssetApproach> approach = approachOf(scenario, iceberg))
         drawn.ringEntry_s = approach->entry_s;
     const auto uav = std::ranges::find(scenario.uavs, iceberg.uav, &Uav::id);
@@ -238,12 +239,6 @@ MapUav mapUav(const Scenario& scenario, std::size_t i)
     return drawn;
 }
 
-double likelyRadius_m(double sigma_m2)
-{
-    constexpr double kSquareOf95 = 5.991; // chi-square with two degrees of freedom
-    return std::sqrt(kSquareOf95 * sigma_m2);
-}
-
 MapPicture withScenario(MapPicture picture, const Scenario& scenario)
 {
     if (!isAsPlanned(picture, scenario)) // ways are places, an order holds until the next plan
@@ -272,6 +267,7 @@ MapPicture withScenario(MapPicture picture, const Scenario& scenario)
     markInView(picture);
 
     setSurroundings(picture, scenario, scenario.asset, 0);
+    picture.times = {.clock = clockOf(scenario)};
     if (before.empty()) // else colours and rings stay while something is dragged or previewed
         picture.sigmaFull_m2 = sigmaEnd_m2(scenario);
     return picture;

@@ -35,9 +35,6 @@ void setSurroundings(MapPicture& picture, const Scenario& scenario,
  */
 [[nodiscard]] MapUav mapUav(const Scenario& scenario, std::size_t i);
 
-/** Of the circle that holds 95 % of a normal distribution with this variance along each axis. */
-[[nodiscard]] double likelyRadius_m(double sigma_m2);
-
 /**
  * The picture with everything that can be edited taken from the scenario at t = 0: icebergs (those
  * still to come too), UAVs, area, asset, wind. The plans keep the order of the icebergs that

@@ -229,7 +229,7 @@ void MapEdits::addCopiesOf(const std::vector<Iceberg>& icebergs,
 void MapEdits::addIcebergAt(const Point& place_m)
 {
     const bool isLocked = !begin();
-    Iceberg iceberg;
+    Iceberg iceberg = m_context.document.newIceberg();
     iceberg.position_m = clampedPosition(roundedTo(place_m, kPositionStep_m));
     if (isLocked) {
         emit m_context.view.icebergPlaced(iceberg);

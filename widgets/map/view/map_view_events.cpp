@@ -354,6 +354,11 @@ bool MapView::showToolTip(const QHelpEvent& event)
                            this);
         return true;
     }
+    const TimesAhead& times = m_scene.picture().times;
+    if (!m_tool->isBusy() && times.clock.start && m_scene.layout().title.contains(event.pos())) {
+        QToolTip::showText(event.globalPos(), times.clock.details(times.now_s), this);
+        return true;
+    }
     const std::string id = m_tool->isBusy() ? std::string() : m_scene.objectAt(event.pos());
     const std::vector<MapIceberg>& icebergs = m_scene.picture().icebergs;
     const auto iceberg = std::ranges::find(icebergs, id, keyOf);
@@ -367,11 +372,10 @@ bool MapView::showToolTip(const QHelpEvent& event)
         speed_mps > 0 ? tr("drifting %1 towards %2")
                             .arg(speedText(speed_mps, words), bearingText(iceberg->velocity_mps))
                       : tr("not drifting");
-    QString text = tr("%1: σ %2 m² (√σ %3 m), %4")
-                       .arg(iceberg->id, significantText(iceberg->sigma_m2, 3, words),
-                            significantText(std::sqrt(iceberg->sigma_m2), 2, words), drift);
+    QString text = tr("%1: %2, %3", "name, uncertainty, drift")
+                       .arg(iceberg->id, uncertaintyText(iceberg->sigma_m2, words), drift);
     if (iceberg->ringEntry_s)
-        text += u'\n' + ringEntryText(iceberg->id, *iceberg->ringEntry_s, words);
+        text += u'\n' + ringEntryText(iceberg->id, *iceberg->ringEntry_s, words, times);
     QToolTip::showText(event.globalPos(), text, this);
     return true;
 }

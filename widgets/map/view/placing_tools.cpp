@@ -8,6 +8,7 @@
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/source_text.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -73,7 +74,7 @@ void IcebergTool::press(const MapPointer& pointer)
         m_iceberg = *present;
         return;
     }
-    m_iceberg = {};
+    m_iceberg = context().document.newIceberg();
     m_iceberg.id = freshIcebergId(scenario);
     m_iceberg.position_m = placeOf(pointer);
     m_gesture = makeGesture(context(), PlacingTools::tr("Add iceberg"));
@@ -91,7 +92,7 @@ void IcebergTool::pressInFlight(const MapPointer& pointer, const std::string& ob
     m_press = pointer;
     m_now = pointer;
     m_isPressed = true;
-    m_iceberg = {};
+    m_iceberg = context().document.newIceberg();
     m_iceberg.position_m = placeOf(pointer);
     apply();
 }
@@ -175,14 +176,19 @@ QString IcebergTool::status() const
 {
     if (m_arrow)
         return m_arrow->status();
+    const QString source = u' ' + PlacingTools::tr("Seen by %1.", "source and its error")
+                                      .arg(sourceText(context().document.newIcebergSource(),
+                                                      context().scene.locale()));
     if (context().view.isLocked())
         return PlacingTools::tr("Click adds an iceberg that appears here and now, drag on to set "
-                                "its drift. In flight that cannot be undone.");
+                                "its drift. In flight that cannot be undone.") +
+               source;
     if (context().document.scenario().icebergs.size() >= kMostIcebergs)
         return PlacingTools::tr("A scenario holds at most %n icebergs.", nullptr,
                                 static_cast<int>(kMostIcebergs));
     return PlacingTools::tr(
-        "Click adds an iceberg, drag on to set its drift. Esc leaves the tool.");
+               "Click adds an iceberg, drag on to set its drift. Esc leaves the tool.") +
+           source;
 }
 
 void UavTool::press(const MapPointer& pointer)

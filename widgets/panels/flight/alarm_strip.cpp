@@ -1,7 +1,6 @@
 #include "widgets/panels/flight/alarm_strip.h"
 
 #include "widgets/theme/icons.h"
-#include "widgets/theme/quantity_text.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -203,6 +202,14 @@ void AlarmStrip::showState(bool inFlight, std::optional<double> lookBack_s, cons
     showOrHide();
 }
 
+void AlarmStrip::setClock(const MissionClock& clock)
+{
+    if (clock == m_clock)
+        return;
+    m_clock = clock;
+    fillState();
+}
+
 void AlarmStrip::fillState()
 {
     const bool looksBack = m_lookBack_s.has_value();
@@ -219,10 +226,10 @@ void AlarmStrip::fillState()
         text = m_text->fontMetrics().elidedText(tr("Cannot be planned: %1").arg(m_fault),
                                                 Qt::ElideRight, m_text->width());
     else if (looksBack)
-        text = tr("Looking back at %1").arg(clockText(*m_lookBack_s));
+        text = tr("Looking back at %1").arg(m_clock.text(*m_lookBack_s));
     if (text != m_text->text())
         m_text->setText(text);
-    m_text->setToolTip(m_fault);
+    m_text->setToolTip(looksBack ? m_clock.details(*m_lookBack_s) : m_fault);
     m_flyOn->setVisible(looksBack);
     m_newest->setVisible(looksBack);
     m_checks->setVisible(!m_fault.isEmpty());

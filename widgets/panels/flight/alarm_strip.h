@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/panels/flight/flight_notices.h"
+#include "widgets/theme/mission_clock.h"
 #include "widgets/theme/theme.h"
 
 #include <QTimer>
@@ -33,6 +34,8 @@ public:
     explicit AlarmStrip(QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
+    /** Writes the instants of the run from now on. */
+    void setClock(const MissionClock& clock);
     /** Of the first line, which is always there. */
     [[nodiscard]] int lineHeight() const;
     /**
@@ -90,6 +93,7 @@ private:
     std::map<NoticeKind, std::set<std::string>> m_acknowledged; ///< ids of what those are about
     QTimer m_pause; ///< after an acknowledgement: a double click is not meant for the next alarm
     bool m_isInFlight = false;
+    MissionClock m_clock;
     std::optional<double> m_lookBack_s;
     QString m_fault;
     QBoxLayout* m_column = nullptr;

@@ -1,7 +1,6 @@
 #include "widgets/panels/flight/event_model.h"
 
 #include "widgets/model/mission_snapshot.h"
-#include "widgets/theme/quantity_text.h"
 #include "widgets/words/event_text.h"
 #include "widgets/words/plan_text.h"
 
@@ -85,6 +84,15 @@ EventModel::Row EventModel::rowOf(const MissionEvent& event, const PlanEvent* pl
     return row;
 }
 
+void EventModel::setClock(const MissionClock& clock)
+{
+    if (clock == m_clock)
+        return;
+    m_clock = clock;
+    if (!m_rows.empty())
+        emit dataChanged(index(0, Time), index(rowCount() - 1, Time));
+}
+
 void EventModel::setShown(std::size_t shown)
 {
     if (shown == m_shown)
@@ -127,7 +135,7 @@ QVariant EventModel::data(const QModelIndex& index, int role) const
     if (role == Qt::DisplayRole)
         switch (index.column()) {
         case Time:
-            return clockText(row.event.time_s);
+            return m_clock.text(row.event.time_s);
         case What:
             return row.what;
         case Details:
@@ -135,6 +143,8 @@ QVariant EventModel::data(const QModelIndex& index, int role) const
         default:
             return {};
         }
+    if (role == Qt::ToolTipRole && index.column() == Time && m_clock.start)
+        return m_clock.details(row.event.time_s);
     if (role == Qt::ToolTipRole)
         return row.toolTip.isEmpty() ? row.what : row.toolTip;
     if (role == AheadRole)

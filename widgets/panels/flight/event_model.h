@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/sim/recorder.h"
+#include "widgets/theme/mission_clock.h"
 
 #include <QAbstractTableModel>
 #include <QLocale>
@@ -38,6 +39,8 @@ public:
      */
     void setHistory(const MissionHistory& history, const std::vector<Iceberg>& icebergs,
                     const std::vector<Uav>& uavs);
+    /** Writes the times from now on. */
+    void setClock(const MissionClock& clock);
     /** So many events had come at the instant shown. */
     void setShown(std::size_t shown);
 
@@ -69,6 +72,7 @@ private:
                             const std::vector<Uav>& uavs) const;
 
     QLocale m_locale;
+    MissionClock m_clock;
     std::vector<Row> m_rows;
     std::uint64_t m_rewrites = 0;
     std::size_t m_events = 0;  ///< that the rows have come to

@@ -15,8 +15,8 @@ namespace berg {
 namespace {
 
 constexpr int kRow_px = 22;
-constexpr int kTimeColumn_px = 70;
 constexpr int kWhatColumn_px = 220;
+constexpr int kCellMargins_px = 10;
 
 /** What has not come yet at the instant shown is muted. */
 class EventDelegate final : public QStyledItemDelegate
@@ -49,7 +49,6 @@ EventPanel::EventPanel(QWidget* parent)
     setUpDockTable(*m_table, kRow_px);
     QHeaderView* header = m_table->horizontalHeader();
     header->setStretchLastSection(true);
-    m_table->setColumnWidth(EventModel::Time, kTimeColumn_px);
     m_table->setColumnWidth(EventModel::What, kWhatColumn_px);
     const auto choose = [this](const QModelIndex& index) {
         if (index.isValid())
@@ -66,10 +65,14 @@ EventPanel::EventPanel(QWidget* parent)
 void EventPanel::setTheme(const Theme& theme)
 {
     setDockTableTheme(*m_table, theme);
+    m_table->setColumnWidth(EventModel::Time,
+                            m_table->fontMetrics().horizontalAdvance(u"00:00:00Z +1"_s) +
+                                kCellMargins_px);
 }
 
 void EventPanel::showRecord(const FlightRecord& record)
 {
+    m_model->setClock(clockOf(record.scenario));
     m_model->setHistory(record.history, record.now.icebergs, record.scenario.uavs);
     m_model->setShown(record.eventsShown());
     if (record.instant && m_model->lastShown() >= 0)

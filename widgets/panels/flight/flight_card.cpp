@@ -143,9 +143,7 @@ void FlightCard::setTheme(const Theme& theme)
 
 void FlightCard::showSummary(const FlightSummary& summary)
 {
-    const auto zeta = [&](double zeta_m2s) {
-        return tr("%1 m² s").arg(significantText(zeta_m2s, 4, locale()));
-    };
+    const auto zeta = [&](double zeta_m2s) { return zetaText(zeta_m2s, locale()); };
     showValue(*m_zeta, u"ζ "_s + zeta(summary.zeta_m2s));
     showValue(*m_predicted,
               summary.predicted && summary.predicted->mean_m2s > 0
@@ -184,8 +182,9 @@ QString FlightCard::rangeText(const FlightSummary& summary) const
     const QString text = summary.zeta_m2s < least_m2s  ? tr("below %1 to %2")
                          : summary.zeta_m2s > most_m2s ? tr("above %1 to %2")
                                                        : tr("inside %1 to %2");
-    return text.arg(significantText(least_m2s, 4, locale()),
-                    significantText(most_m2s, 4, locale()));
+    const ShownUnit unit = zetaUnit(summary.zeta_m2s); // in which the figure above is
+    return text.arg(significantText(unit.fromSi(least_m2s), 4, locale()),
+                    significantText(unit.fromSi(most_m2s), 4, locale()));
 }
 
 /** In its corner, or where the user has put it, on the map. */

@@ -174,7 +174,8 @@ std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocal
     if (entries.empty())
         return std::nullopt;
     const auto sentence = [&](const Entry& entry) {
-        return ringEntryText(shownName(shown.icebergs[entry.iceberg]), entry.entry_s, locale);
+        return ringEntryText(shownName(shown.icebergs[entry.iceberg]), entry.entry_s, locale,
+                             timesOf(record));
     };
     FlightNotice notice{.kind = NoticeKind::RingEntry,
                         .about = {kAssetKey},
@@ -211,8 +212,9 @@ void addLost(std::vector<FlightNotice>& notices, const MissionSnapshot& shown)
     }
 }
 
-QString modeText(const MissionSnapshot& shown, const UavState& uav, const QLocale& locale)
+QString modeText(const FlightRecord& record, const UavState& uav, const QLocale& locale)
 {
+    const MissionSnapshot& shown = record.shown();
     switch (uav.mode) {
     case FlightMode::Search:
         if (!uav.search)
@@ -227,7 +229,8 @@ QString modeText(const MissionSnapshot& shown, const UavState& uav, const QLocal
         if (uav.order != FlightOrder::None)
             return FlightNotices::tr("On the ground until it is told to resume");
         return FlightNotices::tr("On the ground, takes off in %1")
-            .arg(roughDurationText(uav.ground_s, locale));
+            .arg(roughDurationText(uav.ground_s, locale) +
+                 timesOf(record).minuteInBrackets(uav.ground_s));
     case FlightMode::Idle:
     case FlightMode::Leg:
     case FlightMode::RunOut:
@@ -274,7 +277,7 @@ std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocal
     addLost(notices, record.shown());
     const std::vector<UavState>& uavs = record.shown().world.uavs;
     for (std::size_t k = 0; k < uavs.size(); ++k)
-        if (const QString mode = modeText(record.shown(), uavs[k], locale); !mode.isEmpty())
+        if (const QString mode = modeText(record, uavs[k], locale); !mode.isEmpty())
             notices.push_back({.kind = NoticeKind::Mode,
                                .about = {idOf(record, static_cast<int>(k))},
                                .text = ofUav(record, static_cast<int>(k), mode)});

@@ -5,7 +5,7 @@
 #include "widgets/panels/flight/run_time_line.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/quantity_text.h"
-#include "widgets/theme/typed_quantity.h"
+#include "widgets/words/time_entry.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -60,14 +60,11 @@ PlaybackBar::PlaybackBar(QWidget* parent) : QWidget(parent)
     m_time = new QLineEdit(this);
     m_time->setObjectName(u"timeField"_s);
     m_time->setAccessibleName(tr("Time shown"));
-    m_time->setToolTip(tr("Time shown. Type one to look back at it, e.g. 3:20."));
     m_time->setFrame(false);
     m_time->setAlignment(Qt::AlignRight);
     row->addWidget(m_time);
     m_length = new FigureLabel(this);
     m_length->setObjectName(u"runLength"_s);
-    m_length->setToolTip(tr("Length of the run"));
-    m_length->setAccessibleDescription(m_length->toolTip());
     row->addWidget(m_length);
 
     connect(m_play, &QToolButton::clicked, this, [this] {
@@ -139,10 +136,8 @@ void PlaybackBar::setTheme(const Theme& theme)
     m_timeLine->setTheme(theme);
     m_time->setFont(theme.body());
     m_length->setFont(theme.body());
-    const QFontMetrics metrics(theme.body());
-    m_time->setMinimumWidth(metrics.horizontalAdvance(u"00:00"_s) + 4);
-    m_time->setMaximumWidth(metrics.horizontalAdvance(u"00:00:00 "_s));
     m_rate->setFont(theme.body());
+    showTexts();
     updateButtons();
 }
 
@@ -177,15 +172,18 @@ void PlaybackBar::editTime()
 
 void PlaybackBar::finishTime()
 {
-    const std::optional<double> time_s = clockValue(m_time->text());
+    const std::optional<double> time_s = readInstant(m_time->text(), m_clock, m_time_s);
     const bool isNew = m_time->isModified() && time_s.has_value();
     if (m_time->isModified() && !time_s) {
-        QStatusTipEvent said(
-            tr("\"%1\" is not a time. Type it like 3:20 or 45 min.").arg(m_time->text().trimmed()));
+        const QString fault =
+            m_clock.start
+                ? tr("\"%1\" is not a time of this run. Type it like 1215Z, 3:20 or 45 min.")
+                : tr("\"%1\" is not a time. Type it like 3:20 or 45 min.");
+        QStatusTipEvent said(fault.arg(m_time->text().trimmed()));
         QCoreApplication::sendEvent(window(), &said);
     }
     m_time->setModified(false);
-    m_time->setText(m_timeText); // until the picture of that time is there
+    showTexts(); // until the picture of that time is there
     if (isNew)
         emit timeEdited(*time_s);
 }
@@ -195,7 +193,8 @@ void PlaybackBar::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() != Qt::Key_Escape || focusWidget() != m_time)
         return QWidget::keyPressEvent(event);
-    m_time->setText(m_timeText); // nothing was typed
+    m_time->setModified(false); // nothing was typed
+    showTexts();
     m_timeLine->setFocus();
 }
 
@@ -203,16 +202,47 @@ void PlaybackBar::showState(RunPhase phase, double time_s, double duration_s,
                             std::optional<double> newest_s)
 {
     m_timeLine->showTime(time_s, newest_s.value_or(time_s), duration_s);
-    m_timeText = clockText(time_s);
-    if (!m_time->isModified() && m_time->text() != m_timeText)
-        m_time->setText(m_timeText);
-    const QString length = u"/ %1"_s.arg(clockText(duration_s));
-    if (length != m_length->text())
-        showValue(*m_length, length);
+    m_time_s = time_s;
+    m_duration_s = duration_s;
+    showTexts();
     if (phase == m_phase)
         return;
     m_phase = phase;
     updateButtons();
+}
+
+void PlaybackBar::setClock(const MissionClock& clock)
+{
+    if (clock == m_clock)
+        return;
+    m_clock = clock;
+    m_timeLine->setClock(clock);
+    showTexts();
+}
+
+/** The time shown, unless one is being typed, and the end of the run. */
+void PlaybackBar::showTexts()
+{
+    const QString time = m_clock.text(m_time_s);
+    if (!m_time->isModified() && m_time->text() != time)
+        m_time->setText(time);
+    const QString length = u"/ %1"_s.arg(m_clock.text(m_duration_s));
+    if (length != m_length->text())
+        showValue(*m_length, length);
+    const QFontMetrics metrics(m_theme.body());
+    const bool isUtc = m_clock.isUtc();
+    const QString widest = m_clock.text(m_duration_s); // on the latest day
+    m_time->setMinimumWidth(metrics.horizontalAdvance(isUtc ? widest : u"00:00"_s) + 4);
+    m_time->setMaximumWidth(isUtc ? m_time->minimumWidth() + metrics.averageCharWidth()
+                                  : metrics.horizontalAdvance(u"00:00:00 "_s));
+    m_time->setToolTip(
+        m_clock.start
+            ? tr("Time shown. Type one to look back at it, e.g. 1215Z or, since the start, 3:20.") +
+                  u'\n' + m_clock.details(m_time_s)
+            : tr("Time shown. Type one to look back at it, e.g. 3:20."));
+    m_length->setToolTip(isUtc ? tr("End of the run") + u'\n' + m_clock.details(m_duration_s)
+                               : tr("Length of the run"));
+    m_length->setAccessibleDescription(isUtc ? tr("End of the run") : tr("Length of the run"));
 }
 
 void PlaybackBar::updateButtons()

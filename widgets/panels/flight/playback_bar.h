@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/model/mission_runner.h"
+#include "widgets/theme/mission_clock.h"
 #include "widgets/theme/theme.h"
 
 #include <QWidget>
@@ -23,6 +24,8 @@ public:
     explicit PlaybackBar(QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
+    /** Writes and reads the instants of the run from now on. */
+    void setClock(const MissionClock& clock);
     /** `time_s` is shown; `newest_s` was flown, none: the same. */
     void showState(RunPhase phase, double time_s, double duration_s,
                    std::optional<double> newest_s = {});
@@ -55,6 +58,7 @@ private:
     void addRates();
     void updateButtons();
     void finishTime();
+    void showTexts();
 
     Theme m_theme = Theme::light();
     RunPhase m_phase = RunPhase::Planning;
@@ -66,7 +70,9 @@ private:
     RunTimeLine* m_timeLine = nullptr;
     QLineEdit* m_time = nullptr;     ///< shown, can be typed
     FigureLabel* m_length = nullptr; ///< of the run
-    QString m_timeText;              ///< of what is shown
+    MissionClock m_clock;
+    double m_time_s = 0; ///< shown
+    double m_duration_s = 0;
 };
 
 } // namespace berg

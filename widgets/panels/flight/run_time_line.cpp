@@ -1,7 +1,5 @@
 #include "widgets/panels/flight/run_time_line.h"
 
-#include "widgets/theme/quantity_text.h"
-
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -141,13 +139,15 @@ bool RunTimeLine::event(QEvent* event)
         QToolTip::showText(
             help.globalPos(),
             tr("%1: point of no return of the plan; later the reserve is needed to come home")
-                .arg(clockText(*m_noReturn_s)),
+                .arg(m_clock.text(*m_noReturn_s)),
             this);
         return true;
     }
     const TimeMark* mark = markAt(help.pos().x());
     const double time_s = mark != nullptr ? mark->time_s : toTime(help.pos().x());
-    QToolTip::showText(help.globalPos(), mark != nullptr ? mark->text : clockText(time_s), this);
+    const QString text =
+        mark != nullptr ? mark->text + u'\n' + m_clock.details(time_s) : m_clock.toolTip(time_s);
+    QToolTip::showText(help.globalPos(), text.trimmed(), this);
     return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/sim/recorder.h"
+#include "widgets/theme/mission_clock.h"
 #include "widgets/theme/theme.h"
 
 #include <QAbstractSlider>
@@ -31,6 +32,7 @@ public:
     explicit RunTimeLine(QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
+    void setClock(const MissionClock& clock) { m_clock = clock; }
     /** Emits nothing. `time_s` is shown, `newest_s` flown, `duration_s` to be flown. */
     void showTime(double time_s, double newest_s, double duration_s);
     /** In order of time. */
@@ -62,6 +64,7 @@ private:
     void paintNoReturn(QPainter& painter) const;
 
     Theme m_theme = Theme::light();
+    MissionClock m_clock;
     double m_duration_s = 1;
     std::vector<TimeMark> m_marks;
     std::optional<double> m_noReturn_s;

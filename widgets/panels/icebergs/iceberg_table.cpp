@@ -5,7 +5,6 @@
 #include "widgets/panels/icebergs/iceberg_table_delegate.h"
 #include "widgets/panels/icebergs/iceberg_table_model.h"
 #include "widgets/panels/icebergs/iceberg_table_view.h"
-#include "widgets/panels/plan/plan_model.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QApplication>
@@ -34,7 +33,8 @@ constexpr int kSortMark_px = 14;
 constexpr int kFilterFrom = 15; ///< so many icebergs make it worth its room
 
 /** As wide as usual contents: columns stand still in flight. */
-QString widestText(IcebergColumn column, double sigmaFull_m2, const QLocale& locale)
+QString widestText(IcebergColumn column, double sigmaFull_m2, const MissionClock& clock,
+                   const QLocale& locale)
 {
     switch (column) {
     case IcebergColumn::Name:
@@ -43,7 +43,7 @@ QString widestText(IcebergColumn column, double sigmaFull_m2, const QLocale& loc
     case IcebergColumn::State:
         return stateText({.id = {}, .state = IcebergStanding::Planned}) + u"0"_s;
     case IcebergColumn::Arrival:
-        return PlanModel::arrivalText(3599);
+        return TimesAhead{.clock = clock}.text(3599);
     case IcebergColumn::AssetDistance:
         return u"00 000"_s;
     case IcebergColumn::East:
@@ -58,7 +58,8 @@ QString widestText(IcebergColumn column, double sigmaFull_m2, const QLocale& loc
         return u"00:00"_s;
     case IcebergColumn::Sigma:
         return widestSigmaText(sigmaFull_m2, locale);
-    case IcebergColumn::Deviation:
+    case IcebergColumn::Radius95:
+        return u"88.88 km"_s;
     case IcebergColumn::Visits:
     case IcebergColumn::Speed:
     case IcebergColumn::Direction:
@@ -128,6 +129,9 @@ void IcebergTable::setUpTable()
     m_table->setSortingEnabled(true);
     m_table->setContextMenuPolicy(Qt::CustomContextMenu);
     m_table->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
+    if (shownUnits().uncertainty == UncertaintyForm::Radius95)
+        m_table->horizontalHeader()->swapSections(static_cast<int>(IcebergColumn::Sigma),
+                                                  static_cast<int>(IcebergColumn::Radius95));
 }
 
 void IcebergTable::connectTable()
@@ -261,11 +265,12 @@ void IcebergTable::setColumnWidths()
 {
     const QFontMetrics metrics(m_table->font());
     const QFontMetrics headerMetrics(m_table->horizontalHeader()->font());
+    const MissionClock clock = clockOf(m_document.scenario());
     for (int column = 0; column < m_model->columnCount(); ++column) {
         const auto kind = static_cast<IcebergColumn>(column);
         const int extra_px = markWidth(kind);
         const int cell_px =
-            metrics.horizontalAdvance(widestText(kind, m_sigmaFull_m2, locale())) + extra_px;
+            metrics.horizontalAdvance(widestText(kind, m_sigmaFull_m2, clock, locale())) + extra_px;
         const int title_px =
             headerMetrics.horizontalAdvance(m_model->spec(column).title) + kSortMark_px;
         const bool isHidden = m_table->isColumnHidden(column);

@@ -156,8 +156,9 @@ IcebergColumnSpecs icebergColumnSpecs()
         inFlight(u"sigma"_s, u"σ, m²"_s, u"σ, m²"_s,
                  IcebergColumnText::tr(
                      "Uncertainty of the position now; the bar is on the scale of the map")),
-        inFlight(u"deviation"_s, u"√σ, m"_s, u"√σ, m"_s,
-                 IcebergColumnText::tr("Standard deviation of the position now")),
+        inFlight(u"radius95"_s, u"95 %"_s, IcebergColumnText::tr("95 % radius, m"),
+                 IcebergColumnText::tr("With 95 % the iceberg is inside a circle of this radius "
+                                       "round its position now")),
         assetDistance,
         assetTime,
         inFlight(u"state"_s, IcebergColumnText::tr("State"), IcebergColumnText::tr("State"),
@@ -223,7 +224,7 @@ auto* heldNumber(I& iceberg, IcebergColumn column)
         return &iceberg.appears_s;
     case IcebergColumn::Name:
     case IcebergColumn::Sigma:
-    case IcebergColumn::Deviation:
+    case IcebergColumn::Radius95:
     case IcebergColumn::State:
     case IcebergColumn::Uav:
     case IcebergColumn::AssetDistance:

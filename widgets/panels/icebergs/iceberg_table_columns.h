@@ -14,7 +14,7 @@ enum class IcebergColumn
 {
     Name,
     Sigma,
-    Deviation,
+    Radius95,
     AssetDistance,
     AssetTime,
     State,

@@ -258,7 +258,7 @@ QVariant IcebergTableModel::data(const QModelIndex& index, int role) const
         return cellToolTip(row, column, m_locale);
     case Qt::AccessibleTextRole:
         return column == IcebergColumn::Name && row.ringEntry_s
-                   ? QVariant(ringEntryText(row.label(), *row.ringEntry_s, m_locale))
+                   ? QVariant(ringEntryText(row.label(), *row.ringEntry_s, m_locale, row.times))
                    : QVariant();
     case Qt::TextAlignmentRole:
         return QVariant::fromValue((isText(column) ? Qt::AlignLeft : Qt::AlignRight) |
@@ -400,7 +400,7 @@ PasteOutcome IcebergTableModel::paste(const QString& text, int row, int column,
     if (!spec(column).isEditable())
         return {.fault = tr("The column \"%1\" follows from the others. Nothing was pasted.")
                              .arg(spec(column).title)};
-    PasteTarget target;
+    PasteTarget target{.added = m_document.newIceberg()};
     for (int at = row; at < rowCount(); ++at)
         target.ids.push_back(rowAt(at).id);
     for (const int one : columns) {

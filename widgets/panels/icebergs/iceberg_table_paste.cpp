@@ -109,7 +109,7 @@ private:
                      .arg(kMostIcebergs));
             return false;
         }
-        Iceberg iceberg;
+        Iceberg iceberg = m_target.added;
         iceberg.id = freshIcebergId(scenario);
         for (std::size_t i = 0; i < std::min(line.size(), m_columns.size()); ++i) {
             const std::string name = line[i].trimmed().toStdString();

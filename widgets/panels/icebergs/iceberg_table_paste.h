@@ -15,6 +15,7 @@ struct PasteTarget
     std::vector<std::string> ids;       ///< rows from the chosen one downwards
     std::vector<IcebergColumn> columns; ///< from the chosen one to the right
     std::vector<IcebergColumn> shown;   ///< all that a line of titles may name
+    Iceberg added{};                    ///< what a line below the last row starts from
 };
 
 struct PasteOutcome

@@ -1,7 +1,7 @@
 #include "widgets/panels/icebergs/iceberg_table_rows.h"
 
+#include "core/tracking/position_error.h"
 #include "widgets/model/asset_approach.h"
-#include "widgets/panels/plan/plan_model.h"
 #include "widgets/panels/plan/plan_rows.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
@@ -157,7 +157,8 @@ QString positionText(double position_m, bool inFlight, const QLocale& locale)
     return fixedText(distanceUnit().fromSi(position_m), decimals + (isNautical ? 2 : 0), locale);
 }
 
-QString numberText(double value, IcebergColumn column, bool inFlight, const QLocale& locale)
+QString numberText(const IcebergTableRow& row, double value, IcebergColumn column, bool inFlight,
+                   const QLocale& locale)
 {
     switch (column) {
     case IcebergColumn::East:
@@ -174,14 +175,15 @@ QString numberText(double value, IcebergColumn column, bool inFlight, const QLoc
     case IcebergColumn::Direction:
         return u"%1"_s.arg(static_cast<int>(std::lround(value)) % 360, 3, 10, QChar(u'0'));
     case IcebergColumn::Sigma:
-    case IcebergColumn::Deviation:
     case IcebergColumn::Sigma0:
     case IcebergColumn::Growth:
         return significantText(value, 3, locale);
+    case IcebergColumn::Radius95:
+        return radius95Text(row.value(IcebergColumn::Sigma).value_or(0), locale);
     case IcebergColumn::Unseen:
         return clockText(value);
     case IcebergColumn::Arrival:
-        return PlanModel::arrivalText(value);
+        return row.times.text(value);
     case IcebergColumn::Visits:
     case IcebergColumn::Observed:
     case IcebergColumn::Appears:
@@ -203,7 +205,7 @@ QString nameToolTip(const IcebergTableRow& row, const QLocale& locale)
     QString text =
         IcebergRowText::tr("%1 (id %2)").arg(row.label(), QString::fromStdString(row.id));
     if (row.ringEntry_s)
-        text += u'\n' + ringEntryText(row.label(), *row.ringEntry_s, locale);
+        text += u'\n' + ringEntryText(row.label(), *row.ringEntry_s, locale, row.times);
     return text;
 }
 
@@ -214,10 +216,12 @@ std::vector<IcebergTableRow> editorRows(const Scenario& scenario)
     std::vector<IcebergTableRow> rows;
     rows.reserve(scenario.icebergs.size());
     const LocalFrame frame(scenario.origin);
+    const MissionClock clock = clockOf(scenario);
     for (const Iceberg& iceberg : scenario.icebergs) {
         IcebergTableRow& row = rows.emplace_back();
         row.id = iceberg.id;
         row.name = QString::fromStdString(iceberg.name);
+        row.times = {.clock = clock};
         for (const IcebergColumn column : kEditorNumbers)
             put(row, column, icebergNumber(iceberg, column));
         putPlace(row, frame, iceberg.position_m);
@@ -235,12 +239,14 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
     std::vector<IcebergTableRow> rows;
     rows.reserve(shown.icebergs.size());
     const LocalFrame frame(record.scenario.origin);
+    const TimesAhead times = timesOf(record);
     for (std::size_t i = 0; i < shown.icebergs.size(); ++i) {
         const Iceberg& iceberg = shown.icebergs[i];
         const Track& track = shown.world.tracks[i];
         IcebergTableRow& row = rows.emplace_back();
         row.id = iceberg.id;
         row.name = QString::fromStdString(iceberg.name);
+        row.times = times;
         row.state = stateOf(shown, i, places[i].place);
         row.uav = nameInFleet(record.scenario.uavs, places[i].uav);
         put(row, IcebergColumn::State, stateOrder(row.state, places[i].place));
@@ -253,7 +259,7 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
         putApproach(row, approachOf(shown, i));
         putPlace(row, frame, record.estimate_m(i));
         put(row, IcebergColumn::Sigma, track.sigma_m2);
-        put(row, IcebergColumn::Deviation, std::sqrt(track.sigma_m2));
+        put(row, IcebergColumn::Radius95, radius95_m(track.sigma_m2));
         const double since_s = std::max(track.seen_s, iceberg.appears_s);
         put(row, IcebergColumn::Unseen, track.inView ? 0 : shown.time_s - since_s);
         if (const auto arrival = arrivals_s.find(iceberg.id); arrival != arrivals_s.end())
@@ -303,7 +309,7 @@ QString cellText(const IcebergTableRow& row, IcebergColumn column, bool inFlight
     if (column == IcebergColumn::Uav)
         return orDash(row.uav);
     const std::optional<double> value = row.value(column);
-    return orDash(value ? numberText(*value, column, inFlight, locale) : QString());
+    return orDash(value ? numberText(row, *value, column, inFlight, locale) : QString());
 }
 
 QString cellToolTip(const IcebergTableRow& row, IcebergColumn column, const QLocale& locale)
@@ -321,20 +327,23 @@ QString cellToolTip(const IcebergTableRow& row, IcebergColumn column, const QLoc
     case IcebergColumn::State:
         return row.state == IcebergStanding::Later
                    ? IcebergRowText::tr("Appears at %1")
-                         .arg(clockText(row.value(IcebergColumn::Appears).value_or(0)))
+                         .arg(row.times.clock.text(row.value(IcebergColumn::Appears).value_or(0)))
                    : QString();
     case IcebergColumn::Sigma:
     case IcebergColumn::Sigma0:
-        return value ? IcebergRowText::tr("%1 m², a standard deviation of %2 m")
-                           .arg(significantText(*value, 3, locale),
+        return value ? IcebergRowText::tr("%1, a standard deviation of %2 m along each axis")
+                           .arg(uncertaintyText(*value, locale),
                                 significantText(std::sqrt(*value), 3, locale))
                      : QString();
+    case IcebergColumn::Arrival:
+        return value ? row.times.toolTip(*value) : QString();
+    case IcebergColumn::Appears:
+        return value && *value > 0 ? row.times.clock.details(*value) : QString();
     case IcebergColumn::Direction:
         return value ? QString() : IcebergRowText::tr("It stands still.");
     case IcebergColumn::Uav:
-    case IcebergColumn::Deviation:
+    case IcebergColumn::Radius95:
     case IcebergColumn::Unseen:
-    case IcebergColumn::Arrival:
     case IcebergColumn::Visits:
     case IcebergColumn::East:
     case IcebergColumn::North:
@@ -343,7 +352,6 @@ QString cellToolTip(const IcebergTableRow& row, IcebergColumn column, const QLoc
     case IcebergColumn::DriftNorth:
     case IcebergColumn::Growth:
     case IcebergColumn::Observed:
-    case IcebergColumn::Appears:
     case IcebergColumn::Latitude:
     case IcebergColumn::Longitude:
         break;

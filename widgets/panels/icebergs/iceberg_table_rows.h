@@ -29,7 +29,8 @@ struct IcebergTableRow
     QString name; ///< empty: it has none
     IcebergStanding state = IcebergStanding::Unplanned;
     std::array<std::optional<double>, kIcebergColumns> values{}; ///< by column; none: nothing there
-    QString uav; ///< of several UAVs the one that has it in its order; empty: none has
+    QString uav;      ///< of several UAVs the one that has it in its order; empty: none has
+    TimesAhead times; ///< writes its instants
     std::optional<double> ringEntry_s; ///< from now, into the inner ring of the asset, 0: inside
     bool operator==(const IcebergTableRow&) const = default;
 

@@ -1,6 +1,9 @@
+#include "core/tracking/position_error.h"
+#include "widgets/model/scenario_document.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/import_text.h"
+#include "widgets/words/source_text.h"
 
 #include <cmath>
 
@@ -77,6 +80,68 @@ std::vector<InspectorRow> driftRows()
     return rows;
 }
 
+/** The other way of saying sigma, which can be typed as well. */
+NumberRow radius95Row()
+{
+    return {.words = {.key = u"icebergRadius95"_s,
+                      .label = InspectorRows::tr("95 % within"),
+                      .toolTip = InspectorRows::tr(
+                          "With 95 % the iceberg was inside a circle of this radius when it was "
+                          "last seen: the square root of 5.99 σ₀."),
+                      .undoText = InspectorRows::tr("Change uncertainty")},
+            .unit = u" m"_s,
+            .decimals = {.least = 0, .most = 2},
+            .step = 10,
+            .read = [](const Scenario& scenario, const std::string& id) -> double {
+                const Iceberg* iceberg = findById(scenario.icebergs, id);
+                return iceberg == nullptr ? 0 : radius95_m(iceberg->sigma0_m2);
+            },
+            .write =
+                [](Scenario& scenario, const std::string& id, double radius_m) {
+                    if (Iceberg* iceberg = findById(scenario.icebergs, id))
+                        iceberg->sigma0_m2 = sigmaOfRadius95_m2(radius_m);
+                },
+            .range = always({.low = 0, .high = std::floor(radius95_m(limits::kSigma_m2.high))})};
+}
+
+/** Sets sigma to the usual one of a source; icebergs placed from then on have it, too. */
+PickRow sourceRow()
+{
+    return {.words = {.key = u"icebergSource"_s,
+                      .label = InspectorRows::tr("Seen by"),
+                      .toolTip = InspectorRows::tr(
+                          "Sets the uncertainty to the usual one of this source, for icebergs "
+                          "placed from now on as well."),
+                      .undoText = InspectorRows::tr("Change uncertainty")},
+            .options =
+                [](const Scenario&) {
+                    std::vector<PickRow::Option> options{
+                        {.value = {}, .text = InspectorRows::tr("as typed")}};
+                    for (const SightingSource source : kSightingSources)
+                        options.push_back({.value = std::string(errorOf(source).name),
+                                           .text = sourceName(source)});
+                    return options;
+                },
+            .read =
+                [](const Scenario& scenario, const std::string& id) {
+                    const Iceberg* iceberg = findById(scenario.icebergs, id);
+                    const auto source =
+                        iceberg != nullptr ? sourceWith(iceberg->sigma0_m2) : std::nullopt;
+                    return source ? std::string(errorOf(*source).name) : std::string();
+                },
+            .write =
+                [](Scenario& scenario, const std::string& id, const std::string& name) {
+                    Iceberg* iceberg = findById(scenario.icebergs, id);
+                    if (const auto source = sourceNamed(name); source && iceberg != nullptr)
+                        iceberg->sigma0_m2 = errorOf(*source).sigma_m2();
+                },
+            .chosen =
+                [](ScenarioDocument& document, const std::string& name) {
+                    if (const auto source = sourceNamed(name))
+                        document.setNewIcebergSource(*source);
+                }};
+}
+
 std::vector<InspectorRow> uncertaintyRows()
 {
     NumberRow sigma = objectRow<Iceberg>(
@@ -101,7 +166,13 @@ std::vector<InspectorRow> uncertaintyRows()
                    : InspectorRows::tr("standard deviation %1 m")
                          .arg(significantText(std::sqrt(iceberg->sigma0_m2), 3, locale));
     };
-    return {sigma, InfoRow{.key = u"icebergDeviation"_s, .text = deviation}, growth};
+    std::vector<InspectorRow> rows;
+    if (shownUnits().uncertainty == UncertaintyForm::Sigma)
+        append(rows, {sigma, radius95Row()});
+    else
+        append(rows, {radius95Row(), sigma});
+    append(rows, {growth, sourceRow(), InfoRow{.key = u"icebergDeviation"_s, .text = deviation}});
+    return rows;
 }
 
 PickRow visitorRow()

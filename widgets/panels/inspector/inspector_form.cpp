@@ -315,6 +315,8 @@ void InspectorForm::add(const PickRow& row)
         edit(row.words,
              [&](Scenario& scenario, const std::string& id) { row.write(scenario, id, value); });
         m_document.endGesture();
+        if (row.chosen)
+            row.chosen(m_document, value);
     });
     m_shows.emplace_back([this, row, combo, shown = std::vector<PickRow::Option>()]() mutable {
         const std::vector<PickRow::Option> options = row.options(m_document.scenario());

@@ -15,6 +15,8 @@
 
 namespace berg {
 
+class ScenarioDocument;
+
 // What the inspector lets one edit, as data. `id` is the iceberg's or the UAV's; rows of what there
 // is once ignore it. `key` names the input and the gesture that edits it.
 
@@ -86,6 +88,8 @@ struct PickRow
     std::function<std::vector<Option>(const Scenario&)> options;
     std::function<std::string(const Scenario&, const std::string& id)> read;
     std::function<void(Scenario&, const std::string& id, const std::string&)> write;
+    /** Called when the user has chosen; null: nothing else depends on the choice. */
+    std::function<void(ScenarioDocument&, const std::string&)> chosen{};
 };
 
 /** A button. */

@@ -20,6 +20,17 @@ constexpr double kSurelySeen = 0.995;
 
 constexpr auto kIcebergType = "application/x-bergwatch-planned-iceberg"_L1;
 
+bool isSigmaFirst()
+{
+    return shownUnits().uncertainty == UncertaintyForm::Sigma;
+}
+
+/** Without the unit of sigma, which is in the title; both are in the tool tip. */
+QString firstUncertainty(double sigma_m2, const QLocale& locale)
+{
+    return isSigmaFirst() ? significantText(sigma_m2, 3, locale) : radius95Text(sigma_m2, locale);
+}
+
 std::vector<PlanLine> linesOf(const std::vector<PlanSection>& sections)
 {
     std::vector<PlanLine> lines;
@@ -52,20 +63,16 @@ PlanModel::PlanModel(const QLocale& locale, QObject* parent)
 {
 }
 
-QString PlanModel::arrivalText(double arrival_s)
+void PlanModel::setPlan(const std::vector<PlanSection>& sections, const TimesAhead& times)
 {
-    return tr("in %1").arg(clockText(arrival_s));
+    setLines(linesOf(sections), times);
 }
 
-void PlanModel::setPlan(const std::vector<PlanSection>& sections)
+void PlanModel::setLines(std::vector<PlanLine> lines, const TimesAhead& times)
 {
-    setLines(linesOf(sections));
-}
-
-void PlanModel::setLines(std::vector<PlanLine> lines)
-{
-    if (lines == m_lines)
+    if (lines == m_lines && times == m_times)
         return;
+    m_times = times;
     const int before = rowCount();
     const int after = static_cast<int>(lines.size());
 
@@ -200,11 +207,11 @@ QString PlanModel::text(int row, Column column) const
     case GroundSpeed:
         return speedText(planned.course->groundSpeed_mps, m_locale, 3);
     case Arrival:
-        return arrivalText(planned.arrival_s);
+        return m_times.text(planned.arrival_s);
     case Sigma:
-        return significantText(planned.sigma_m2, 3, m_locale); // its unit is in the header
+        return firstUncertainty(planned.sigma_m2, m_locale);
     case ArrivalSigma:
-        return significantText(planned.arrivalSigma_m2, 3, m_locale);
+        return firstUncertainty(planned.arrivalSigma_m2, m_locale);
     case Chance:
         return planned.chance ? chanceText(*planned.chance, m_locale) : noFigure();
     case ColumnCount:
@@ -223,7 +230,7 @@ QString PlanModel::uavText(const PlanLine& line, Column column) const
     case Arrival:
         if (!line.row.isSeen)
             return modeText(line.mode);
-        return !line.isIdle ? arrivalText(line.row.arrival_s) : noFigure();
+        return !line.isIdle ? m_times.text(line.row.arrival_s) : noFigure();
     case Sigma:
         return line.row.isSeen ? tr("%n visits", nullptr, line.visits) : noFigure();
     case Number:
@@ -266,8 +273,9 @@ QString PlanModel::uavToolTip(const PlanLine& line) const
     if (line.isIdle)
         return name + u'\n' + tr("There is nothing for it to visit.");
     return name + u'\n' +
-           tr("%1, flown %2", "length and end of a way")
-               .arg(distanceText(line.row.leg_m, m_locale), arrivalText(line.row.arrival_s));
+           (m_times.clock.isUtc() ? tr("%1, flown by %2", "length and end of a path, UTC")
+                                  : tr("%1, flown %2", "length and end of a way"))
+               .arg(distanceText(line.row.leg_m, m_locale), m_times.text(line.row.arrival_s));
 }
 
 QString PlanModel::toolTip(int row, Column column) const
@@ -286,24 +294,25 @@ QString PlanModel::toolTip(int row, Column column) const
         return searchesText(planned.searches);
     if (!planned.isSeen && column != Sigma)
         return tr("The plan ends before this iceberg is seen.");
+    if (column == Arrival)
+        return m_times.toolTip(planned.arrival_s);
     if (planned.course && column != Sigma && column != ArrivalSigma && column != Chance)
         return tr("Course over ground %1, ground speed %2")
             .arg(courseText(planned.course->true_deg, planned.course->declination_deg),
                  speedText(planned.course->groundSpeed_mps, m_locale, 3));
     if (column != Sigma && column != ArrivalSigma)
         return {};
-    return tr("σ is %1 m² now, a standard deviation of %2 m; at arrival it is %3 m², if the "
-              "iceberg is not seen before")
-        .arg(significantText(planned.sigma_m2, 3, m_locale),
-             significantText(std::sqrt(planned.sigma_m2), 3, m_locale),
-             significantText(planned.arrivalSigma_m2, 3, m_locale));
+    return tr("Now %1; at arrival %2, if the iceberg is not seen before")
+        .arg(uncertaintyText(planned.sigma_m2, m_locale),
+             uncertaintyText(planned.arrivalSigma_m2, m_locale));
 }
 
 QString PlanModel::searchesText(const std::vector<PlannedSearch>& searches) const
 {
     QStringList places;
     for (const PlannedSearch& search : searches)
-        places << u"%1 (%2)"_s.arg(arrivalText(search.time_s), chanceText(search.chance, m_locale));
+        places << u"%1 (%2)"_s.arg(m_times.text(search.time_s),
+                                   chanceText(search.chance, m_locale));
     return tr("Lost: searched for %1", "times and chances of finding it").arg(places.join(u", "_s));
 }
 
@@ -364,11 +373,13 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
     case GroundSpeed:
         return isText ? tr("Speed", "over ground") : tr("Speed over ground in the wind of now");
     case Arrival:
-        return isText ? tr("Arrival") : tr("Time from now until the UAV is there");
+        return isText ? tr("Arrival") : tr("When the UAV is there");
     case Sigma:
-        return isText ? tr("σ now") : tr("Uncertainty of the position now");
+        return isText ? isSigmaFirst() ? tr("σ now") : tr("95 % now")
+                      : tr("Uncertainty of the position now");
     case ArrivalSigma:
-        return isText ? u"σ, m²"_s : tr("Uncertainty of the position when the UAV is there");
+        return isText ? isSigmaFirst() ? u"σ, m²"_s : u"95 %"_s
+                      : tr("Uncertainty of the position when the UAV is there");
     case Chance:
         return isText ? tr("In view")
                       : tr("Chance that the iceberg is in view when the UAV is over its estimate");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/panels/plan/plan_rows.h"
+#include "widgets/theme/mission_clock.h"
 
 #include <QAbstractTableModel>
 #include <QLocale>
@@ -55,12 +56,10 @@ public:
         DropRole                  ///< bool, of the UAV an iceberg is about to be given to
     };
 
-    /** "in 01:26". */
-    [[nodiscard]] static QString arrivalText(double arrival_s);
-
     explicit PlanModel(const QLocale& locale, QObject* parent = nullptr);
 
-    void setPlan(const std::vector<PlanSection>& sections);
+    /** Arrivals are written by `times`. */
+    void setPlan(const std::vector<PlanSection>& sections, const TimesAhead& times = {});
     void setHighlight(const std::string& id);
     /** The UAV whose lines show that an iceberg is about to be given to it; -1: none. */
     void setDropUav(int uav);
@@ -103,7 +102,7 @@ private:
         bool operator==(const Look&) const = default;
     };
 
-    void setLines(std::vector<PlanLine> lines);
+    void setLines(std::vector<PlanLine> lines, const TimesAhead& times);
     void acceptLooks(int kept);
     [[nodiscard]] QString text(int row, Column column) const;
     [[nodiscard]] QString uavText(const PlanLine& line, Column column) const;
@@ -115,6 +114,7 @@ private:
     [[nodiscard]] const PlanLine& uavOf(int row) const;
 
     QLocale m_locale;
+    TimesAhead m_times;
     std::vector<PlanLine> m_lines;
     std::vector<Look> m_looks; ///< of them, as they were last told of
     std::string m_highlight;

@@ -32,7 +32,6 @@ constexpr int kNumberColumn_px = 30;
 constexpr int kCellMargins_px = 10;
 constexpr int kSummaryMargin_px = 4;
 constexpr int kNameRoom_px = 85; // that a name and a scroll bar have beside the last column
-constexpr double kHour_s = 3600;
 
 QString signedText(double value, const QString& size)
 {
@@ -150,9 +149,10 @@ void PlanPanel::setColumnWidths()
              0);
     for (const PlanModel::Column column : {PlanModel::Course, PlanModel::GroundSpeed})
         setWidth(column, m_model->widestText(column), 0);
-    setWidth(PlanModel::Arrival, PlanModel::arrivalText(std::pow(10, m_hourDigits) * kHour_s - 1),
-             0);
-    const QString sigma = widestSigmaText(m_sigmaFull_m2, locale());
+    setWidth(PlanModel::Arrival, m_widestArrival, 0);
+    const QString sigma = shownUnits().uncertainty == UncertaintyForm::Sigma
+                              ? widestSigmaText(m_sigmaFull_m2, locale())
+                              : u"88.8 km"_s;
     for (const PlanModel::Column column : {PlanModel::Sigma, PlanModel::ArrivalSigma})
         setWidth(column, sigma, PlanDelegate::swatchWidth());
     setWidth(PlanModel::Chance, u"100 %"_s, 0);
@@ -211,35 +211,45 @@ void PlanPanel::updateSummary()
     m_summary->setText(lines.join(u'\n'));
 }
 
+QString PlanPanel::flownText() const
+{
+    const QString length = distanceText(planLength_m(m_sections), locale());
+    const QString end = m_times.text(lastArrival_s(m_sections));
+    const bool isUtc = m_times.clock.isUtc();
+    if (returns(m_sections))
+        return (isUtc ? tr("This sortie: %1 with the return, flown by %2")
+                      : tr("This sortie: %1 with the return, flown %2"))
+            .arg(length, end);
+    return (isUtc ? tr("This sortie: %1, flown by %2") : tr("This sortie: %1, flown %2"))
+        .arg(length, end);
+}
+
 /** How long the plan is, when it is flown, what comes of it, and that against the one before. */
 QStringList PlanPanel::summaryLines() const
 {
     QStringList lines;
     if (hasRows(m_sections))
-        lines << (returns(m_sections) ? tr("This sortie: %1 with the return, flown %2")
-                                      : tr("This sortie: %1, flown %2"))
-                     .arg(distanceText(planLength_m(m_sections), locale()),
-                          PlanModel::arrivalText(lastArrival_s(m_sections)));
+        lines << flownText();
     lines << sortieLines();
     if (!m_outlook)
         return lines;
-    const QString zeta = significantText(m_outlook->zeta_m2s, 4, locale());
+    const QString zeta = zetaText(m_outlook->zeta_m2s, locale());
     if (m_outlook->isOver)
-        lines << tr("ζ at the end: %1 m² s").arg(zeta);
+        lines << tr("ζ at the end: %1").arg(zeta);
     else if (m_outlook->isInFlight)
-        lines << (m_outlook->until_s ? tr("ζ at %1 without another plan: %2 m² s")
-                                           .arg(clockText(*m_outlook->until_s), zeta)
-                                     : tr("ζ at the end without another plan: %1 m² s").arg(zeta));
+        lines << (m_outlook->until_s ? tr("ζ at %1 without another plan: %2")
+                                           .arg(m_times.clock.text(*m_outlook->until_s), zeta)
+                                     : tr("ζ at the end without another plan: %1").arg(zeta));
     if (m_outlook->bound_m2s)
         lines << boundText(*m_outlook);
     if (const std::optional<PlanChange>& change = m_outlook->change) {
         const QString distance =
             signedText(change->distance_m, distanceText(std::abs(change->distance_m), locale(), 2));
         lines << (m_outlook->isInFlight
-                      ? tr("Against the plan before: %1, ζ %2 m² s")
-                            .arg(distance, signedText(change->zeta_m2s,
-                                                      significantText(std::abs(change->zeta_m2s), 2,
-                                                                      locale())))
+                      ? tr("Against the plan before: %1, ζ %2")
+                            .arg(distance,
+                                 signedText(change->zeta_m2s,
+                                            zetaText(std::abs(change->zeta_m2s), locale(), 2)))
                       : tr("Against the plan before: %1").arg(distance));
     }
     return lines;
@@ -263,7 +273,8 @@ QStringList PlanPanel::sortieLines() const
         lines << marginLines(*least->outlook.margin_s, least->lowMargin_s.value_or(0));
     QStringList landings;
     for (const PlannedSortie& sortie : landingOrder(m_sorties))
-        landings << u"%1 %2"_s.arg(QString::fromStdString(sortie.uav), clockText(*sortie.slot_s));
+        landings << u"%1 %2"_s.arg(QString::fromStdString(sortie.uav),
+                                   m_times.clock.text(*sortie.slot_s));
     if (!landings.empty())
         lines << tr("Recovery slots: %1").arg(landings.join(u", "_s));
     if (noContact_s >= 1)
@@ -279,7 +290,7 @@ QString PlanPanel::boundText(const PlanOutlook& outlook) const
             .arg(fixedText(100 * outlook.boundShare, 0, locale()));
     if (!isUsefulBound(*outlook.bound_m2s, outlook.zeta_m2s))
         return tr("No useful lower bound on ζ");
-    return tr("Lower bound on ζ: %1 m² s").arg(significantText(*outlook.bound_m2s, 4, locale()));
+    return tr("Lower bound on ζ: %1").arg(zetaText(*outlook.bound_m2s, locale()));
 }
 
 /** The same unabridged, the order before, and what the prediction rests on. */
@@ -292,7 +303,7 @@ QString PlanPanel::summaryToolTip() const
         return lines.join(u'\n');
     if (m_outlook->change)
         lines << tr("Order before the change at %1: %2")
-                     .arg(clockText(m_outlook->changed_s), m_outlook->before);
+                     .arg(m_times.clock.text(m_outlook->changed_s), m_outlook->before);
     if (m_outlook->isInFlight && !m_outlook->isOver)
         lines << (m_outlook->isAimed
                       ? tr("Predicted for the path on the map, with every iceberg that "
@@ -369,9 +380,10 @@ void PlanPanel::setFaulty(bool isFaulty)
     updateEmpty();
 }
 
-void PlanPanel::showPlan(std::vector<PlanSection> sections)
+void PlanPanel::showPlan(std::vector<PlanSection> sections, const TimesAhead& times)
 {
     m_sections = std::move(sections);
+    m_times = times;
     if (m_sigmaFull_m2 == 0) {
         double largest_m2 = 0;
         for (const PlanSection& section : m_sections)
@@ -379,16 +391,15 @@ void PlanPanel::showPlan(std::vector<PlanSection> sections)
                 largest_m2 = std::max(largest_m2, row.sigma_m2);
         m_delegate->setSigmaFull(largest_m2);
     }
-    const double hours = (lastArrival_s(m_sections) + 0.5) / kHour_s;
-    const int digits = hours < 1 ? 0 : 1 + static_cast<int>(std::log10(hours));
     QScrollBar* bar = m_table->verticalScrollBar();
     const int scroll_px = bar->value();
     {
         // When the current row goes, Qt makes a neighbour the current one.
         const QScopedValueRollback selecting(m_isSelecting, true);
-        m_model->setPlan(m_sections);
+        m_model->setPlan(m_sections, m_times);
     }
-    if (std::exchange(m_hourDigits, digits) != digits)
+    if (const QString widest = m_times.widest(lastArrival_s(m_sections));
+        std::exchange(m_widestArrival, widest) != widest)
         setColumnWidths();
     else if (m_columnsFor != std::pair(m_model->mayMiss(), nameRoom_px()))
         chooseColumns();

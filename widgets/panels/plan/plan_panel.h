@@ -2,6 +2,7 @@
 
 #include "widgets/model/planned_sorties.h"
 #include "widgets/panels/plan/plan_rows.h"
+#include "widgets/theme/mission_clock.h"
 #include "widgets/theme/theme.h"
 
 #include <QWidget>
@@ -32,7 +33,8 @@ public:
     /** sigma at the end of the colour scale, the same as on the map; 0: the largest in the list. */
     void setSigmaFull(double full_m2);
 
-    void showPlan(std::vector<PlanSection> sections);
+    /** Instants are written by `times`. */
+    void showPlan(std::vector<PlanSection> sections, const TimesAhead& times = {});
     /** Whether there is no plan because the scenario cannot be planned. */
     void setFaulty(bool isFaulty);
     /** Of the plan shown; none: only its length is told. */
@@ -64,6 +66,7 @@ private:
     void chooseColumns();
     [[nodiscard]] int nameRoom_px() const;
     void updateSummary();
+    [[nodiscard]] QString flownText() const;
     [[nodiscard]] QStringList summaryLines() const;
     [[nodiscard]] QString summaryToolTip() const;
     [[nodiscard]] QStringList sortieLines() const;
@@ -83,6 +86,7 @@ private:
     QLabel* m_empty;
     QLabel* m_summary;
     std::vector<PlanSection> m_sections;
+    TimesAhead m_times;
     bool m_isFaulty = false;
     std::optional<PlanOutlook> m_outlook;
     std::vector<std::optional<PlannedSortie>> m_sorties;
@@ -92,7 +96,7 @@ private:
     bool m_isSelecting = false;          ///< here, not by the user
     double m_sigmaFull_m2 = 0;
     std::pair<bool, int> m_columnsFor; ///< what may be missed, and room for names, px
-    int m_hourDigits = 0;              ///< of the last arrival
+    QString m_widestArrival;
 };
 
 } // namespace berg

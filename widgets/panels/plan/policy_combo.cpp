@@ -23,11 +23,6 @@ constexpr int kLineGap_px = 1;
 constexpr int kColumnGap_px = 24;
 constexpr int kPillMargin_px = 6;
 
-QString zetaText(double zeta_m2s, const QLocale& locale)
-{
-    return PolicyCombo::tr("%1 m² s").arg(significantText(zeta_m2s, 4, locale));
-}
-
 QFont boldOf(QFont font)
 {
     font.setBold(true);
@@ -199,11 +194,12 @@ std::optional<double> PolicyCombo::changeTo(PolicyKind policy) const
 QString PolicyCombo::spreadOf(PolicyKind policy) const
 {
     const std::optional<ZetaPrediction> prediction = predictionOf(policy);
-    if (!prediction)
+    if (!prediction || prediction->most_m2s <= 0)
         return {};
+    const ShownUnit unit = zetaUnit(prediction->mean_m2s); // in which the mean before it is
     return tr("%1 to %2")
-        .arg(significantText(prediction->least_m2s, 4, locale()),
-             significantText(prediction->most_m2s, 4, locale()));
+        .arg(significantText(unit.fromSi(prediction->least_m2s), 4, locale()),
+             significantText(unit.fromSi(prediction->most_m2s), 4, locale()));
 }
 
 /** The policy that is surely the lowest in the same worlds, of several that are the one chosen;
@@ -236,7 +232,9 @@ QString PolicyCombo::figureOf(PolicyKind policy) const
         return forecast->share > 0 ? tr("%1 %…").arg(fixedText(100 * forecast->share, 0, locale()))
                                    : u"…"_s;
     case ForecastState::Known:
-        return u"ζ "_s + zetaText(predictionOf(policy)->mean_m2s, locale());
+        return predictionOf(policy)->mean_m2s > 0
+                   ? u"ζ "_s + zetaText(predictionOf(policy)->mean_m2s, locale())
+                   : noFigure();
     case ForecastState::TooLong:
     case ForecastState::Impossible:
         return noFigure();
@@ -309,7 +307,7 @@ QString PolicyCombo::summary() const
     if (!prediction)
         return waitingText(*forecast);
     if (prediction->mean_m2s <= 0)
-        return {}; // nothing to monitor
+        return tr("No ζ to predict: there is no iceberg out of view.");
     const QString figure =
         u"%1 (%2)"_s.arg(zetaText(prediction->mean_m2s, locale()), spreadOf(policy));
     if (m_inFlight)

@@ -1,3 +1,4 @@
+#include "core/tracking/position_error.h"
 #include "tests/support/approx.h"
 #include "tests/support/map_builder.h"
 #include "tests/support/map_layouts.h"
@@ -128,21 +129,13 @@ private slots:
         QVERIFY(!picture.isFenced);
     }
 
-    /** Of a normal distribution in two dimensions 1 - exp(-r^2 / 2 sigma) lies inside r. */
-    void circleHolds95Percent()
-    {
-        for (const double sigma_m2 : {0.0, 4.0, 250.0})
-            COMPARE_NEAR(likelyRadius_m(sigma_m2), std::sqrt(-2 * std::log(0.05) * sigma_m2),
-                         1e-4 * (1 + sigma_m2));
-    }
-
     void filteredEstimatesHaveCircleAndTruth()
     {
         const FlightRecord record = recordOfStart(kalmanScenario());
         MapPicture picture = missionPicture(record, kLocale);
         for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
             COMPARE_NEAR(picture.icebergs[i].circle_m,
-                         likelyRadius_m(record.now.world.tracks[i].sigma_m2), 1e-12);
+                         radius95_m(record.now.world.tracks[i].sigma_m2), 1e-12);
             QVERIFY(*picture.icebergs[i].truth_m == record.now.truth_m[i]);
         }
         QVERIFY(legendOf(picture).contains(u"True position"_s));
@@ -163,8 +156,8 @@ private slots:
         QCOMPARE(picture.icebergs.size(), std::size_t{3}); // the one that has left is not drawn
         QVERIFY(picture.icebergs[0].status == TrackStatus::Lost);
         QVERIFY(picture.icebergs[1].status == TrackStatus::GivenUp);
-        QCOMPARE(labelText(picture.icebergs[0]), u"berg-1 · lost"_s);
-        QVERIFY(labelText(picture.icebergs[1]).endsWith(u" · given up"_s));
+        QCOMPARE(labelText(picture.icebergs[0], {}), u"berg-1 · lost"_s);
+        QVERIFY(labelText(picture.icebergs[1], {}).endsWith(u" · given up"_s));
         QCOMPARE(picture.icebergs[2].key, std::string("berg-4"));
         const QStringList legend = legendOf(picture);
         QVERIFY(legend.contains(u"Lost: not where it should be"_s));

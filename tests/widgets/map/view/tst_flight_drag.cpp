@@ -150,7 +150,7 @@ private slots:
         QCOMPARE(map.placed.count(), 1);
         const auto placed = map.placed.front().front().value<Iceberg>();
         QVERIFY((placed.position_m - kWater_m).norm() < kPixel_m);
-        QCOMPARE(placed.sigma0_m2, 5.0);
+        QCOMPARE(placed.sigma0_m2, errorOf(SightingSource::Radar).sigma_m2());
         QVERIFY(placed.velocity_mps.isZero(0));
         map.click(map.pixelOf(kWater_m));
         QCOMPARE(map.placed.count(), 2);

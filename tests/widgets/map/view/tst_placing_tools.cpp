@@ -37,7 +37,7 @@ private slots:
         QCOMPARE(map.scenario().icebergs.size(), std::size_t{5});
         const Iceberg& added = map.scenario().icebergs.back();
         QCOMPARE(added.id, std::string("berg-5"));
-        COMPARE_NEAR(added.sigma0_m2, 5, 0);
+        QCOMPARE(added.sigma0_m2, errorOf(SightingSource::Radar).sigma_m2());
         QVERIFY(added.velocity_mps == Point::Zero());
         // One pixel is some metres.
         QVERIFY((added.position_m - kWater_m).norm() < 2 / map.view.view().scale_pxpm());

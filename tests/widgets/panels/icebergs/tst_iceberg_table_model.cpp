@@ -1,4 +1,5 @@
 #include "core/io/files/scenario_json.h"
+#include "core/tracking/position_error.h"
 #include "tests/support/approx.h"
 #include "tests/support/mission_builder.h"
 #include "tests/support/table_fixture.h"
@@ -104,7 +105,7 @@ private slots:
             }
             const Track& track = shown.world.tracks[at];
             QCOMPARE(*row.value(IcebergColumn::Sigma), track.sigma_m2);
-            QCOMPARE(*row.value(IcebergColumn::Deviation), std::sqrt(track.sigma_m2));
+            QCOMPARE(*row.value(IcebergColumn::Radius95), radius95_m(track.sigma_m2));
             QCOMPARE(*row.value(IcebergColumn::East), track.estimate_m(time_s).x());
             QCOMPARE(*row.value(IcebergColumn::North), track.estimate_m(time_s).y());
             QCOMPARE(*row.value(IcebergColumn::Speed), track.velocity_mps.norm());
@@ -208,6 +209,11 @@ private slots:
         QVERIFY(order.size() >= 3);
         QCOMPARE(f.cell(order[0], IcebergColumn::State), u"target"_s);
         QCOMPARE(f.cell(order[2], IcebergColumn::State), u"number 3 in the order"_s);
+        QVERIFY(clockOf(record.scenario).isUtc());
+        QVERIFY(f.cell(order[0], IcebergColumn::Arrival).endsWith(u'Z'));
+        FlightRecord relative = record;
+        relative.scenario.startUtc.clear();
+        f.model.showRecord(relative);
         QVERIFY(f.cell(order[0], IcebergColumn::Arrival).startsWith(u"in "_s));
     }
 

@@ -89,7 +89,7 @@ private slots:
         QCOMPARE(f.model.index(0, PlanModel::ArrivalSigma).data(PlanModel::SigmaRole).toDouble(),
                  10.25);
         const QString toolTip = f.model.index(0, PlanModel::Sigma).data(Qt::ToolTipRole).toString();
-        QVERIFY2(toolTip.contains(u"2.85 m"_s), qPrintable(toolTip)); // root of 8.1
+        QVERIFY2(toolTip.contains(u"6.97 m"_s), qPrintable(toolTip)); // root of 5.99 by 8.1
         QVERIFY2(toolTip.contains(u"10.3 m²"_s), qPrintable(toolTip));
     }
 
@@ -204,7 +204,7 @@ private slots:
     {
         PlanPanelFixture f;
         std::vector<PlanRow> rows = rowsOf({"a", "b"});
-        const QString arrival = PlanModel::arrivalText(rows[0].arrival_s);
+        const QString arrival = TimesAhead{}.text(rows[0].arrival_s);
         rows[1].isSeen = false;
         rows[1].arrival_s = rows[1].leg_m = 0;
         f.panel.showPlan(planOf(rows));
