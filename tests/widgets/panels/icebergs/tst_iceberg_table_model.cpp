@@ -210,7 +210,7 @@ private slots:
         QCOMPARE(f.cell(order[0], IcebergColumn::State), u"target"_s);
         QCOMPARE(f.cell(order[2], IcebergColumn::State), u"number 3 in the order"_s);
         QVERIFY(clockOf(record.scenario).isUtc());
-        QVERIFY(f.cell(order[0], IcebergColumn::Arrival).endsWith(u'Z'));
+        QVERIFY(f.cell(order[0], IcebergColumn::Arrival).contains(u'Z'));
         FlightRecord relative = record;
         relative.scenario.startUtc.clear();
         f.model.showRecord(relative);
