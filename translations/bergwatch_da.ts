@@ -659,12 +659,12 @@
         <translation>%1 til %2</translation>
     </message>
     <message>
-        <source>τ %1: %2, proven optimal</source>
-        <translation>τ %1: %2, bevist optimal</translation>
+        <source>τ %1: whole order %2, proven optimal</source>
+        <translation>τ %1: hele rækkefølgen %2, bevist optimal</translation>
     </message>
     <message>
-        <source>τ %1: %2, not proven</source>
-        <translation>τ %1: %2, ikke bevist</translation>
+        <source>τ %1: whole order %2, not proven</source>
+        <translation>τ %1: hele rækkefølgen %2, ikke bevist</translation>
     </message>
 </context>
 <context>
@@ -827,6 +827,14 @@
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Fjern</translation>
+    </message>
+    <message>
+        <source>Magnetic declination</source>
+        <translation>Magnetisk misvisning</translation>
+    </message>
+    <message>
+        <source>Degrees from true to magnetic north, positive east, negative west:</source>
+        <translation>Grader fra retvisende til magnetisk nord, positivt mod øst, negativt mod vest:</translation>
     </message>
 </context>
 <context>
@@ -1103,10 +1111,6 @@
         <translation>Missionsplan</translation>
     </message>
     <message>
-        <source>Take-off to home as mission items with altitude, speed and radii, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One UAV a file.</source>
-        <translation>Fra start til hjemmepunkt som missionspunkter med højde, fart og radier, geohegnet og et samlingspunkt ved hjemmepunktet. Læses også af Mission Planner og MAVSDK. Én drone pr. fil.</translation>
-    </message>
-    <message>
         <source>Waypoint list</source>
         <translation>Liste over rutepunkter</translation>
     </message>
@@ -1354,6 +1358,10 @@
     <message>
         <source>Return home</source>
         <translation>Flyv hjem</translation>
+    </message>
+    <message>
+        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One UAV a file.</source>
+        <translation>Missionspunkter med højde, fart og radier, geohegnet og et samlingspunkt ved hjemmepunktet; ingen start og ingen landing. Læses også af Mission Planner og MAVSDK. Én drone pr. fil.</translation>
     </message>
 </context>
 <context>
@@ -1729,16 +1737,8 @@
         <translation>Stigning og landing</translation>
     </message>
     <message>
-        <source>Home before the reserve</source>
-        <translation>Hjemme før reserven</translation>
-    </message>
-    <message>
         <source>Recovery slot</source>
         <translation>Landingsvindue</translation>
-    </message>
-    <message>
-        <source>One flight in twenty</source>
-        <translation>Én flyvning ud af tyve</translation>
     </message>
     <message>
         <source>Out of radio range</source>
@@ -1751,6 +1751,63 @@
     <message>
         <source>Straight legs that lead out of the geofence or through a no-fly area: %1. The UAV goes round.</source>
         <translation>Lige etaper, der fører ud af geohegnet eller gennem et flyveforbudsområde: %1. Dronen flyver udenom.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>fra %1</translation>
+    </message>
+    <message>
+        <source>until %1</source>
+        <translation>til %1</translation>
+    </message>
+    <message>
+        <source>all day</source>
+        <translation>hele døgnet</translation>
+    </message>
+    <message>
+        <source>not on this day</source>
+        <translation>ikke denne dag</translation>
+    </message>
+    <message>
+        <source>Sun up, UTC</source>
+        <translation>Sol oppe, UTC</translation>
+    </message>
+    <message>
+        <source>Civil twilight, UTC</source>
+        <translation>Borgerligt tusmørke, UTC</translation>
+    </message>
+    <message>
+        <source>Declination, WMM2025</source>
+        <translation>Misvisning, WMM2025</translation>
+    </message>
+    <message>
+        <source>Declination</source>
+        <translation>Misvisning</translation>
+    </message>
+    <message>
+        <source>This sortie</source>
+        <translation>Dette togt</translation>
+    </message>
+    <message>
+        <source>Home, above the reserve</source>
+        <translation>Hjemme, over reserven</translation>
+    </message>
+    <message>
+        <source>In 1 flight of 20</source>
+        <translation>I 1 ud af 20 flyvninger</translation>
+    </message>
+    <message>
+        <source>magnetic</source>
+        <translation>magn.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <comment>over ground</comment>
+        <translation>Fart</translation>
     </message>
 </context>
 <context>
@@ -1949,10 +2006,6 @@
         <translation>Positionens usikkerhed nu; bjælken følger kortets skala</translation>
     </message>
     <message>
-        <source>Standard deviation of the position now</source>
-        <translation>Positionens standardafvigelse nu</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>Tilstand</translation>
     </message>
@@ -2084,6 +2137,14 @@
         <source>Longitude</source>
         <translation>Længde</translation>
     </message>
+    <message>
+        <source>95 % radius, m</source>
+        <translation>95 %-radius, m</translation>
+    </message>
+    <message>
+        <source>With 95 % the iceberg is inside a circle of this radius round its position now</source>
+        <translation>Med 95 % er isbjerget inden for en cirkel med denne radius om positionen nu</translation>
+    </message>
 </context>
 <context>
     <name>IcebergPasteText</name>
@@ -2151,10 +2212,6 @@
         <translation>Dukker op ved %1</translation>
     </message>
     <message>
-        <source>%1 m², a standard deviation of %2 m</source>
-        <translation>%1 m², en standardafvigelse på %2 m</translation>
-    </message>
-    <message>
         <source>It stands still.</source>
         <translation>Det ligger stille.</translation>
     </message>
@@ -2193,6 +2250,10 @@
     <message>
         <source>left or removed</source>
         <translation>væk eller fjernet</translation>
+    </message>
+    <message>
+        <source>%1, a standard deviation of %2 m along each axis</source>
+        <translation>%1, en standardafvigelse på %2 m langs hver akse</translation>
     </message>
 </context>
 <context>
@@ -3397,20 +3458,12 @@
         <translation>Adskillelse</translation>
     </message>
     <message>
-        <source>UAVs are kept so far from each other, unless their altitudes are 30 m apart.</source>
-        <translation>Droner holdes så langt fra hinanden, medmindre der er 30 m forskel på deres højder.</translation>
-    </message>
-    <message>
         <source>Change separation</source>
         <translation>Ændr adskillelse</translation>
     </message>
     <message>
         <source>not kept apart</source>
         <translation>holdes ikke adskilt</translation>
-    </message>
-    <message>
-        <source>Height above the sea: UAVs that are 30 m apart in it pass each other.</source>
-        <translation>Højde over havet: droner med 30 m højdeforskel går fri af hinanden.</translation>
     </message>
     <message>
         <source>Reserve</source>
@@ -3671,10 +3724,6 @@
     <message>
         <source>No-fly area %1: %2</source>
         <translation>Flyveforbudsområde %1: %2</translation>
-    </message>
-    <message>
-        <source>Raises UAVs until their altitudes are 30 m apart, so that none has to wait for another.</source>
-        <translation>Hæver droner, indtil der er 30 m forskel på deres højder, så ingen skal vente på en anden.</translation>
     </message>
     <message>
         <source>Separate altitudes</source>
@@ -4036,6 +4085,38 @@ Tilstødende område %4</translation>
         <source>Weather limits</source>
         <translation>Vejrgrænser</translation>
     </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % inden for</translation>
+    </message>
+    <message>
+        <source>With 95 % the iceberg was inside a circle of this radius when it was last seen: the square root of 5.99 σ₀.</source>
+        <translation>Med 95 % var isbjerget inden for en cirkel med denne radius, da det sidst blev set: kvadratroden af 5,99 σ₀.</translation>
+    </message>
+    <message>
+        <source>Seen by</source>
+        <translation>Set med</translation>
+    </message>
+    <message>
+        <source>Sets the uncertainty to the usual one of this source, for icebergs placed from now on as well.</source>
+        <translation>Sætter usikkerheden til den sædvanlige for denne kilde, også for isbjerge, der placeres fra nu af.</translation>
+    </message>
+    <message>
+        <source>as typed</source>
+        <translation>som skrevet</translation>
+    </message>
+    <message>
+        <source>UAVs are kept so far from each other, unless their altitudes are %1 apart.</source>
+        <translation>Droner holdes så langt fra hinanden, medmindre der er %1 forskel på deres højder.</translation>
+    </message>
+    <message>
+        <source>Raises UAVs until their altitudes are %1 apart, so that none has to wait for another.</source>
+        <translation>Hæver droner, indtil der er %1 forskel på deres højder, så ingen skal vente på en anden.</translation>
+    </message>
+    <message>
+        <source>Height above the sea: UAVs that are %1 apart in it pass each other.</source>
+        <translation>Højde over havet: droner med %1 højdeforskel går fri af hinanden.</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -4285,10 +4366,6 @@ Tilstødende område %4</translation>
         <translation>Isningsforhold i dens højde: ikke for denne drone.</translation>
     </message>
     <message>
-        <source>With wind and airspeed off their values, one flight in twenty uses %2 or more of the reserve to come home.</source>
-        <translation>Når vind og flyvefart afviger fra deres værdier, bruger én flyvning ud af tyve %2 eller mere af reserven på at komme hjem.</translation>
-    </message>
-    <message>
         <source>The plan leads out of the range of the ground station for %2.</source>
         <translation>Planen fører uden for jordstationens rækkevidde i %2.</translation>
     </message>
@@ -4331,10 +4408,6 @@ Tilstødende område %4</translation>
     <message>
         <source>The acceptance radius is larger than half the field of view, so that icebergs count as reached that are not seen.</source>
         <translation>Acceptradius er større end det halve synsfelt, så isbjerge, der ikke er set, tæller som nået.</translation>
-    </message>
-    <message>
-        <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by 30 m.</source>
-        <translation>Starter for tæt på en anden drone i samme højdelag: de flyver først fra hinanden. Lad der være 30 m forskel på deres højder.</translation>
     </message>
     <message>
         <source>On the way home this UAV may have to wait %2 for others of its altitude layer, longer than its reserve. Separate altitudes, or a greater reserve, avoid it.</source>
@@ -5093,10 +5166,6 @@ Tilstødende område %4</translation>
         <translation>med denne drift og en runde på %1 minutter vil %2 af %3 isbjerge være ude af syne ved næste besøg</translation>
     </message>
     <message>
-        <source>starts within separation_m of another UAV of the same altitude layer</source>
-        <translation>starter inden for separation_m af en anden drone i samme højdelag</translation>
-    </message>
-    <message>
         <source>is too short for the path home from the start</source>
         <translation>er for kort til vejen hjem fra startstedet</translation>
     </message>
@@ -5249,10 +5318,6 @@ Tilstødende område %4</translation>
         <translation>MILP-formuleringen %1 tilbydes for højst %2 isbjerge, ikke for %3</translation>
     </message>
     <message>
-        <source>With wind and airspeed off their values, in one flight in twenty the wind is too strong to come home.</source>
-        <translation>Når vind og flyvefart afviger fra deres værdier, er vinden for stærk til at komme hjem i én flyvning ud af tyve.</translation>
-    </message>
-    <message>
         <source>in one flight of twenty the wind is too strong to come home</source>
         <translation>i én flyvning ud af tyve er vinden for stærk til at komme hjem</translation>
     </message>
@@ -5291,6 +5356,38 @@ Tilstødende område %4</translation>
     <message>
         <source>packet %1</source>
         <translation>pakke %1</translation>
+    </message>
+    <message>
+        <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by %2.</source>
+        <translation>Starter for tæt på en anden drone i samme højdelag: de flyver først fra hinanden. Lad der være %2 forskel på deres højder.</translation>
+    </message>
+    <message>
+        <source>With the usual errors in wind and airspeed, 1 flight in 20 uses %2 or more of the reserve to come home.</source>
+        <translation>Med sædvanlige fejl i vind og flyvefart bruger 1 ud af 20 flyvninger %2 eller mere af reserven på at komme hjem.</translation>
+    </message>
+    <message>
+        <source>With the usual errors in wind and airspeed, in 1 flight in 20 the wind is too strong to come home.</source>
+        <translation>Med sædvanlige fejl i vind og flyvefart er vinden for stærk til at komme hjem i 1 ud af 20 flyvninger.</translation>
+    </message>
+    <message>
+        <source>Takes off in the dark, at %2 UTC: civil twilight begins at %3 UTC.</source>
+        <translation>Starter i mørke, kl. %2 UTC: borgerligt tusmørke begynder kl. %3 UTC.</translation>
+    </message>
+    <message>
+        <source>Lands in the dark, at %2 UTC: civil twilight ends at %3 UTC.</source>
+        <translation>Lander i mørke, kl. %2 UTC: borgerligt tusmørke slutter kl. %3 UTC.</translation>
+    </message>
+    <message>
+        <source>starts within separation_m of another UAV whose altitude differs by less than %1 m</source>
+        <translation>starter inden for separation_m af en anden drone, hvis højde afviger mindre end %1 m</translation>
+    </message>
+    <message>
+        <source>takes off in the dark, at %1 UTC: civil twilight begins at %2 UTC</source>
+        <translation>starter i mørke, kl. %1 UTC: borgerligt tusmørke begynder kl. %2 UTC</translation>
+    </message>
+    <message>
+        <source>lands in the dark, at %1 UTC: civil twilight ends at %2 UTC</source>
+        <translation>lander i mørke, kl. %1 UTC: borgerligt tusmørke slutter kl. %2 UTC</translation>
     </message>
 </context>
 <context>
@@ -5423,6 +5520,10 @@ Tilstødende område %4</translation>
         <source>Nothing was flown</source>
         <translation>Intet blev fløjet</translation>
     </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % inden for</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -5534,6 +5635,14 @@ Tilstødende område %4</translation>
     <message>
         <source>--manual takes no scenario file, --pictures or --screenshot.</source>
         <translation>--manual tager hverken en scenariefil, --pictures eller --screenshot.</translation>
+    </message>
+    <message>
+        <source>Before the screenshot, wait so long at most for predictions and the lower bound.</source>
+        <translation>Vent højst så længe på forudsigelser og nedre grænse før skærmbilledet.</translation>
+    </message>
+    <message>
+        <source>--wait: &quot;%1&quot; is not a number of seconds up to %2.</source>
+        <translation>--wait: »%1« er ikke et antal sekunder på højst %2.</translation>
     </message>
 </context>
 <context>
@@ -5963,8 +6072,8 @@ Tilstødende område %4</translation>
         <translation>Besøg</translation>
     </message>
     <message>
-        <source>Distance</source>
-        <translation>Distance</translation>
+        <source>This sortie</source>
+        <translation>Dette togt</translation>
     </message>
 </context>
 <context>
@@ -6065,10 +6174,6 @@ Tilstødende område %4</translation>
         <translation>Sum af σ</translation>
     </message>
     <message>
-        <source>Zeta %1 m² s</source>
-        <translation>Zeta %1 m² s</translation>
-    </message>
-    <message>
         <source>Uncertainty of each iceberg</source>
         <translation>Hvert isbjergs usikkerhed</translation>
     </message>
@@ -6093,10 +6198,6 @@ Tilstødende område %4</translation>
         <translation>Zeta-kurve</translation>
     </message>
     <message>
-        <source>At %1 zeta is %2 m² s and the sum of σ %3 m².</source>
-        <translation>Ved %1 er zeta %2 m² s og summen af σ %3 m².</translation>
-    </message>
-    <message>
         <source>Rate of zeta, now and on average</source>
         <translation>Zetas vækst, nu og i gennemsnit</translation>
     </message>
@@ -6119,13 +6220,6 @@ Tilstødende område %4</translation>
     <message>
         <source>At %1 zeta grows by %2 m² s each second, since take-off by %3 on average.</source>
         <translation>Ved %1 vokser zeta med %2 m² s hvert sekund, siden start med %3 i gennemsnit.</translation>
-    </message>
-    <message numerus="yes">
-        <source>At %1 the most uncertain iceberg is %2 with σ %3 m²; %n in view.</source>
-        <translation>
-            <numerusform>Ved %1 er det mest usikre isbjerg %2 med σ %3 m²; %n i synsfeltet.</numerusform>
-            <numerusform>Ved %1 er det mest usikre isbjerg %2 med σ %3 m²; %n i synsfeltet.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Distance flown</source>
@@ -6215,6 +6309,36 @@ Tilstødende område %4</translation>
         <source>Cross-track error at %1: %2.</source>
         <translation>Sideafvigelse ved %1: %2.</translation>
     </message>
+    <message>
+        <source>Zeta %1</source>
+        <translation>Zeta %1</translation>
+    </message>
+    <message>
+        <source>At %1 zeta is %2 and the sum of σ %3 m².</source>
+        <translation>Ved %1 er zeta %2 og summen af σ %3 m².</translation>
+    </message>
+    <message numerus="yes">
+        <source>At %1 the most uncertain iceberg is %2: %3; %n in view.</source>
+        <translation>
+            <numerusform>Ved %1 er det mest usikre isbjerg %2: %3; %n i syne.</numerusform>
+            <numerusform>Ved %1 er det mest usikre isbjerg %2: %3; %n i syne.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>MissionClockText</name>
+    <message>
+        <source>in %1</source>
+        <translation>om %1</translation>
+    </message>
+    <message>
+        <source>%1 UTC
+%2 local time (%3)
+%4 after the start</source>
+        <translation>%1 UTC
+%2 lokal tid (%3)
+%4 efter start</translation>
+    </message>
 </context>
 <context>
     <name>MissionPicture</name>
@@ -6247,8 +6371,12 @@ Tilstødende område %4</translation>
         <translation>Nærmest hidtil</translation>
     </message>
     <message>
-        <source>Home margin</source>
-        <translation>Margin hjem</translation>
+        <source>Above the reserve</source>
+        <translation>Over reserven</translation>
+    </message>
+    <message>
+        <source>if home now</source>
+        <translation>hvis hjem nu</translation>
     </message>
 </context>
 <context>
@@ -6605,6 +6733,138 @@ Tilstødende område %4</translation>
         <source>Type one angle: a whole coordinate would put all of them at one place.</source>
         <translation>Skriv én vinkel: en hel koordinat ville placere alle på ét sted.</translation>
     </message>
+    <message>
+        <source>Amundsen Sea</source>
+        <translation>Amundsenhavet</translation>
+    </message>
+    <message>
+        <source>Antarctic Peninsula</source>
+        <translation>Den Antarktiske Halvø</translation>
+    </message>
+    <message>
+        <source>Baffin Island</source>
+        <translation>Baffin Island</translation>
+    </message>
+    <message>
+        <source>Bellingshausen Sea</source>
+        <translation>Bellingshausenhavet</translation>
+    </message>
+    <message>
+        <source>Bering Sea</source>
+        <translation>Beringshavet</translation>
+    </message>
+    <message>
+        <source>Bransfield Strait</source>
+        <translation>Bransfieldstrædet</translation>
+    </message>
+    <message>
+        <source>Cape Horn</source>
+        <translation>Kap Horn</translation>
+    </message>
+    <message>
+        <source>Chukchi Sea</source>
+        <translation>Tjuktjerhavet</translation>
+    </message>
+    <message>
+        <source>East Siberian Sea</source>
+        <translation>Østsibiriske Hav</translation>
+    </message>
+    <message>
+        <source>Ellesmere Island</source>
+        <translation>Ellesmere Island</translation>
+    </message>
+    <message>
+        <source>Falkland Islands</source>
+        <translation>Falklandsøerne</translation>
+    </message>
+    <message>
+        <source>Greenland</source>
+        <translation>Grønland</translation>
+    </message>
+    <message>
+        <source>Greenland Sea</source>
+        <translation>Grønlandshavet</translation>
+    </message>
+    <message>
+        <source>Gulf of St. Lawrence</source>
+        <translation>St. Lawrence-bugten</translation>
+    </message>
+    <message>
+        <source>Hudson Bay</source>
+        <translation>Hudsonbugten</translation>
+    </message>
+    <message>
+        <source>Hudson Strait</source>
+        <translation>Hudsonstrædet</translation>
+    </message>
+    <message>
+        <source>Iceland</source>
+        <translation>Island</translation>
+    </message>
+    <message>
+        <source>Iceland Sea</source>
+        <translation>Islandshavet</translation>
+    </message>
+    <message>
+        <source>Irminger Sea</source>
+        <translation>Irmingerhavet</translation>
+    </message>
+    <message>
+        <source>Lancaster Sound</source>
+        <translation>Lancastersundet</translation>
+    </message>
+    <message>
+        <source>Lincoln Sea</source>
+        <translation>Lincolnhavet</translation>
+    </message>
+    <message>
+        <source>New Siberian Islands</source>
+        <translation>Nysibiriske Øer</translation>
+    </message>
+    <message>
+        <source>Newfoundland</source>
+        <translation>Newfoundland</translation>
+    </message>
+    <message>
+        <source>North Cape</source>
+        <translation>Nordkap</translation>
+    </message>
+    <message>
+        <source>North Sea</source>
+        <translation>Nordsøen</translation>
+    </message>
+    <message>
+        <source>Norwegian Sea</source>
+        <translation>Norskehavet</translation>
+    </message>
+    <message>
+        <source>Scotia Sea</source>
+        <translation>Scotiahavet</translation>
+    </message>
+    <message>
+        <source>Severnaya Zemlya</source>
+        <translation>Severnaja Zemlja</translation>
+    </message>
+    <message>
+        <source>South Orkney Islands</source>
+        <translation>South Orkney Islands</translation>
+    </message>
+    <message>
+        <source>South Shetland Islands</source>
+        <translation>South Shetland Islands</translation>
+    </message>
+    <message>
+        <source>Strait of Belle Isle</source>
+        <translation>Belle Isle-strædet</translation>
+    </message>
+    <message>
+        <source>White Sea</source>
+        <translation>Hvidehavet</translation>
+    </message>
+    <message>
+        <source>Wrangel Island</source>
+        <translation>Wrangeløen</translation>
+    </message>
 </context>
 <context>
     <name>PlacingTools</name>
@@ -6670,6 +6930,11 @@ Tilstødende område %4</translation>
     <message>
         <source>Click places %1, drag on to turn it. With Ctrl it is another UAV. Esc leaves the tool.</source>
         <translation>Klik placerer %1, træk videre for at dreje den. Med Ctrl bliver det en ny drone. Esc forlader værktøjet.</translation>
+    </message>
+    <message>
+        <source>Seen by %1.</source>
+        <comment>source and its error</comment>
+        <translation>Set med %1.</translation>
     </message>
 </context>
 <context>
@@ -6838,6 +7103,30 @@ Tilstødende område %4</translation>
     <message>
         <source>No plan while the UAV returns, holds or is on the ground</source>
         <translation>Ingen plan, mens dronen vender hjem, venter eller er på jorden</translation>
+    </message>
+    <message>
+        <source>The wind is too strong to come home</source>
+        <translation>Vinden er for stærk til at komme hjem</translation>
+    </message>
+    <message>
+        <source>Home with %1 of the reserve used</source>
+        <translation>Hjemme med %1 af reserven brugt</translation>
+    </message>
+    <message>
+        <source>Home with %1 above the reserve</source>
+        <translation>Hjemme med %1 over reserven</translation>
+    </message>
+    <message>
+        <source>In 1 flight of 20 the wind is too strong to come home</source>
+        <translation>I 1 ud af 20 flyvninger er vinden for stærk til at komme hjem</translation>
+    </message>
+    <message>
+        <source>1 flight in 20 uses %1 or more of the reserve</source>
+        <translation>1 ud af 20 flyvninger bruger %1 eller mere af reserven</translation>
+    </message>
+    <message>
+        <source>1 flight in 20: %1 or less above the reserve</source>
+        <translation>1 ud af 20 flyvninger: %1 eller mindre over reserven</translation>
     </message>
 </context>
 <context>
@@ -7058,6 +7347,43 @@ Tilstødende område %4</translation>
     <message>
         <source>%1 (%2 ft)</source>
         <translation>%1 (%2 fod)</translation>
+    </message>
+    <message>
+        <source>not home</source>
+        <translation>ikke hjemme</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>fod</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 fod</translation>
+    </message>
+    <message>
+        <source>%1 ft (%2)</source>
+        <translation>%1 fod (%2)</translation>
+    </message>
+    <message>
+        <source>σ %1 (95 % within %2)</source>
+        <translation>σ %1 (95 % inden for %2)</translation>
+    </message>
+    <message>
+        <source>95 % within %2 (σ %1)</source>
+        <translation>95 % inden for %2 (σ %1)</translation>
+    </message>
+    <message>
+        <source>m² s</source>
+        <translation>m² s</translation>
+    </message>
+    <message>
+        <source>km² s</source>
+        <translation>km² s</translation>
+    </message>
+    <message>
+        <source>%1 T / %2 M</source>
+        <comment>course by true and by magnetic north</comment>
+        <translation>%1 R / %2 M</translation>
     </message>
 </context>
 <context>
@@ -7483,14 +7809,6 @@ Tilstødende område %4</translation>
         <translation>Ét tilfælde anbefaler ingen strategi: flyv flere.</translation>
     </message>
     <message>
-        <source>Recommended: %1, %2 against %3, the best of another policy.</source>
-        <translation>Anbefalet: %1, %2 mod %3, den bedste af en anden strategi.</translation>
-    </message>
-    <message>
-        <source>No policy is surely the best: %1 is %2 against %3.</source>
-        <translation>Ingen strategi er sikkert den bedste: %1 er %2 mod %3.</translation>
-    </message>
-    <message>
         <source>Lowest ζ: %1, %2 m² s.</source>
         <translation>Lavest ζ: %1, %2 m² s.</translation>
     </message>
@@ -7501,10 +7819,6 @@ Tilstødende område %4</translation>
     <message>
         <source>Lowest ζ: %1, %2 m² s, %3 against %4.</source>
         <translation>Lavest ζ: %1, %2 m² s, %3 mod %4.</translation>
-    </message>
-    <message>
-        <source>Lowest mean ζ: %1, %2 m² s, %3 against %4.</source>
-        <translation>Lavest gennemsnitlig ζ: %1, %2 m² s, %3 mod %4.</translation>
     </message>
     <message>
         <source>Best τ of this case: %1.</source>
@@ -7563,12 +7877,28 @@ Tilstødende område %4</translation>
         <translation>etaper med sigtepunkter, der giver lavest forudsagt ζ, planlagt igen ved hver observation</translation>
     </message>
     <message>
-        <source>Planned: the first plan, before take-off, in straight legs. Distances flown are through the air.</source>
-        <translation>Planlagt: den første plan, før start, i lige etaper. Fløjne afstande er gennem luften.</translation>
-    </message>
-    <message>
         <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again, left, was removed or the record ends.</source>
         <translation>Længst uset: fra et isbjerg blev kendt eller set, til det blev set igen, forlod området, blev fjernet eller optagelsen slutter.</translation>
+    </message>
+    <message>
+        <source>Planned: the first sortie of the plan before take-off, over ground in straight legs. Distances flown are through the air.</source>
+        <translation>Planlagt: planens første togt før start, over grunden i lige etaper. Fløjne afstande er gennem luften.</translation>
+    </message>
+    <message>
+        <source>95 % within, m</source>
+        <translation>95 % inden for, m</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 og %2 mere</translation>
+    </message>
+    <message>
+        <source>No clear winner. These settings may be the best: %1.</source>
+        <translation>Ingen klar vinder. Disse indstillinger kan være bedst: %1.</translation>
+    </message>
+    <message>
+        <source>Recommended: %1, %2 against %3, the closest other setting.</source>
+        <translation>Anbefalet: %1, %2 mod %3, den nærmeste anden indstilling.</translation>
     </message>
 </context>
 <context>
@@ -7642,6 +7972,37 @@ Tilstødende område %4</translation>
     </message>
 </context>
 <context>
+    <name>SourceText</name>
+    <message>
+        <source>ship&apos;s radar</source>
+        <translation>skibsradar</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>øjet</translation>
+    </message>
+    <message>
+        <source>satellite</source>
+        <translation>satellit</translation>
+    </message>
+    <message>
+        <source>camera of a UAV</source>
+        <translation>kamera på en UAV</translation>
+    </message>
+    <message>
+        <source>GPS beacon</source>
+        <translation>GPS-sender</translation>
+    </message>
+    <message>
+        <source>Argos beacon</source>
+        <translation>Argos-sender</translation>
+    </message>
+    <message>
+        <source>%1, 95 % within %2</source>
+        <translation>%1, 95 % inden for %2</translation>
+    </message>
+</context>
+<context>
     <name>TimeChartText</name>
     <message>
         <source>Time, h:mm:ss</source>
@@ -7650,6 +8011,10 @@ Tilstødende område %4</translation>
     <message>
         <source>Time, mm:ss</source>
         <translation>Tid, mm:ss</translation>
+    </message>
+    <message>
+        <source>Time, UTC</source>
+        <translation>Tid, UTC</translation>
     </message>
 </context>
 <context>
@@ -7940,6 +8305,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Time, mm:ss</source>
         <translation>Tid, mm:ss</translation>
+    </message>
+    <message>
+        <source>Time, UTC</source>
+        <translation>Tid, UTC</translation>
     </message>
 </context>
 <context>
@@ -8618,16 +8987,8 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>%1 m² s</source>
-        <translation>%1 m² s</translation>
-    </message>
-    <message>
         <source>Exports the log of the run: planned and flown, sightings, deviations.</source>
         <translation>Eksporterer flyvningens log: planlagt og fløjet, observationer, afvigelser.</translation>
-    </message>
-    <message>
-        <source>%1, %2 % computed</source>
-        <translation>%1, %2 % beregnet</translation>
     </message>
     <message>
         <source>Predicted range</source>
@@ -8652,6 +9013,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>changed in flight</source>
         <translation>ændret undervejs</translation>
+    </message>
+    <message>
+        <source>being computed, %1 %</source>
+        <translation>beregnes, %1 %</translation>
     </message>
 </context>
 <context>
@@ -9351,6 +9716,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Compared run</source>
         <translation>Sammenlignet flyvning</translation>
     </message>
+    <message>
+        <source>Place names</source>
+        <translation>Stednavne</translation>
+    </message>
 </context>
 <context>
     <name>berg::MainWindow</name>
@@ -9442,12 +9811,13 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>driver ikke</translation>
     </message>
     <message>
-        <source>%1: σ %2 m² (√σ %3 m), %4</source>
-        <translation>%1: σ er %2 m² (√σ %3 m), %4</translation>
-    </message>
-    <message>
         <source>drifting %1 towards %2</source>
         <translation>driver %1 mod %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <comment>name, uncertainty, drift</comment>
+        <translation>%1: %2, %3</translation>
     </message>
 </context>
 <context>
@@ -9900,6 +10270,26 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>&amp;Solve time</source>
         <translation>&amp;Løsningstid</translation>
     </message>
+    <message>
+        <source>Colour scale of σ</source>
+        <translation>Farveskala for σ</translation>
+    </message>
+    <message>
+        <source>Place names</source>
+        <translation>Stednavne</translation>
+    </message>
+    <message>
+        <source>S&amp;ound alarms</source>
+        <translation>L&amp;yd ved alarmer</translation>
+    </message>
+    <message>
+        <source>A sound at each new alarm, until it is acknowledged</source>
+        <translation>En lyd ved hver ny alarm, indtil den er kvitteret</translation>
+    </message>
+    <message>
+        <source>&amp;New icebergs seen by</source>
+        <translation>&amp;Nye isbjerge set med</translation>
+    </message>
 </context>
 <context>
     <name>berg::MessageList</name>
@@ -10034,8 +10424,8 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Korteste vej</translation>
     </message>
     <message>
-        <source>Distance, %1</source>
-        <translation>Distance, %1</translation>
+        <source>Whole order, %1</source>
+        <translation>Hele rækkefølgen, %1</translation>
     </message>
 </context>
 <context>
@@ -10047,10 +10437,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
 </context>
 <context>
     <name>berg::PlanModel</name>
-    <message>
-        <source>in %1</source>
-        <translation>om %1</translation>
-    </message>
     <message>
         <source>%1 (id %2)</source>
         <translation>%1 (id&apos;et er %2)</translation>
@@ -10080,16 +10466,8 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Ankomst</translation>
     </message>
     <message>
-        <source>Time from now until the UAV is there</source>
-        <translation>Tid fra nu, til dronen er der</translation>
-    </message>
-    <message>
         <source>Uncertainty of the position now</source>
         <translation>Positionens usikkerhed nu</translation>
-    </message>
-    <message>
-        <source>σ is %1 m² now, a standard deviation of %2 m; at arrival it is %3 m², if the iceberg is not seen before</source>
-        <translation>σ er %1 m² nu, en standardafvigelse på %2 m; ved ankomsten er den %3 m², hvis isbjerget ikke ses før</translation>
     </message>
     <message>
         <source>later</source>
@@ -10160,6 +10538,44 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Uncertainty of the position when the UAV is there</source>
         <translation>Positionens usikkerhed, når dronen er der</translation>
     </message>
+    <message>
+        <source>%1, flown by %2</source>
+        <comment>length and end of a path, UTC</comment>
+        <translation>%1, fløjet inden %2</translation>
+    </message>
+    <message>
+        <source>Course over ground %1, ground speed %2</source>
+        <translation>Kurs over grunden %1, fart over grunden %2</translation>
+    </message>
+    <message>
+        <source>Now %1; at arrival %2, if the iceberg is not seen before</source>
+        <translation>Nu %1; ved ankomst %2, hvis isbjerget ikke er set før</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Course over ground at the start of the leg</source>
+        <translation>Kurs over grunden i begyndelsen af etapen</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <comment>over ground</comment>
+        <translation>Fart</translation>
+    </message>
+    <message>
+        <source>Speed over ground in the wind of now</source>
+        <translation>Fart over grunden i den nuværende vind</translation>
+    </message>
+    <message>
+        <source>When the UAV is there</source>
+        <translation>Hvornår UAV&apos;en er der</translation>
+    </message>
+    <message>
+        <source>95 % now</source>
+        <translation>95 % nu</translation>
+    </message>
 </context>
 <context>
     <name>berg::PlanPanel</name>
@@ -10174,18 +10590,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Plan: icebergs in visiting order</source>
         <translation>Plan: isbjerge i besøgsrækkefølge</translation>
-    </message>
-    <message>
-        <source>%1 including the return, flown %2</source>
-        <translation>%1 inklusive hjemturen, fløjet %2</translation>
-    </message>
-    <message>
-        <source>%1, flown %2</source>
-        <translation>%1, fløjet %2</translation>
-    </message>
-    <message>
-        <source>Against the plan before: %1, ζ %2 m² s</source>
-        <translation>Sammenlignet med den forrige plan: %1, ζ %2 m² s</translation>
     </message>
     <message>
         <source>Order before the change at %1: %2</source>
@@ -10208,10 +10612,6 @@ undervejs, og uden nye planer.</translation>
         <translation>Ingen brugbar nedre grænse for ζ</translation>
     </message>
     <message>
-        <source>Lower bound on ζ: %1 m² s</source>
-        <translation>Nedre grænse for ζ: %1 m² s</translation>
-    </message>
-    <message>
         <source>That limit is proven for this scenario and the noise that it draws,
 whatever the policy and however tightly the UAV turns.</source>
         <translation>Denne grænse er bevist for dette scenarie og den støj, det trækker,
@@ -10222,10 +10622,6 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
         <translation>Uden for radiorækkevidde i %1</translation>
     </message>
     <message>
-        <source>Home %1 before the reserve (5 %: %2)</source>
-        <translation>Hjemme %1 før reserven (5 %: %2)</translation>
-    </message>
-    <message>
         <source>Recovery slots: %1</source>
         <translation>Landingsvinduer: %1</translation>
     </message>
@@ -10234,28 +10630,56 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
         <translation>Dronen er på vej hjem, på jorden eller venter: den planlægges igen ved start, eller når den fortsætter.</translation>
     </message>
     <message>
-        <source>ζ at %1 without another plan: %2 m² s</source>
-        <translation>ζ ved %1 uden ny plan: %2 m² s</translation>
-    </message>
-    <message>
-        <source>ζ at the end without another plan: %1 m² s</source>
-        <translation>ζ ved slutningen uden ny plan: %1 m² s</translation>
-    </message>
-    <message>
         <source>Against the plan before: %1</source>
         <translation>Sammenlignet med den forrige plan: %1</translation>
     </message>
     <message>
-        <source>Lower bound on ζ: %1 m² s, %2 % computed</source>
-        <translation>Nedre grænse for ζ: %1 m² s, %2 % beregnet</translation>
-    </message>
-    <message>
-        <source>ζ at the end: %1 m² s</source>
-        <translation>ζ ved slutningen: %1 m² s</translation>
-    </message>
-    <message>
         <source>The run is complete.</source>
         <translation>Flyvningen er gennemført.</translation>
+    </message>
+    <message>
+        <source>This sortie: %1 with the return, flown by %2</source>
+        <translation>Dette togt: %1 med hjemturen, færdig %2</translation>
+    </message>
+    <message>
+        <source>This sortie: %1 with the return, flown %2</source>
+        <translation>Dette togt: %1 med hjemturen, fløjet %2</translation>
+    </message>
+    <message>
+        <source>This sortie: %1, flown by %2</source>
+        <translation>Dette togt: %1, færdig %2</translation>
+    </message>
+    <message>
+        <source>This sortie: %1, flown %2</source>
+        <translation>Dette togt: %1, fløjet %2</translation>
+    </message>
+    <message>
+        <source>ζ at the end: %1</source>
+        <translation>ζ til sidst: %1</translation>
+    </message>
+    <message>
+        <source>ζ at %1 without another plan: %2</source>
+        <translation>ζ ved %1 uden ny plan: %2</translation>
+    </message>
+    <message>
+        <source>ζ at the end without another plan: %1</source>
+        <translation>ζ til sidst uden ny plan: %1</translation>
+    </message>
+    <message>
+        <source>Against the plan before: %1, ζ %2</source>
+        <translation>Mod planen før: %1, ζ %2</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ: being computed, %1 %</source>
+        <translation>Nedre grænse for ζ: beregnes, %1 %</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ: %1</source>
+        <translation>Nedre grænse for ζ: %1</translation>
+    </message>
+    <message>
+        <source>The length of this sortie is over ground, until the run ends at most.</source>
+        <translation>Længden af dette togt er over grunden, højst til flyvningen slutter.</translation>
     </message>
 </context>
 <context>
@@ -10263,14 +10687,6 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     <message>
         <source>%1 m²</source>
         <translation>%1 m²</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Distance</translation>
-    </message>
-    <message>
-        <source>Length of the whole plan.</source>
-        <translation>Hele planens længde.</translation>
     </message>
     <message>
         <source>Uncertainty reward</source>
@@ -10315,6 +10731,14 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     <message>
         <source>State of the plan: %1</source>
         <translation>Planens tilstand: %1</translation>
+    </message>
+    <message>
+        <source>Whole order</source>
+        <translation>Hele rækkefølgen</translation>
+    </message>
+    <message>
+        <source>Length of the whole order as it was planned, through the air, in wind the mean of both directions, and with its turns: what the solver weighs, as in the trade-off chart. The plan panel has that of this sortie over ground.</source>
+        <translation>Længden af hele rækkefølgen, som den blev planlagt, gennem luften, i vind middel af begge retninger, og med drejningerne: det, som løseren vejer, som i afvejningsdiagrammet. Planpanelet har længden af dette togt over grunden.</translation>
     </message>
 </context>
 <context>
@@ -10415,17 +10839,21 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
         <source>&quot;%1&quot; is not a time. Type it like 3:20 or 45 min.</source>
         <translation>&quot;%1&quot; er ikke en tid. Skriv den som 3:20 eller 45 min.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not a time of this run. Type it like 1215Z, 3:20 or 45 min.</source>
+        <translation>»%1« er ikke et tidspunkt i denne flyvning. Skriv det som 1215Z, 3:20 eller 45 min.</translation>
+    </message>
+    <message>
+        <source>Time shown. Type one to look back at it, e.g. 1215Z or, since the start, 3:20.</source>
+        <translation>Tiden, der vises. Skriv en for at se tilbage på den, f.eks. 1215Z eller, siden start, 3:20.</translation>
+    </message>
+    <message>
+        <source>End of the run</source>
+        <translation>Flyvningens afslutning</translation>
+    </message>
 </context>
 <context>
     <name>berg::PolicyCombo</name>
-    <message>
-        <source>%1 m² s</source>
-        <translation>%1 m² s</translation>
-    </message>
-    <message>
-        <source>Lowest</source>
-        <translation>Lavest</translation>
-    </message>
     <message>
         <source>%1 %…</source>
         <translation>%1 %…</translation>
@@ -10437,18 +10865,6 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     <message>
         <source>chosen</source>
         <translation>valgt</translation>
-    </message>
-    <message>
-        <source>Not predicted: flying it in advance takes more than %1.</source>
-        <translation>Ikke forudsagt: at flyve den på forhånd tager mere end %1.</translation>
-    </message>
-    <message>
-        <source>ζ is predicted before take-off by flying the mission in advance with the policy, planned
-again at each sighting as in flight, with icebergs that drift exactly as entered. The real
-flight differs by the noise of the drift.</source>
-        <translation>ζ forudsiges før start ved at flyve missionen på forhånd med strategien, planlagt
-igen ved hver observation som under flyvning, med isbjerge, der driver nøjagtigt som
-angivet. Den virkelige flyvning afviger med driftens støj.</translation>
     </message>
     <message>
         <source>ζ not predicted: takes too long</source>
@@ -10471,36 +10887,46 @@ angivet. Den virkelige flyvning afviger med driftens støj.</translation>
         <translation>%1 til %2</translation>
     </message>
     <message>
-        <source>Then each policy is flown %1 times with drift and sightings drawn as the scenario describes
-them, in the same %1 worlds: ζ is the mean of these flights, the range that of 90 % of them,
-and the policy with the lowest mean is recommended.</source>
-        <translation>Derefter flyves hver strategi %1 gange med drift og observationer trukket, som scenariet
-beskriver dem, i de samme %1 verdener: ζ er middelværdien af disse flyvninger, spændet
-gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</translation>
-    </message>
-    <message>
         <source>Recommended</source>
         <translation>Anbefalet</translation>
     </message>
     <message>
-        <source>Mean ζ %1</source>
-        <translation>Middel ζ %1</translation>
-    </message>
-    <message>
-        <source>%1, the lowest</source>
-        <translation>%1, den laveste</translation>
-    </message>
-    <message>
-        <source>%1, lowest %2</source>
-        <translation>%1, laveste %2</translation>
-    </message>
-    <message>
-        <source>too slow for %1 flights</source>
-        <translation>for langsom til %1 flyvninger</translation>
-    </message>
-    <message>
         <source>%1; too slow to compare: %2</source>
         <translation>%1; for langsomme til sammenligning: %2</translation>
+    </message>
+    <message>
+        <source>Not predicted: flying it %1 times in advance takes more than %2.</source>
+        <translation>Ikke forudsagt: at flyve den %1 gange på forhånd tager mere end %2.</translation>
+    </message>
+    <message>
+        <source>ζ is predicted before take-off by flying the mission %1 times with each policy, with drift
+and sightings drawn as the scenario describes them, in the same %1 worlds: ζ is the mean of
+these flights, the range that of 90 % of them. A policy is recommended if its ζ is surely lower
+than that of every other one (95 % interval of the differences in the same worlds).</source>
+        <translation>ζ forudsiges før start ved at flyve missionen %1 gange med hver strategi, med drift og
+observationer trukket, som scenariet beskriver dem, i de samme %1 verdener: ζ er middel af
+disse flyvninger, området gælder 90 % af dem. En strategi anbefales, hvis dens ζ med sikkerhed er lavere
+end for alle andre (95 %-intervallet af forskellene i de samme verdener).</translation>
+    </message>
+    <message>
+        <source>Predicting ζ: %1 %</source>
+        <translation>Forudsiger ζ: %1 %</translation>
+    </message>
+    <message>
+        <source>No ζ to predict: there is no iceberg out of view.</source>
+        <translation>Ingen ζ at forudsige: intet isbjerg er ude af syne.</translation>
+    </message>
+    <message>
+        <source>%1; no policy is a clear winner</source>
+        <translation>%1; ingen strategi er en klar vinder</translation>
+    </message>
+    <message>
+        <source>%1; recommended</source>
+        <translation>%1; anbefalet</translation>
+    </message>
+    <message>
+        <source>%1; recommended: %2</source>
+        <translation>%1; anbefalet: %2</translation>
     </message>
 </context>
 <context>
@@ -10596,6 +11022,74 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
     <message>
         <source>The text has this size when Bergwatch is started again.</source>
         <translation>Teksten får denne størrelse, når Bergwatch startes igen.</translation>
+    </message>
+    <message>
+        <source>Night (red)</source>
+        <translation>Nat (rødt)</translation>
+    </message>
+    <message>
+        <source>Automatic, from the scenario</source>
+        <translation>Automatisk, efter scenariet</translation>
+    </message>
+    <message>
+        <source>Ends at %1 m²</source>
+        <translation>Slutter ved %1 m²</translation>
+    </message>
+    <message>
+        <source>&amp;Heights</source>
+        <translation>&amp;Højder</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Fod</translation>
+    </message>
+    <message>
+        <source>C&amp;ourses</source>
+        <translation>Kurs&amp;er</translation>
+    </message>
+    <message>
+        <source>&amp;Times</source>
+        <translation>&amp;Tider</translation>
+    </message>
+    <message>
+        <source>UTC, where the scenario has a start</source>
+        <translation>UTC, hvor scenariet har en start</translation>
+    </message>
+    <message>
+        <source>Elapsed since the start</source>
+        <translation>Tid siden start</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty</source>
+        <translation>&amp;Usikkerhed</translation>
+    </message>
+    <message>
+        <source>σ first, 95 % radius beside it</source>
+        <translation>σ først, 95 %-radius ved siden af</translation>
+    </message>
+    <message>
+        <source>95 % radius first, σ beside it</source>
+        <translation>95 %-radius først, σ ved siden af</translation>
+    </message>
+    <message>
+        <source>True</source>
+        <translation>Retvisende</translation>
+    </message>
+    <message>
+        <source>True and magnetic, by the World Magnetic Model 2025</source>
+        <translation>Retvisende og magnetiske, efter World Magnetic Model 2025</translation>
+    </message>
+    <message>
+        <source>True and magnetic, declination %1...</source>
+        <translation>Retvisende og magnetiske, misvisning %1 …</translation>
+    </message>
+    <message>
+        <source>True and magnetic, declination typed in...</source>
+        <translation>Retvisende og magnetiske, misvisning skrives ind …</translation>
     </message>
 </context>
 <context>
@@ -11523,23 +12017,23 @@ gælder 90 % af dem, og strategien med den laveste middelværdi anbefales.</tran
         <source>Lowest ζ: %1. One case recommends no policy: fly more of them.</source>
         <translation>Laveste ζ: %1. Ét tilfælde giver ingen anbefaling: flyv flere.</translation>
     </message>
-    <message numerus="yes">
-        <source>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the best of another policy, in %n cases.</source>
-        <translation>
-            <numerusform>Anbefalet: %1. Dens ζ er %2 (95 %: %3 til %4) mod %5, den bedste med en anden strategi, i %n tilfælde.</numerusform>
-            <numerusform>Anbefalet: %1. Dens ζ er %2 (95 %: %3 til %4) mod %5, den bedste med en anden strategi, i %n tilfælde.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>No policy is surely the best: the ζ of %1 is %2 (95 %: %3 to %4) against %5, in %n cases.</source>
-        <translation>
-            <numerusform>Ingen strategi er med sikkerhed den bedste: ζ for %1 er %2 (95 %: %3 til %4) mod %5, i %n tilfælde.</numerusform>
-            <numerusform>Ingen strategi er med sikkerhed den bedste: ζ for %1 er %2 (95 %: %3 til %4) mod %5, i %n tilfælde.</numerusform>
-        </translation>
-    </message>
     <message>
-        <source>Use the lowest: %1</source>
-        <translation>Brug den laveste: %1</translation>
+        <source>%1 and %2 more</source>
+        <translation>%1 og %2 mere</translation>
+    </message>
+    <message numerus="yes">
+        <source>No clear winner over %n cases. These settings may be the best: %1.</source>
+        <translation>
+            <numerusform>Ingen klar vinder i %n tilfælde. Disse indstillinger kan være bedst: %1.</numerusform>
+            <numerusform>Ingen klar vinder i %n tilfælde. Disse indstillinger kan være bedst: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the closest other setting, over %n cases.</source>
+        <translation>
+            <numerusform>Anbefalet: %1. Dens ζ er %2 (95 %: %3 til %4) mod %5, den nærmeste anden indstilling, i %n tilfælde.</numerusform>
+            <numerusform>Anbefalet: %1. Dens ζ er %2 (95 %: %3 til %4) mod %5, den nærmeste anden indstilling, i %n tilfælde.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -338,10 +338,10 @@
 <context>
     <name>MissionCharts</name>
     <message numerus="yes">
-        <source>At %1 the most uncertain iceberg is %2 with σ %3 m²; %n in view.</source>
+        <source>At %1 the most uncertain iceberg is %2: %3; %n in view.</source>
         <translation>
-            <numerusform>At %1 the most uncertain iceberg is %2 with σ %3 m²; %n in view.</numerusform>
-            <numerusform>At %1 the most uncertain iceberg is %2 with σ %3 m²; %n in view.</numerusform>
+            <numerusform>At %1 the most uncertain iceberg is %2: %3; %n in view.</numerusform>
+            <numerusform>At %1 the most uncertain iceberg is %2: %3; %n in view.</numerusform>
         </translation>
     </message>
 </context>
@@ -547,17 +547,17 @@
 <context>
     <name>berg::StudyResults</name>
     <message numerus="yes">
-        <source>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the best of another policy, in %n cases.</source>
+        <source>No clear winner over %n cases. These settings may be the best: %1.</source>
         <translation>
-            <numerusform>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the best of another policy, in %n case.</numerusform>
-            <numerusform>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the best of another policy, in %n cases.</numerusform>
+            <numerusform>No clear winner over %n case. These settings may be the best: %1.</numerusform>
+            <numerusform>No clear winner over %n cases. These settings may be the best: %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>No policy is surely the best: the ζ of %1 is %2 (95 %: %3 to %4) against %5, in %n cases.</source>
+        <source>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the closest other setting, over %n cases.</source>
         <translation>
-            <numerusform>No policy is surely the best: the ζ of %1 is %2 (95 %: %3 to %4) against %5, in %n case.</numerusform>
-            <numerusform>No policy is surely the best: the ζ of %1 is %2 (95 %: %3 to %4) against %5, in %n cases.</numerusform>
+            <numerusform>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the closest other setting, over %n case.</numerusform>
+            <numerusform>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the closest other setting, over %n cases.</numerusform>
         </translation>
     </message>
 </context>

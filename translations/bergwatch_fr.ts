@@ -659,12 +659,12 @@
         <translation>%1 à %2</translation>
     </message>
     <message>
-        <source>τ %1: %2, proven optimal</source>
-        <translation>τ %1 : %2, optimalité prouvée</translation>
+        <source>τ %1: whole order %2, proven optimal</source>
+        <translation>τ %1 : ordre entier %2, optimalité prouvée</translation>
     </message>
     <message>
-        <source>τ %1: %2, not proven</source>
-        <translation>τ %1 : %2, non prouvée</translation>
+        <source>τ %1: whole order %2, not proven</source>
+        <translation>τ %1 : ordre entier %2, non prouvé</translation>
     </message>
 </context>
 <context>
@@ -827,6 +827,14 @@
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>Magnetic declination</source>
+        <translation>Déclinaison magnétique</translation>
+    </message>
+    <message>
+        <source>Degrees from true to magnetic north, positive east, negative west:</source>
+        <translation>Degrés du nord vrai au nord magnétique, positifs vers l&apos;est, négatifs vers l&apos;ouest :</translation>
     </message>
 </context>
 <context>
@@ -1103,10 +1111,6 @@
         <translation>Plan de mission</translation>
     </message>
     <message>
-        <source>Take-off to home as mission items with altitude, speed and radii, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One UAV a file.</source>
-        <translation>Du décollage au retour, sous forme d&apos;éléments de mission avec altitude, vitesse et rayons, avec la barrière virtuelle et un point de ralliement à la base. Lu aussi par Mission Planner et MAVSDK. Un drone par fichier.</translation>
-    </message>
-    <message>
         <source>Waypoint list</source>
         <translation>Liste de points de cheminement</translation>
     </message>
@@ -1354,6 +1358,10 @@
     <message>
         <source>Return home</source>
         <translation>Retour à la base</translation>
+    </message>
+    <message>
+        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One UAV a file.</source>
+        <translation>Éléments de mission avec altitude, vitesse et rayons, la barrière virtuelle et un point de ralliement à la base ; ni décollage ni atterrissage. Lu aussi par Mission Planner et MAVSDK. Un drone par fichier.</translation>
     </message>
 </context>
 <context>
@@ -1729,16 +1737,8 @@
         <translation>Montée et atterrissage</translation>
     </message>
     <message>
-        <source>Home before the reserve</source>
-        <translation>À la base avant la réserve</translation>
-    </message>
-    <message>
         <source>Recovery slot</source>
         <translation>Créneau d&apos;atterrissage</translation>
-    </message>
-    <message>
-        <source>One flight in twenty</source>
-        <translation>Un vol sur vingt</translation>
     </message>
     <message>
         <source>Out of radio range</source>
@@ -1751,6 +1751,63 @@
     <message>
         <source>Straight legs that lead out of the geofence or through a no-fly area: %1. The UAV goes round.</source>
         <translation>Segments droits qui sortent de la barrière virtuelle ou traversent une zone interdite : %1. Le drone les contourne.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>à partir de %1</translation>
+    </message>
+    <message>
+        <source>until %1</source>
+        <translation>jusqu&apos;à %1</translation>
+    </message>
+    <message>
+        <source>all day</source>
+        <translation>toute la journée</translation>
+    </message>
+    <message>
+        <source>not on this day</source>
+        <translation>pas ce jour-là</translation>
+    </message>
+    <message>
+        <source>Sun up, UTC</source>
+        <translation>Soleil levé, UTC</translation>
+    </message>
+    <message>
+        <source>Civil twilight, UTC</source>
+        <translation>Crépuscule civil, UTC</translation>
+    </message>
+    <message>
+        <source>Declination, WMM2025</source>
+        <translation>Déclinaison, WMM2025</translation>
+    </message>
+    <message>
+        <source>Declination</source>
+        <translation>Déclinaison</translation>
+    </message>
+    <message>
+        <source>This sortie</source>
+        <translation>Cette sortie</translation>
+    </message>
+    <message>
+        <source>Home, above the reserve</source>
+        <translation>À la base, au-dessus de la réserve</translation>
+    </message>
+    <message>
+        <source>In 1 flight of 20</source>
+        <translation>Dans 1 vol sur 20</translation>
+    </message>
+    <message>
+        <source>magnetic</source>
+        <translation>magnét.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <comment>over ground</comment>
+        <translation>Vitesse</translation>
     </message>
 </context>
 <context>
@@ -1949,10 +2006,6 @@
         <translation>Incertitude actuelle de la position ; la barre est à l&apos;échelle de la carte</translation>
     </message>
     <message>
-        <source>Standard deviation of the position now</source>
-        <translation>Écart-type actuel de la position</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>État</translation>
     </message>
@@ -2084,6 +2137,14 @@
         <source>Longitude</source>
         <translation>Longitude</translation>
     </message>
+    <message>
+        <source>95 % radius, m</source>
+        <translation>Rayon à 95 %, m</translation>
+    </message>
+    <message>
+        <source>With 95 % the iceberg is inside a circle of this radius round its position now</source>
+        <translation>À 95 %, l&apos;iceberg est dans un cercle de ce rayon autour de sa position actuelle</translation>
+    </message>
 </context>
 <context>
     <name>IcebergPasteText</name>
@@ -2151,10 +2212,6 @@
         <translation>Apparaît à %1</translation>
     </message>
     <message>
-        <source>%1 m², a standard deviation of %2 m</source>
-        <translation>%1 m², soit un écart-type de %2 m</translation>
-    </message>
-    <message>
         <source>It stands still.</source>
         <translation>Il est immobile.</translation>
     </message>
@@ -2193,6 +2250,10 @@
     <message>
         <source>left or removed</source>
         <translation>parti ou retiré</translation>
+    </message>
+    <message>
+        <source>%1, a standard deviation of %2 m along each axis</source>
+        <translation>%1, soit un écart type de %2 m selon chaque axe</translation>
     </message>
 </context>
 <context>
@@ -3397,20 +3458,12 @@
         <translation>Espacement</translation>
     </message>
     <message>
-        <source>UAVs are kept so far from each other, unless their altitudes are 30 m apart.</source>
-        <translation>Les drones sont maintenus à cette distance les uns des autres, sauf si leurs altitudes diffèrent de 30 m.</translation>
-    </message>
-    <message>
         <source>Change separation</source>
         <translation>Modifier l&apos;espacement</translation>
     </message>
     <message>
         <source>not kept apart</source>
         <translation>non maintenu</translation>
-    </message>
-    <message>
-        <source>Height above the sea: UAVs that are 30 m apart in it pass each other.</source>
-        <translation>Hauteur au-dessus de la mer : les drones dont l&apos;altitude diffère de 30 m peuvent se croiser.</translation>
     </message>
     <message>
         <source>Reserve</source>
@@ -3671,10 +3724,6 @@
     <message>
         <source>No-fly area %1: %2</source>
         <translation>Zone interdite %1 : %2</translation>
-    </message>
-    <message>
-        <source>Raises UAVs until their altitudes are 30 m apart, so that none has to wait for another.</source>
-        <translation>Élève les drones jusqu&apos;à ce que leurs altitudes diffèrent de 30 m, afin qu&apos;aucun n&apos;ait à en attendre un autre.</translation>
     </message>
     <message>
         <source>Separate altitudes</source>
@@ -4036,6 +4085,38 @@ Zone adjacente %4</translation>
         <source>Weather limits</source>
         <translation>Limites météo</translation>
     </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % dans un rayon de</translation>
+    </message>
+    <message>
+        <source>With 95 % the iceberg was inside a circle of this radius when it was last seen: the square root of 5.99 σ₀.</source>
+        <translation>À 95 %, l&apos;iceberg était dans un cercle de ce rayon quand il a été vu pour la dernière fois : racine carrée de 5,99 σ₀.</translation>
+    </message>
+    <message>
+        <source>Seen by</source>
+        <translation>Observé par</translation>
+    </message>
+    <message>
+        <source>Sets the uncertainty to the usual one of this source, for icebergs placed from now on as well.</source>
+        <translation>Donne à l&apos;incertitude la valeur usuelle de cette source, aussi pour les icebergs placés ensuite.</translation>
+    </message>
+    <message>
+        <source>as typed</source>
+        <translation>saisie</translation>
+    </message>
+    <message>
+        <source>UAVs are kept so far from each other, unless their altitudes are %1 apart.</source>
+        <translation>Les drones sont maintenus à cette distance les uns des autres, sauf si leurs altitudes diffèrent de %1.</translation>
+    </message>
+    <message>
+        <source>Raises UAVs until their altitudes are %1 apart, so that none has to wait for another.</source>
+        <translation>Élève les drones jusqu&apos;à ce que leurs altitudes diffèrent de %1, afin qu&apos;aucun n&apos;ait à en attendre un autre.</translation>
+    </message>
+    <message>
+        <source>Height above the sea: UAVs that are %1 apart in it pass each other.</source>
+        <translation>Hauteur au-dessus de la mer : les drones dont l&apos;altitude diffère de %1 peuvent se croiser.</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -4285,10 +4366,6 @@ Zone adjacente %4</translation>
         <translation>Conditions givrantes à son altitude : pas pour ce drone.</translation>
     </message>
     <message>
-        <source>With wind and airspeed off their values, one flight in twenty uses %2 or more of the reserve to come home.</source>
-        <translation>Quand le vent et la vitesse air s&apos;écartent de leurs valeurs, un vol sur vingt utilise %2 ou plus de la réserve pour rentrer à la base.</translation>
-    </message>
-    <message>
         <source>The plan leads out of the range of the ground station for %2.</source>
         <translation>Le plan sort de la portée de la station sol pendant %2.</translation>
     </message>
@@ -4331,10 +4408,6 @@ Zone adjacente %4</translation>
     <message>
         <source>The acceptance radius is larger than half the field of view, so that icebergs count as reached that are not seen.</source>
         <translation>Le rayon d&apos;acceptation dépasse la moitié du champ de vision ; des icebergs comptent donc comme atteints sans être vus.</translation>
-    </message>
-    <message>
-        <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by 30 m.</source>
-        <translation>Part trop près d&apos;un autre drone de la même tranche d&apos;altitude : ils s&apos;éloignent d&apos;abord. Séparez leurs altitudes de 30 m.</translation>
     </message>
     <message>
         <source>On the way home this UAV may have to wait %2 for others of its altitude layer, longer than its reserve. Separate altitudes, or a greater reserve, avoid it.</source>
@@ -5093,10 +5166,6 @@ Zone adjacente %4</translation>
         <translation>avec ces dérives et un tour de %1 minutes, %2 icebergs sur %3 seront hors de vue à la visite suivante</translation>
     </message>
     <message>
-        <source>starts within separation_m of another UAV of the same altitude layer</source>
-        <translation>part à moins de separation_m d&apos;un autre drone de la même tranche d&apos;altitude</translation>
-    </message>
-    <message>
         <source>is too short for the path home from the start</source>
         <translation>est insuffisante pour rentrer à la base depuis le départ</translation>
     </message>
@@ -5249,10 +5318,6 @@ Zone adjacente %4</translation>
         <translation>la formulation MILP %1 est proposée pour %2 icebergs au plus, pas pour %3</translation>
     </message>
     <message>
-        <source>With wind and airspeed off their values, in one flight in twenty the wind is too strong to come home.</source>
-        <translation>Quand le vent et la vitesse air s&apos;écartent de leurs valeurs, le vent est trop fort pour rentrer à la base un vol sur vingt.</translation>
-    </message>
-    <message>
         <source>in one flight of twenty the wind is too strong to come home</source>
         <translation>un vol sur vingt, le vent est trop fort pour rentrer à la base</translation>
     </message>
@@ -5291,6 +5356,38 @@ Zone adjacente %4</translation>
     <message>
         <source>packet %1</source>
         <translation>paquet %1</translation>
+    </message>
+    <message>
+        <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by %2.</source>
+        <translation>Part trop près d&apos;un autre drone de la même tranche d&apos;altitude : ils s&apos;éloignent d&apos;abord. Séparez leurs altitudes de %2.</translation>
+    </message>
+    <message>
+        <source>With the usual errors in wind and airspeed, 1 flight in 20 uses %2 or more of the reserve to come home.</source>
+        <translation>Avec les erreurs habituelles du vent et de la vitesse air, 1 vol sur 20 utilise %2 ou plus de la réserve pour rentrer à la base.</translation>
+    </message>
+    <message>
+        <source>With the usual errors in wind and airspeed, in 1 flight in 20 the wind is too strong to come home.</source>
+        <translation>Avec les erreurs habituelles du vent et de la vitesse air, le vent est trop fort pour rentrer à la base dans 1 vol sur 20.</translation>
+    </message>
+    <message>
+        <source>Takes off in the dark, at %2 UTC: civil twilight begins at %3 UTC.</source>
+        <translation>Décolle dans l&apos;obscurité, à %2 UTC : le crépuscule civil commence à %3 UTC.</translation>
+    </message>
+    <message>
+        <source>Lands in the dark, at %2 UTC: civil twilight ends at %3 UTC.</source>
+        <translation>Atterrit dans l&apos;obscurité, à %2 UTC : le crépuscule civil finit à %3 UTC.</translation>
+    </message>
+    <message>
+        <source>starts within separation_m of another UAV whose altitude differs by less than %1 m</source>
+        <translation>part à moins de separation_m d&apos;un autre drone dont l&apos;altitude diffère de moins de %1 m</translation>
+    </message>
+    <message>
+        <source>takes off in the dark, at %1 UTC: civil twilight begins at %2 UTC</source>
+        <translation>décolle dans l&apos;obscurité, à %1 UTC : le crépuscule civil commence à %2 UTC</translation>
+    </message>
+    <message>
+        <source>lands in the dark, at %1 UTC: civil twilight ends at %2 UTC</source>
+        <translation>atterrit dans l&apos;obscurité, à %1 UTC : le crépuscule civil finit à %2 UTC</translation>
     </message>
 </context>
 <context>
@@ -5423,6 +5520,10 @@ Zone adjacente %4</translation>
         <source>Nothing was flown</source>
         <translation>Aucun vol effectué</translation>
     </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % dans un rayon de</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -5534,6 +5635,14 @@ Zone adjacente %4</translation>
     <message>
         <source>--manual takes no scenario file, --pictures or --screenshot.</source>
         <translation>--manual n&apos;accepte ni fichier de scénario, ni --pictures, ni --screenshot.</translation>
+    </message>
+    <message>
+        <source>Before the screenshot, wait so long at most for predictions and the lower bound.</source>
+        <translation>Avant la capture d&apos;écran, attendre au plus ce temps les prévisions et la borne inférieure.</translation>
+    </message>
+    <message>
+        <source>--wait: &quot;%1&quot; is not a number of seconds up to %2.</source>
+        <translation>--wait : « %1 » n&apos;est pas un nombre de secondes jusqu&apos;à %2.</translation>
     </message>
 </context>
 <context>
@@ -5963,8 +6072,8 @@ Zone adjacente %4</translation>
         <translation>Visites</translation>
     </message>
     <message>
-        <source>Distance</source>
-        <translation>Distance</translation>
+        <source>This sortie</source>
+        <translation>Cette sortie</translation>
     </message>
 </context>
 <context>
@@ -6065,10 +6174,6 @@ Zone adjacente %4</translation>
         <translation>Somme des σ</translation>
     </message>
     <message>
-        <source>Zeta %1 m² s</source>
-        <translation>Zêta %1 m² s</translation>
-    </message>
-    <message>
         <source>Uncertainty of each iceberg</source>
         <translation>Incertitude de chaque iceberg</translation>
     </message>
@@ -6093,10 +6198,6 @@ Zone adjacente %4</translation>
         <translation>Zêta</translation>
     </message>
     <message>
-        <source>At %1 zeta is %2 m² s and the sum of σ %3 m².</source>
-        <translation>À %1, zêta vaut %2 m² s et la somme des σ %3 m².</translation>
-    </message>
-    <message>
         <source>Rate of zeta, now and on average</source>
         <translation>Croissance de zêta, actuelle et moyenne</translation>
     </message>
@@ -6119,13 +6220,6 @@ Zone adjacente %4</translation>
     <message>
         <source>At %1 zeta grows by %2 m² s each second, since take-off by %3 on average.</source>
         <translation>À %1, zêta augmente de %2 m² s par seconde ; depuis le décollage, de %3 en moyenne.</translation>
-    </message>
-    <message numerus="yes">
-        <source>At %1 the most uncertain iceberg is %2 with σ %3 m²; %n in view.</source>
-        <translation>
-            <numerusform>À %1, l&apos;iceberg le plus incertain est %2, avec σ %3 m² ; %n en vue.</numerusform>
-            <numerusform>À %1, l&apos;iceberg le plus incertain est %2, avec σ %3 m² ; %n en vue.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Distance flown</source>
@@ -6215,6 +6309,36 @@ Zone adjacente %4</translation>
         <source>Cross-track error at %1: %2.</source>
         <translation>Écart latéral à %1 : %2.</translation>
     </message>
+    <message>
+        <source>Zeta %1</source>
+        <translation>Zêta %1</translation>
+    </message>
+    <message>
+        <source>At %1 zeta is %2 and the sum of σ %3 m².</source>
+        <translation>À %1, zêta vaut %2 et la somme des σ %3 m².</translation>
+    </message>
+    <message numerus="yes">
+        <source>At %1 the most uncertain iceberg is %2: %3; %n in view.</source>
+        <translation>
+            <numerusform>À %1, l&apos;iceberg le plus incertain est %2 : %3 ; %n en vue.</numerusform>
+            <numerusform>À %1, l&apos;iceberg le plus incertain est %2 : %3 ; %n en vue.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>MissionClockText</name>
+    <message>
+        <source>in %1</source>
+        <translation>dans %1</translation>
+    </message>
+    <message>
+        <source>%1 UTC
+%2 local time (%3)
+%4 after the start</source>
+        <translation>%1 UTC
+%2 heure locale (%3)
+%4 après le début</translation>
+    </message>
 </context>
 <context>
     <name>MissionPicture</name>
@@ -6247,8 +6371,12 @@ Zone adjacente %4</translation>
         <translation>Plus proche jusqu&apos;ici</translation>
     </message>
     <message>
-        <source>Home margin</source>
-        <translation>Marge de retour</translation>
+        <source>Above the reserve</source>
+        <translation>Au-dessus de la réserve</translation>
+    </message>
+    <message>
+        <source>if home now</source>
+        <translation>si retour maintenant</translation>
     </message>
 </context>
 <context>
@@ -6605,6 +6733,138 @@ Zone adjacente %4</translation>
         <source>Type one angle: a whole coordinate would put all of them at one place.</source>
         <translation>Saisissez un seul angle : une coordonnée complète les placerait tous au même endroit.</translation>
     </message>
+    <message>
+        <source>Amundsen Sea</source>
+        <translation>Mer d&apos;Amundsen</translation>
+    </message>
+    <message>
+        <source>Antarctic Peninsula</source>
+        <translation>Péninsule Antarctique</translation>
+    </message>
+    <message>
+        <source>Baffin Island</source>
+        <translation>Île de Baffin</translation>
+    </message>
+    <message>
+        <source>Bellingshausen Sea</source>
+        <translation>Mer de Bellingshausen</translation>
+    </message>
+    <message>
+        <source>Bering Sea</source>
+        <translation>Mer de Béring</translation>
+    </message>
+    <message>
+        <source>Bransfield Strait</source>
+        <translation>Détroit de Bransfield</translation>
+    </message>
+    <message>
+        <source>Cape Horn</source>
+        <translation>Cap Horn</translation>
+    </message>
+    <message>
+        <source>Chukchi Sea</source>
+        <translation>Mer des Tchouktches</translation>
+    </message>
+    <message>
+        <source>East Siberian Sea</source>
+        <translation>Mer de Sibérie orientale</translation>
+    </message>
+    <message>
+        <source>Ellesmere Island</source>
+        <translation>Île d&apos;Ellesmere</translation>
+    </message>
+    <message>
+        <source>Falkland Islands</source>
+        <translation>Îles Malouines</translation>
+    </message>
+    <message>
+        <source>Greenland</source>
+        <translation>Groenland</translation>
+    </message>
+    <message>
+        <source>Greenland Sea</source>
+        <translation>Mer du Groenland</translation>
+    </message>
+    <message>
+        <source>Gulf of St. Lawrence</source>
+        <translation>Golfe du Saint-Laurent</translation>
+    </message>
+    <message>
+        <source>Hudson Bay</source>
+        <translation>Baie d&apos;Hudson</translation>
+    </message>
+    <message>
+        <source>Hudson Strait</source>
+        <translation>Détroit d&apos;Hudson</translation>
+    </message>
+    <message>
+        <source>Iceland</source>
+        <translation>Islande</translation>
+    </message>
+    <message>
+        <source>Iceland Sea</source>
+        <translation>Mer d&apos;Islande</translation>
+    </message>
+    <message>
+        <source>Irminger Sea</source>
+        <translation>Mer d&apos;Irminger</translation>
+    </message>
+    <message>
+        <source>Lancaster Sound</source>
+        <translation>Détroit de Lancaster</translation>
+    </message>
+    <message>
+        <source>Lincoln Sea</source>
+        <translation>Mer de Lincoln</translation>
+    </message>
+    <message>
+        <source>New Siberian Islands</source>
+        <translation>Îles de Nouvelle-Sibérie</translation>
+    </message>
+    <message>
+        <source>Newfoundland</source>
+        <translation>Terre-Neuve</translation>
+    </message>
+    <message>
+        <source>North Cape</source>
+        <translation>Cap Nord</translation>
+    </message>
+    <message>
+        <source>North Sea</source>
+        <translation>Mer du Nord</translation>
+    </message>
+    <message>
+        <source>Norwegian Sea</source>
+        <translation>Mer de Norvège</translation>
+    </message>
+    <message>
+        <source>Scotia Sea</source>
+        <translation>Mer de Scotia</translation>
+    </message>
+    <message>
+        <source>Severnaya Zemlya</source>
+        <translation>Terre du Nord</translation>
+    </message>
+    <message>
+        <source>South Orkney Islands</source>
+        <translation>Orcades du Sud</translation>
+    </message>
+    <message>
+        <source>South Shetland Islands</source>
+        <translation>Shetland du Sud</translation>
+    </message>
+    <message>
+        <source>Strait of Belle Isle</source>
+        <translation>Détroit de Belle Isle</translation>
+    </message>
+    <message>
+        <source>White Sea</source>
+        <translation>Mer Blanche</translation>
+    </message>
+    <message>
+        <source>Wrangel Island</source>
+        <translation>Île Wrangel</translation>
+    </message>
 </context>
 <context>
     <name>PlacingTools</name>
@@ -6670,6 +6930,11 @@ Zone adjacente %4</translation>
     <message>
         <source>Click places %1, drag on to turn it. With Ctrl it is another UAV. Esc leaves the tool.</source>
         <translation>Un clic place %1 ; faites glisser ensuite pour l&apos;orienter. Avec Ctrl, c&apos;est un autre drone. Esc quitte l&apos;outil.</translation>
+    </message>
+    <message>
+        <source>Seen by %1.</source>
+        <comment>source and its error</comment>
+        <translation>Observé par : %1.</translation>
     </message>
 </context>
 <context>
@@ -6838,6 +7103,30 @@ Zone adjacente %4</translation>
     <message>
         <source>No plan while the UAV returns, holds or is on the ground</source>
         <translation>Pas de plan pendant que le drone rentre, attend ou est au sol</translation>
+    </message>
+    <message>
+        <source>The wind is too strong to come home</source>
+        <translation>Le vent est trop fort pour rentrer à la base</translation>
+    </message>
+    <message>
+        <source>Home with %1 of the reserve used</source>
+        <translation>À la base avec %1 de la réserve utilisés</translation>
+    </message>
+    <message>
+        <source>Home with %1 above the reserve</source>
+        <translation>À la base avec %1 au-dessus de la réserve</translation>
+    </message>
+    <message>
+        <source>In 1 flight of 20 the wind is too strong to come home</source>
+        <translation>Dans 1 vol sur 20, le vent est trop fort pour rentrer à la base</translation>
+    </message>
+    <message>
+        <source>1 flight in 20 uses %1 or more of the reserve</source>
+        <translation>1 vol sur 20 utilise %1 ou plus de la réserve</translation>
+    </message>
+    <message>
+        <source>1 flight in 20: %1 or less above the reserve</source>
+        <translation>1 vol sur 20 : %1 ou moins au-dessus de la réserve</translation>
     </message>
 </context>
 <context>
@@ -7058,6 +7347,43 @@ Zone adjacente %4</translation>
     <message>
         <source>%1 (%2 ft)</source>
         <translation>%1 (%2 pi)</translation>
+    </message>
+    <message>
+        <source>not home</source>
+        <translation>pas à la base</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>pi</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 pi</translation>
+    </message>
+    <message>
+        <source>%1 ft (%2)</source>
+        <translation>%1 pi (%2)</translation>
+    </message>
+    <message>
+        <source>σ %1 (95 % within %2)</source>
+        <translation>σ %1 (95 % dans un rayon de %2)</translation>
+    </message>
+    <message>
+        <source>95 % within %2 (σ %1)</source>
+        <translation>95 % dans un rayon de %2 (σ %1)</translation>
+    </message>
+    <message>
+        <source>m² s</source>
+        <translation>m² s</translation>
+    </message>
+    <message>
+        <source>km² s</source>
+        <translation>km² s</translation>
+    </message>
+    <message>
+        <source>%1 T / %2 M</source>
+        <comment>course by true and by magnetic north</comment>
+        <translation>%1 V / %2 M</translation>
     </message>
 </context>
 <context>
@@ -7483,14 +7809,6 @@ Zone adjacente %4</translation>
         <translation>Un seul cas ne recommande aucune stratégie : volez-en davantage.</translation>
     </message>
     <message>
-        <source>Recommended: %1, %2 against %3, the best of another policy.</source>
-        <translation>Recommandé : %1, %2 par rapport à %3, le meilleur d’une autre stratégie.</translation>
-    </message>
-    <message>
-        <source>No policy is surely the best: %1 is %2 against %3.</source>
-        <translation>Aucune stratégie n’est sûrement la meilleure : %1 est à %2 de %3.</translation>
-    </message>
-    <message>
         <source>Lowest ζ: %1, %2 m² s.</source>
         <translation>ζ le plus bas : %1, %2 m² s.</translation>
     </message>
@@ -7501,10 +7819,6 @@ Zone adjacente %4</translation>
     <message>
         <source>Lowest ζ: %1, %2 m² s, %3 against %4.</source>
         <translation>ζ le plus bas : %1, %2 m² s, %3 par rapport à %4.</translation>
-    </message>
-    <message>
-        <source>Lowest mean ζ: %1, %2 m² s, %3 against %4.</source>
-        <translation>ζ moyen le plus bas : %1, %2 m² s, %3 par rapport à %4.</translation>
     </message>
     <message>
         <source>Best τ of this case: %1.</source>
@@ -7563,12 +7877,28 @@ Zone adjacente %4</translation>
         <translation>des segments à points de visée qui donnent le ζ prévu le plus bas, replanifiés à chaque observation</translation>
     </message>
     <message>
-        <source>Planned: the first plan, before take-off, in straight legs. Distances flown are through the air.</source>
-        <translation>Prévu : le premier plan, avant le décollage, en segments droits. Les distances volées sont dans l’air.</translation>
-    </message>
-    <message>
         <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again, left, was removed or the record ends.</source>
         <translation>Plus long sans vue : depuis qu’un iceberg est connu, ou vu, jusqu’à ce qu’il soit revu, sorti, retiré ou que l’enregistrement finisse.</translation>
+    </message>
+    <message>
+        <source>Planned: the first sortie of the plan before take-off, over ground in straight legs. Distances flown are through the air.</source>
+        <translation>Prévu : la première sortie du plan avant le décollage, sur le fond en segments droits. Les distances volées sont dans l’air.</translation>
+    </message>
+    <message>
+        <source>95 % within, m</source>
+        <translation>95 % dans un rayon de, m</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 de plus</translation>
+    </message>
+    <message>
+        <source>No clear winner. These settings may be the best: %1.</source>
+        <translation>Aucun réglage ne l&apos;emporte nettement. Les meilleurs peuvent être : %1.</translation>
+    </message>
+    <message>
+        <source>Recommended: %1, %2 against %3, the closest other setting.</source>
+        <translation>Recommandé : %1, %2 par rapport à %3, le réglage le plus proche.</translation>
     </message>
 </context>
 <context>
@@ -7642,6 +7972,37 @@ Zone adjacente %4</translation>
     </message>
 </context>
 <context>
+    <name>SourceText</name>
+    <message>
+        <source>ship&apos;s radar</source>
+        <translation>radar de navire</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>vue</translation>
+    </message>
+    <message>
+        <source>satellite</source>
+        <translation>satellite</translation>
+    </message>
+    <message>
+        <source>camera of a UAV</source>
+        <translation>caméra d&apos;un drone</translation>
+    </message>
+    <message>
+        <source>GPS beacon</source>
+        <translation>balise GPS</translation>
+    </message>
+    <message>
+        <source>Argos beacon</source>
+        <translation>balise Argos</translation>
+    </message>
+    <message>
+        <source>%1, 95 % within %2</source>
+        <translation>%1, 95 % dans un rayon de %2</translation>
+    </message>
+</context>
+<context>
     <name>TimeChartText</name>
     <message>
         <source>Time, h:mm:ss</source>
@@ -7650,6 +8011,10 @@ Zone adjacente %4</translation>
     <message>
         <source>Time, mm:ss</source>
         <translation>Temps, mm:ss</translation>
+    </message>
+    <message>
+        <source>Time, UTC</source>
+        <translation>Heure, UTC</translation>
     </message>
 </context>
 <context>
@@ -7940,6 +8305,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Time, mm:ss</source>
         <translation>Temps, mm:ss</translation>
+    </message>
+    <message>
+        <source>Time, UTC</source>
+        <translation>Heure, UTC</translation>
     </message>
 </context>
 <context>
@@ -8618,16 +8987,8 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>%1 m² s</source>
-        <translation>%1 m² s</translation>
-    </message>
-    <message>
         <source>Exports the log of the run: planned and flown, sightings, deviations.</source>
         <translation>Exporte le journal du vol : planifié et effectué, observations, écarts.</translation>
-    </message>
-    <message>
-        <source>%1, %2 % computed</source>
-        <translation>%1, calculée à %2 %</translation>
     </message>
     <message>
         <source>Predicted range</source>
@@ -8652,6 +9013,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>changed in flight</source>
         <translation>modifié en vol</translation>
+    </message>
+    <message>
+        <source>being computed, %1 %</source>
+        <translation>en cours de calcul, %1 %</translation>
     </message>
 </context>
 <context>
@@ -9351,6 +9716,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Compared run</source>
         <translation>Vol comparé</translation>
     </message>
+    <message>
+        <source>Place names</source>
+        <translation>Noms de lieux</translation>
+    </message>
 </context>
 <context>
     <name>berg::MainWindow</name>
@@ -9442,12 +9811,13 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>sans dérive</translation>
     </message>
     <message>
-        <source>%1: σ %2 m² (√σ %3 m), %4</source>
-        <translation>%1 : σ %2 m² (√σ %3 m), %4</translation>
-    </message>
-    <message>
         <source>drifting %1 towards %2</source>
         <translation>dérive de %1 vers %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <comment>name, uncertainty, drift</comment>
+        <translation>%1 : %2, %3</translation>
     </message>
 </context>
 <context>
@@ -9900,6 +10270,26 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>&amp;Solve time</source>
         <translation>Temp&amp;s de résolution</translation>
     </message>
+    <message>
+        <source>Colour scale of σ</source>
+        <translation>Échelle de couleurs de σ</translation>
+    </message>
+    <message>
+        <source>Place names</source>
+        <translation>Noms de lieux</translation>
+    </message>
+    <message>
+        <source>S&amp;ound alarms</source>
+        <translation>Alarmes &amp;sonores</translation>
+    </message>
+    <message>
+        <source>A sound at each new alarm, until it is acknowledged</source>
+        <translation>Un son à chaque nouvelle alarme, jusqu&apos;à ce qu&apos;elle soit acquittée</translation>
+    </message>
+    <message>
+        <source>&amp;New icebergs seen by</source>
+        <translation>&amp;Nouveaux icebergs observés par</translation>
+    </message>
 </context>
 <context>
     <name>berg::MessageList</name>
@@ -10034,8 +10424,8 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Plus court chemin</translation>
     </message>
     <message>
-        <source>Distance, %1</source>
-        <translation>Distance, %1</translation>
+        <source>Whole order, %1</source>
+        <translation>Ordre entier, %1</translation>
     </message>
 </context>
 <context>
@@ -10047,10 +10437,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
 </context>
 <context>
     <name>berg::PlanModel</name>
-    <message>
-        <source>in %1</source>
-        <translation>dans %1</translation>
-    </message>
     <message>
         <source>%1 (id %2)</source>
         <translation>%1 (identifiant %2)</translation>
@@ -10080,16 +10466,8 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Arrivée</translation>
     </message>
     <message>
-        <source>Time from now until the UAV is there</source>
-        <translation>Temps d&apos;ici à l&apos;arrivée du drone</translation>
-    </message>
-    <message>
         <source>Uncertainty of the position now</source>
         <translation>Incertitude actuelle de la position</translation>
-    </message>
-    <message>
-        <source>σ is %1 m² now, a standard deviation of %2 m; at arrival it is %3 m², if the iceberg is not seen before</source>
-        <translation>σ vaut actuellement %1 m², soit un écart-type de %2 m ; à l&apos;arrivée, %3 m² si l&apos;iceberg n&apos;est pas vu avant</translation>
     </message>
     <message>
         <source>later</source>
@@ -10160,6 +10538,44 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Uncertainty of the position when the UAV is there</source>
         <translation>Incertitude de la position quand le drone y est</translation>
     </message>
+    <message>
+        <source>%1, flown by %2</source>
+        <comment>length and end of a path, UTC</comment>
+        <translation>%1, effectué à %2</translation>
+    </message>
+    <message>
+        <source>Course over ground %1, ground speed %2</source>
+        <translation>Route fond %1, vitesse fond %2</translation>
+    </message>
+    <message>
+        <source>Now %1; at arrival %2, if the iceberg is not seen before</source>
+        <translation>Maintenant %1 ; à l&apos;arrivée %2, si l&apos;iceberg n&apos;est pas vu avant</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Route</translation>
+    </message>
+    <message>
+        <source>Course over ground at the start of the leg</source>
+        <translation>Route fond au début du segment</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <comment>over ground</comment>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Speed over ground in the wind of now</source>
+        <translation>Vitesse fond dans le vent actuel</translation>
+    </message>
+    <message>
+        <source>When the UAV is there</source>
+        <translation>Quand le drone y est</translation>
+    </message>
+    <message>
+        <source>95 % now</source>
+        <translation>95 % maintenant</translation>
+    </message>
 </context>
 <context>
     <name>berg::PlanPanel</name>
@@ -10174,18 +10590,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Plan: icebergs in visiting order</source>
         <translation>Plan : icebergs dans l&apos;ordre de visite</translation>
-    </message>
-    <message>
-        <source>%1 including the return, flown %2</source>
-        <translation>%1 retour compris, fin %2</translation>
-    </message>
-    <message>
-        <source>%1, flown %2</source>
-        <translation>%1, fin %2</translation>
-    </message>
-    <message>
-        <source>Against the plan before: %1, ζ %2 m² s</source>
-        <translation>Par rapport au plan précédent : %1, ζ %2 m² s</translation>
     </message>
     <message>
         <source>Order before the change at %1: %2</source>
@@ -10208,10 +10612,6 @@ en chemin, et sans nouveaux plans.</translation>
         <translation>Pas de borne inférieure utile de ζ</translation>
     </message>
     <message>
-        <source>Lower bound on ζ: %1 m² s</source>
-        <translation>Borne inférieure de ζ : %1 m² s</translation>
-    </message>
-    <message>
         <source>That limit is proven for this scenario and the noise that it draws,
 whatever the policy and however tightly the UAV turns.</source>
         <translation>Cette limite est prouvée pour ce scénario et son tirage du bruit,
@@ -10222,10 +10622,6 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
         <translation>Hors de portée radio pendant %1</translation>
     </message>
     <message>
-        <source>Home %1 before the reserve (5 %: %2)</source>
-        <translation>À la base %1 avant la réserve (5 % : %2)</translation>
-    </message>
-    <message>
         <source>Recovery slots: %1</source>
         <translation>Créneaux d&apos;atterrissage : %1</translation>
     </message>
@@ -10234,28 +10630,56 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
         <translation>Le drone rentre à la base, est au sol ou en attente : un nouveau plan est établi au décollage ou à la reprise.</translation>
     </message>
     <message>
-        <source>ζ at %1 without another plan: %2 m² s</source>
-        <translation>ζ à %1 sans autre plan : %2 m² s</translation>
-    </message>
-    <message>
-        <source>ζ at the end without another plan: %1 m² s</source>
-        <translation>ζ à la fin sans autre plan : %1 m² s</translation>
-    </message>
-    <message>
         <source>Against the plan before: %1</source>
         <translation>Par rapport au plan précédent : %1</translation>
     </message>
     <message>
-        <source>Lower bound on ζ: %1 m² s, %2 % computed</source>
-        <translation>Borne inférieure de ζ : %1 m² s, calculée à %2 %</translation>
-    </message>
-    <message>
-        <source>ζ at the end: %1 m² s</source>
-        <translation>ζ à la fin : %1 m² s</translation>
-    </message>
-    <message>
         <source>The run is complete.</source>
         <translation>Le vol est terminé.</translation>
+    </message>
+    <message>
+        <source>This sortie: %1 with the return, flown by %2</source>
+        <translation>Cette sortie : %1 retour compris, fin à %2</translation>
+    </message>
+    <message>
+        <source>This sortie: %1 with the return, flown %2</source>
+        <translation>Cette sortie : %1 retour compris, fin %2</translation>
+    </message>
+    <message>
+        <source>This sortie: %1, flown by %2</source>
+        <translation>Cette sortie : %1, fin à %2</translation>
+    </message>
+    <message>
+        <source>This sortie: %1, flown %2</source>
+        <translation>Cette sortie : %1, fin %2</translation>
+    </message>
+    <message>
+        <source>ζ at the end: %1</source>
+        <translation>ζ à la fin : %1</translation>
+    </message>
+    <message>
+        <source>ζ at %1 without another plan: %2</source>
+        <translation>ζ à %1 sans autre plan : %2</translation>
+    </message>
+    <message>
+        <source>ζ at the end without another plan: %1</source>
+        <translation>ζ à la fin sans autre plan : %1</translation>
+    </message>
+    <message>
+        <source>Against the plan before: %1, ζ %2</source>
+        <translation>Par rapport au plan précédent : %1, ζ %2</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ: being computed, %1 %</source>
+        <translation>Borne inférieure de ζ : en cours de calcul, %1 %</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ: %1</source>
+        <translation>Borne inférieure de ζ : %1</translation>
+    </message>
+    <message>
+        <source>The length of this sortie is over ground, until the run ends at most.</source>
+        <translation>La longueur de cette sortie est mesurée sur le fond, au plus jusqu&apos;à la fin du vol.</translation>
     </message>
 </context>
 <context>
@@ -10263,14 +10687,6 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     <message>
         <source>%1 m²</source>
         <translation>%1 m²</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Distance</translation>
-    </message>
-    <message>
-        <source>Length of the whole plan.</source>
-        <translation>Longueur du plan entier.</translation>
     </message>
     <message>
         <source>Uncertainty reward</source>
@@ -10315,6 +10731,14 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     <message>
         <source>State of the plan: %1</source>
         <translation>État du plan : %1</translation>
+    </message>
+    <message>
+        <source>Whole order</source>
+        <translation>Ordre entier</translation>
+    </message>
+    <message>
+        <source>Length of the whole order as it was planned, through the air, in wind the mean of both directions, and with its turns: what the solver weighs, as in the trade-off chart. The plan panel has that of this sortie over ground.</source>
+        <translation>Longueur de l&apos;ordre entier tel qu&apos;il a été planifié, dans l&apos;air, moyenne des deux sens dans le vent, et virages compris : ce que pèse le solveur, comme dans le graphique du compromis. Le panneau du plan a celle de cette sortie sur le fond.</translation>
     </message>
 </context>
 <context>
@@ -10415,17 +10839,21 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
         <source>&quot;%1&quot; is not a time. Type it like 3:20 or 45 min.</source>
         <translation>« %1 » n&apos;est pas un temps. Écrivez-le comme 3:20 ou 45 min.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not a time of this run. Type it like 1215Z, 3:20 or 45 min.</source>
+        <translation>« %1 » n&apos;est pas un instant de ce vol. Saisissez-le comme 1215Z, 3:20 ou 45 min.</translation>
+    </message>
+    <message>
+        <source>Time shown. Type one to look back at it, e.g. 1215Z or, since the start, 3:20.</source>
+        <translation>Heure affichée. Saisissez-en une pour y revenir, p. ex. 1215Z ou, depuis le début, 3:20.</translation>
+    </message>
+    <message>
+        <source>End of the run</source>
+        <translation>Fin du vol</translation>
+    </message>
 </context>
 <context>
     <name>berg::PolicyCombo</name>
-    <message>
-        <source>%1 m² s</source>
-        <translation>%1 m² s</translation>
-    </message>
-    <message>
-        <source>Lowest</source>
-        <translation>Le plus bas</translation>
-    </message>
     <message>
         <source>%1 %…</source>
         <translation>%1 %…</translation>
@@ -10437,18 +10865,6 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     <message>
         <source>chosen</source>
         <translation>choisie</translation>
-    </message>
-    <message>
-        <source>Not predicted: flying it in advance takes more than %1.</source>
-        <translation>Non prévu : le jouer à l&apos;avance prend plus de %1.</translation>
-    </message>
-    <message>
-        <source>ζ is predicted before take-off by flying the mission in advance with the policy, planned
-again at each sighting as in flight, with icebergs that drift exactly as entered. The real
-flight differs by the noise of the drift.</source>
-        <translation>ζ est prévu avant le décollage en jouant la mission à l&apos;avance avec la stratégie, avec un nouveau plan
-à chaque observation comme en vol, et des icebergs qui dérivent exactement comme indiqué. Le vol
-réel en diffère par le bruit de la dérive.</translation>
     </message>
     <message>
         <source>ζ not predicted: takes too long</source>
@@ -10471,36 +10887,46 @@ réel en diffère par le bruit de la dérive.</translation>
         <translation>%1 à %2</translation>
     </message>
     <message>
-        <source>Then each policy is flown %1 times with drift and sightings drawn as the scenario describes
-them, in the same %1 worlds: ζ is the mean of these flights, the range that of 90 % of them,
-and the policy with the lowest mean is recommended.</source>
-        <translation>Ensuite, chaque stratégie est jouée %1 fois avec une dérive et des observations tirées selon la description
-du scénario, dans les mêmes %1 mondes : ζ est la moyenne de ces vols, l&apos;intervalle celui de 90 % d&apos;entre eux,
-et la stratégie de plus faible moyenne est recommandée.</translation>
-    </message>
-    <message>
         <source>Recommended</source>
         <translation>Recommandée</translation>
     </message>
     <message>
-        <source>Mean ζ %1</source>
-        <translation>ζ moyen %1</translation>
-    </message>
-    <message>
-        <source>%1, the lowest</source>
-        <translation>%1, le plus bas</translation>
-    </message>
-    <message>
-        <source>%1, lowest %2</source>
-        <translation>%1, le plus bas %2</translation>
-    </message>
-    <message>
-        <source>too slow for %1 flights</source>
-        <translation>trop lente pour %1 vols</translation>
-    </message>
-    <message>
         <source>%1; too slow to compare: %2</source>
         <translation>%1 ; trop lentes pour être comparées : %2</translation>
+    </message>
+    <message>
+        <source>Not predicted: flying it %1 times in advance takes more than %2.</source>
+        <translation>Non prévu : le jouer %1 fois à l&apos;avance prend plus de %2.</translation>
+    </message>
+    <message>
+        <source>ζ is predicted before take-off by flying the mission %1 times with each policy, with drift
+and sightings drawn as the scenario describes them, in the same %1 worlds: ζ is the mean of
+these flights, the range that of 90 % of them. A policy is recommended if its ζ is surely lower
+than that of every other one (95 % interval of the differences in the same worlds).</source>
+        <translation>ζ est prévu avant le décollage en jouant la mission %1 fois avec chaque stratégie, avec une dérive
+et des observations tirées comme le scénario les décrit, dans les mêmes %1 mondes : ζ est la moyenne de
+ces vols, l&apos;intervalle celui de 90 % d&apos;entre eux. Une stratégie est recommandée si son ζ est à coup sûr
+inférieur à celui de toutes les autres (intervalle à 95 % des différences dans les mêmes mondes).</translation>
+    </message>
+    <message>
+        <source>Predicting ζ: %1 %</source>
+        <translation>Prévision de ζ : %1 %</translation>
+    </message>
+    <message>
+        <source>No ζ to predict: there is no iceberg out of view.</source>
+        <translation>Pas de ζ à prévoir : aucun iceberg n&apos;est hors de vue.</translation>
+    </message>
+    <message>
+        <source>%1; no policy is a clear winner</source>
+        <translation>%1 ; aucune stratégie ne l&apos;emporte nettement</translation>
+    </message>
+    <message>
+        <source>%1; recommended</source>
+        <translation>%1 ; recommandée</translation>
+    </message>
+    <message>
+        <source>%1; recommended: %2</source>
+        <translation>%1 ; recommandée : %2</translation>
     </message>
 </context>
 <context>
@@ -10596,6 +11022,74 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
     <message>
         <source>The text has this size when Bergwatch is started again.</source>
         <translation>Le texte aura cette taille au prochain démarrage de Bergwatch.</translation>
+    </message>
+    <message>
+        <source>Night (red)</source>
+        <translation>Nuit (rouge)</translation>
+    </message>
+    <message>
+        <source>Automatic, from the scenario</source>
+        <translation>Automatique, selon le scénario</translation>
+    </message>
+    <message>
+        <source>Ends at %1 m²</source>
+        <translation>Jusqu&apos;à %1 m²</translation>
+    </message>
+    <message>
+        <source>&amp;Heights</source>
+        <translation>&amp;Hauteurs</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Mètres</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Pieds</translation>
+    </message>
+    <message>
+        <source>C&amp;ourses</source>
+        <translation>&amp;Routes</translation>
+    </message>
+    <message>
+        <source>&amp;Times</source>
+        <translation>&amp;Heures</translation>
+    </message>
+    <message>
+        <source>UTC, where the scenario has a start</source>
+        <translation>UTC, si le scénario a un début</translation>
+    </message>
+    <message>
+        <source>Elapsed since the start</source>
+        <translation>Temps écoulé depuis le début</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty</source>
+        <translation>&amp;Incertitude</translation>
+    </message>
+    <message>
+        <source>σ first, 95 % radius beside it</source>
+        <translation>σ d&apos;abord, rayon à 95 % à côté</translation>
+    </message>
+    <message>
+        <source>95 % radius first, σ beside it</source>
+        <translation>Rayon à 95 % d&apos;abord, σ à côté</translation>
+    </message>
+    <message>
+        <source>True</source>
+        <translation>Vraies</translation>
+    </message>
+    <message>
+        <source>True and magnetic, by the World Magnetic Model 2025</source>
+        <translation>Vraies et magnétiques, selon le World Magnetic Model 2025</translation>
+    </message>
+    <message>
+        <source>True and magnetic, declination %1...</source>
+        <translation>Vraies et magnétiques, déclinaison %1…</translation>
+    </message>
+    <message>
+        <source>True and magnetic, declination typed in...</source>
+        <translation>Vraies et magnétiques, déclinaison saisie…</translation>
     </message>
 </context>
 <context>
@@ -11523,23 +12017,23 @@ et la stratégie de plus faible moyenne est recommandée.</translation>
         <source>Lowest ζ: %1. One case recommends no policy: fly more of them.</source>
         <translation>ζ le plus bas : %1. Un seul cas ne recommande aucune stratégie : jouez-en davantage.</translation>
     </message>
-    <message numerus="yes">
-        <source>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the best of another policy, in %n cases.</source>
-        <translation>
-            <numerusform>Recommandé : %1. Son ζ est %2 (95 % : %3 à %4) par rapport à %5, meilleur réglage d&apos;une autre stratégie, sur %n cas.</numerusform>
-            <numerusform>Recommandé : %1. Son ζ est %2 (95 % : %3 à %4) par rapport à %5, meilleur réglage d&apos;une autre stratégie, sur %n cas.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>No policy is surely the best: the ζ of %1 is %2 (95 %: %3 to %4) against %5, in %n cases.</source>
-        <translation>
-            <numerusform>Aucune stratégie n&apos;est la meilleure à coup sûr : le ζ de %1 est %2 (95 % : %3 à %4) par rapport à %5, sur %n cas.</numerusform>
-            <numerusform>Aucune stratégie n&apos;est la meilleure à coup sûr : le ζ de %1 est %2 (95 % : %3 à %4) par rapport à %5, sur %n cas.</numerusform>
-        </translation>
-    </message>
     <message>
-        <source>Use the lowest: %1</source>
-        <translation>Utiliser le plus bas : %1</translation>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 de plus</translation>
+    </message>
+    <message numerus="yes">
+        <source>No clear winner over %n cases. These settings may be the best: %1.</source>
+        <translation>
+            <numerusform>Aucun réglage ne l&apos;emporte nettement sur %n cas. Les meilleurs peuvent être : %1.</numerusform>
+            <numerusform>Aucun réglage ne l&apos;emporte nettement sur %n cas. Les meilleurs peuvent être : %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the closest other setting, over %n cases.</source>
+        <translation>
+            <numerusform>Recommandé : %1. Son ζ est %2 (95 % : %3 à %4) par rapport à %5, le réglage le plus proche, sur %n cas.</numerusform>
+            <numerusform>Recommandé : %1. Son ζ est %2 (95 % : %3 à %4) par rapport à %5, le réglage le plus proche, sur %n cas.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

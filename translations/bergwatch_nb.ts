@@ -659,12 +659,12 @@
         <translation>%1 til %2</translation>
     </message>
     <message>
-        <source>τ %1: %2, proven optimal</source>
-        <translation>τ %1: %2, bevist optimal</translation>
+        <source>τ %1: whole order %2, proven optimal</source>
+        <translation>τ %1: hele rekkefølgen %2, bevist optimal</translation>
     </message>
     <message>
-        <source>τ %1: %2, not proven</source>
-        <translation>τ %1: %2, ikke bevist</translation>
+        <source>τ %1: whole order %2, not proven</source>
+        <translation>τ %1: hele rekkefølgen %2, ikke bevist</translation>
     </message>
 </context>
 <context>
@@ -827,6 +827,14 @@
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Fjern</translation>
+    </message>
+    <message>
+        <source>Magnetic declination</source>
+        <translation>Magnetisk misvisning</translation>
+    </message>
+    <message>
+        <source>Degrees from true to magnetic north, positive east, negative west:</source>
+        <translation>Grader fra rettvisende til magnetisk nord, positivt mot øst, negativt mot vest:</translation>
     </message>
 </context>
 <context>
@@ -1103,10 +1111,6 @@
         <translation>Oppdragsplan</translation>
     </message>
     <message>
-        <source>Take-off to home as mission items with altitude, speed and radii, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One UAV a file.</source>
-        <translation>Oppdraget fra start til hjem med høyde, fart og radier, geogjerdet og et samlingspunkt hjemme. Leses også av Mission Planner og MAVSDK. Én UAV per fil.</translation>
-    </message>
-    <message>
         <source>Waypoint list</source>
         <translation>Veipunktliste</translation>
     </message>
@@ -1354,6 +1358,10 @@
     <message>
         <source>Return home</source>
         <translation>Fly hjem</translation>
+    </message>
+    <message>
+        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One UAV a file.</source>
+        <translation>Oppdraget med høyde, fart og radier, geogjerdet og et samlingspunkt hjemme; ingen avgang og ingen landing. Leses også av Mission Planner og MAVSDK. Én UAV per fil.</translation>
     </message>
 </context>
 <context>
@@ -1729,16 +1737,8 @@
         <translation>Stigning og landing</translation>
     </message>
     <message>
-        <source>Home before the reserve</source>
-        <translation>Hjemme før reserven</translation>
-    </message>
-    <message>
         <source>Recovery slot</source>
         <translation>Landingsvindue</translation>
-    </message>
-    <message>
-        <source>One flight in twenty</source>
-        <translation>Én av tjue flyginger</translation>
     </message>
     <message>
         <source>Out of radio range</source>
@@ -1751,6 +1751,63 @@
     <message>
         <source>Straight legs that lead out of the geofence or through a no-fly area: %1. The UAV goes round.</source>
         <translation>Rette etapper som går ut av geogjerdet eller gjennom et område med flyforbud: %1. UAV-en flyr utenom.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>fra %1</translation>
+    </message>
+    <message>
+        <source>until %1</source>
+        <translation>til %1</translation>
+    </message>
+    <message>
+        <source>all day</source>
+        <translation>hele døgnet</translation>
+    </message>
+    <message>
+        <source>not on this day</source>
+        <translation>ikke denne dagen</translation>
+    </message>
+    <message>
+        <source>Sun up, UTC</source>
+        <translation>Sol oppe, UTC</translation>
+    </message>
+    <message>
+        <source>Civil twilight, UTC</source>
+        <translation>Borgerlig tussmørke, UTC</translation>
+    </message>
+    <message>
+        <source>Declination, WMM2025</source>
+        <translation>Misvisning, WMM2025</translation>
+    </message>
+    <message>
+        <source>Declination</source>
+        <translation>Misvisning</translation>
+    </message>
+    <message>
+        <source>This sortie</source>
+        <translation>Dette toktet</translation>
+    </message>
+    <message>
+        <source>Home, above the reserve</source>
+        <translation>Hjemme, over reserven</translation>
+    </message>
+    <message>
+        <source>In 1 flight of 20</source>
+        <translation>I 1 av 20 flyginger</translation>
+    </message>
+    <message>
+        <source>magnetic</source>
+        <translation>magn.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <comment>over ground</comment>
+        <translation>Fart</translation>
     </message>
 </context>
 <context>
@@ -1949,10 +2006,6 @@
         <translation>Usikkerheten i posisjonen nå; søylen følger kartets skala</translation>
     </message>
     <message>
-        <source>Standard deviation of the position now</source>
-        <translation>Standardavviket til posisjonen nå</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>Tilstand</translation>
     </message>
@@ -2084,6 +2137,14 @@
         <source>Longitude</source>
         <translation>Lengde</translation>
     </message>
+    <message>
+        <source>95 % radius, m</source>
+        <translation>95 %-radius, m</translation>
+    </message>
+    <message>
+        <source>With 95 % the iceberg is inside a circle of this radius round its position now</source>
+        <translation>Med 95 % er isfjellet innenfor en sirkel med denne radien rundt posisjonen nå</translation>
+    </message>
 </context>
 <context>
     <name>IcebergPasteText</name>
@@ -2151,10 +2212,6 @@
         <translation>Dukker opp %1</translation>
     </message>
     <message>
-        <source>%1 m², a standard deviation of %2 m</source>
-        <translation>%1 m², et standardavvik på %2 m</translation>
-    </message>
-    <message>
         <source>It stands still.</source>
         <translation>Det står stille.</translation>
     </message>
@@ -2193,6 +2250,10 @@
     <message>
         <source>left or removed</source>
         <translation>borte eller fjernet</translation>
+    </message>
+    <message>
+        <source>%1, a standard deviation of %2 m along each axis</source>
+        <translation>%1, et standardavvik på %2 m langs hver akse</translation>
     </message>
 </context>
 <context>
@@ -3397,20 +3458,12 @@
         <translation>Avstand mellom UAV-er</translation>
     </message>
     <message>
-        <source>UAVs are kept so far from each other, unless their altitudes are 30 m apart.</source>
-        <translation>UAV-er holdes så langt fra hverandre, med mindre høydene deres skiller seg med 30 m.</translation>
-    </message>
-    <message>
         <source>Change separation</source>
         <translation>Endre avstand mellom UAV-er</translation>
     </message>
     <message>
         <source>not kept apart</source>
         <translation>holdes ikke fra hverandre</translation>
-    </message>
-    <message>
-        <source>Height above the sea: UAVs that are 30 m apart in it pass each other.</source>
-        <translation>Høyde over havet: UAV-er som skiller seg med 30 m i den, går klar av hverandre.</translation>
     </message>
     <message>
         <source>Reserve</source>
@@ -3671,10 +3724,6 @@
     <message>
         <source>No-fly area %1: %2</source>
         <translation>Flyforbudsområde %1: %2</translation>
-    </message>
-    <message>
-        <source>Raises UAVs until their altitudes are 30 m apart, so that none has to wait for another.</source>
-        <translation>Hever UAV-er til høydene deres er 30 m fra hverandre, så ingen må vente på en annen.</translation>
     </message>
     <message>
         <source>Separate altitudes</source>
@@ -4036,6 +4085,38 @@ Tilstøtende område %4</translation>
         <source>Weather limits</source>
         <translation>Værgrenser</translation>
     </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % innenfor</translation>
+    </message>
+    <message>
+        <source>With 95 % the iceberg was inside a circle of this radius when it was last seen: the square root of 5.99 σ₀.</source>
+        <translation>Med 95 % var isfjellet innenfor en sirkel med denne radien da det sist ble sett: kvadratroten av 5,99 σ₀.</translation>
+    </message>
+    <message>
+        <source>Seen by</source>
+        <translation>Sett med</translation>
+    </message>
+    <message>
+        <source>Sets the uncertainty to the usual one of this source, for icebergs placed from now on as well.</source>
+        <translation>Setter usikkerheten til den vanlige for denne kilden, også for isfjell som plasseres fra nå av.</translation>
+    </message>
+    <message>
+        <source>as typed</source>
+        <translation>som skrevet</translation>
+    </message>
+    <message>
+        <source>UAVs are kept so far from each other, unless their altitudes are %1 apart.</source>
+        <translation>UAV-er holdes så langt fra hverandre, med mindre høydene deres skiller seg med %1.</translation>
+    </message>
+    <message>
+        <source>Raises UAVs until their altitudes are %1 apart, so that none has to wait for another.</source>
+        <translation>Hever UAV-er til høydene deres er %1 fra hverandre, så ingen må vente på en annen.</translation>
+    </message>
+    <message>
+        <source>Height above the sea: UAVs that are %1 apart in it pass each other.</source>
+        <translation>Høyde over havet: UAV-er som skiller seg med %1 i den, går klar av hverandre.</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -4285,10 +4366,6 @@ Tilstøtende område %4</translation>
         <translation>Isingsforhold i flyhøyden: ikke for denne UAV-en.</translation>
     </message>
     <message>
-        <source>With wind and airspeed off their values, one flight in twenty uses %2 or more of the reserve to come home.</source>
-        <translation>Når vind og flyfart avviker, bruker én av tjue flyginger %2 eller mer av reserven for å komme hjem.</translation>
-    </message>
-    <message>
         <source>The plan leads out of the range of the ground station for %2.</source>
         <translation>Planen går utenfor bakkestasjonens rekkevidde i %2.</translation>
     </message>
@@ -4331,10 +4408,6 @@ Tilstøtende område %4</translation>
     <message>
         <source>The acceptance radius is larger than half the field of view, so that icebergs count as reached that are not seen.</source>
         <translation>Godkjenningsradien er større enn halve synsfeltet, så isfjell regnes som nådd uten å være sett.</translation>
-    </message>
-    <message>
-        <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by 30 m.</source>
-        <translation>Starter for nær en annen UAV i samme høydelag: de flyr først fra hverandre. La høydene skille 30 m.</translation>
     </message>
     <message>
         <source>On the way home this UAV may have to wait %2 for others of its altitude layer, longer than its reserve. Separate altitudes, or a greater reserve, avoid it.</source>
@@ -5093,10 +5166,6 @@ Tilstøtende område %4</translation>
         <translation>med denne driften og en runde på %1 minutter er %2 av %3 isfjell utenfor synsfeltet ved neste besøk</translation>
     </message>
     <message>
-        <source>starts within separation_m of another UAV of the same altitude layer</source>
-        <translation>starter innenfor separation_m fra en annen UAV i samme høydelag</translation>
-    </message>
-    <message>
         <source>is too short for the path home from the start</source>
         <translation>er for kort til hjemveien fra startstedet</translation>
     </message>
@@ -5249,10 +5318,6 @@ Tilstøtende område %4</translation>
         <translation>MILP-formuleringen %1 tilbys for høyst %2 isfjell, ikke for %3</translation>
     </message>
     <message>
-        <source>With wind and airspeed off their values, in one flight in twenty the wind is too strong to come home.</source>
-        <translation>Når vind og flyfart avviker, er vinden for sterk til å komme hjem i én av tjue flyginger.</translation>
-    </message>
-    <message>
         <source>in one flight of twenty the wind is too strong to come home</source>
         <translation>i én av tjue flyginger er vinden for sterk til å komme hjem</translation>
     </message>
@@ -5291,6 +5356,38 @@ Tilstøtende område %4</translation>
     <message>
         <source>packet %1</source>
         <translation>pakke %1</translation>
+    </message>
+    <message>
+        <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by %2.</source>
+        <translation>Starter for nær en annen UAV i samme høydelag: de flyr først fra hverandre. La høydene skille %2.</translation>
+    </message>
+    <message>
+        <source>With the usual errors in wind and airspeed, 1 flight in 20 uses %2 or more of the reserve to come home.</source>
+        <translation>Med vanlige feil i vind og flyfart bruker 1 av 20 flyginger %2 eller mer av reserven for å komme hjem.</translation>
+    </message>
+    <message>
+        <source>With the usual errors in wind and airspeed, in 1 flight in 20 the wind is too strong to come home.</source>
+        <translation>Med vanlige feil i vind og flyfart er vinden for sterk til å komme hjem i 1 av 20 flyginger.</translation>
+    </message>
+    <message>
+        <source>Takes off in the dark, at %2 UTC: civil twilight begins at %3 UTC.</source>
+        <translation>Starter i mørket, kl. %2 UTC: borgerlig tussmørke begynner kl. %3 UTC.</translation>
+    </message>
+    <message>
+        <source>Lands in the dark, at %2 UTC: civil twilight ends at %3 UTC.</source>
+        <translation>Lander i mørket, kl. %2 UTC: borgerlig tussmørke slutter kl. %3 UTC.</translation>
+    </message>
+    <message>
+        <source>starts within separation_m of another UAV whose altitude differs by less than %1 m</source>
+        <translation>starter innenfor separation_m fra en annen UAV hvis høyde skiller seg med mindre enn %1 m</translation>
+    </message>
+    <message>
+        <source>takes off in the dark, at %1 UTC: civil twilight begins at %2 UTC</source>
+        <translation>starter i mørket, kl. %1 UTC: borgerlig tussmørke begynner kl. %2 UTC</translation>
+    </message>
+    <message>
+        <source>lands in the dark, at %1 UTC: civil twilight ends at %2 UTC</source>
+        <translation>lander i mørket, kl. %1 UTC: borgerlig tussmørke slutter kl. %2 UTC</translation>
     </message>
 </context>
 <context>
@@ -5423,6 +5520,10 @@ Tilstøtende område %4</translation>
         <source>Nothing was flown</source>
         <translation>Ingenting ble fløyet</translation>
     </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % innenfor</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -5534,6 +5635,14 @@ Tilstøtende område %4</translation>
     <message>
         <source>--manual takes no scenario file, --pictures or --screenshot.</source>
         <translation>--manual tar verken scenariofil, --pictures eller --screenshot.</translation>
+    </message>
+    <message>
+        <source>Before the screenshot, wait so long at most for predictions and the lower bound.</source>
+        <translation>Vent høyst så lenge på forutsigelser og nedre grense før skjermbildet.</translation>
+    </message>
+    <message>
+        <source>--wait: &quot;%1&quot; is not a number of seconds up to %2.</source>
+        <translation>--wait: «%1» er ikke et antall sekunder på høyst %2.</translation>
     </message>
 </context>
 <context>
@@ -5963,8 +6072,8 @@ Tilstøtende område %4</translation>
         <translation>Besøk</translation>
     </message>
     <message>
-        <source>Distance</source>
-        <translation>Distanse</translation>
+        <source>This sortie</source>
+        <translation>Dette toktet</translation>
     </message>
 </context>
 <context>
@@ -6065,10 +6174,6 @@ Tilstøtende område %4</translation>
         <translation>Sum av σ</translation>
     </message>
     <message>
-        <source>Zeta %1 m² s</source>
-        <translation>Zeta %1 m² s</translation>
-    </message>
-    <message>
         <source>Uncertainty of each iceberg</source>
         <translation>Usikkerheten til hvert isfjell</translation>
     </message>
@@ -6093,10 +6198,6 @@ Tilstøtende område %4</translation>
         <translation>Zeta-kurve</translation>
     </message>
     <message>
-        <source>At %1 zeta is %2 m² s and the sum of σ %3 m².</source>
-        <translation>Ved %1 er zeta %2 m² s og summen av σ %3 m².</translation>
-    </message>
-    <message>
         <source>Rate of zeta, now and on average</source>
         <translation>Zetas vekst, nå og i gjennomsnitt</translation>
     </message>
@@ -6119,13 +6220,6 @@ Tilstøtende område %4</translation>
     <message>
         <source>At %1 zeta grows by %2 m² s each second, since take-off by %3 on average.</source>
         <translation>Ved %1 vokser zeta med %2 m² s hvert sekund, siden avgang med %3 i gjennomsnitt.</translation>
-    </message>
-    <message numerus="yes">
-        <source>At %1 the most uncertain iceberg is %2 with σ %3 m²; %n in view.</source>
-        <translation>
-            <numerusform>Ved %1 er %2 det mest usikre isfjellet med σ %3 m²; %n i synsfeltet.</numerusform>
-            <numerusform>Ved %1 er %2 det mest usikre isfjellet med σ %3 m²; %n i synsfeltet.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Distance flown</source>
@@ -6215,6 +6309,36 @@ Tilstøtende område %4</translation>
         <source>Cross-track error at %1: %2.</source>
         <translation>Avvik fra etappen ved %1: %2.</translation>
     </message>
+    <message>
+        <source>Zeta %1</source>
+        <translation>Zeta %1</translation>
+    </message>
+    <message>
+        <source>At %1 zeta is %2 and the sum of σ %3 m².</source>
+        <translation>Ved %1 er zeta %2 og summen av σ %3 m².</translation>
+    </message>
+    <message numerus="yes">
+        <source>At %1 the most uncertain iceberg is %2: %3; %n in view.</source>
+        <translation>
+            <numerusform>Ved %1 er det mest usikre isfjellet %2: %3; %n i syne.</numerusform>
+            <numerusform>Ved %1 er det mest usikre isfjellet %2: %3; %n i syne.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>MissionClockText</name>
+    <message>
+        <source>in %1</source>
+        <translation>om %1</translation>
+    </message>
+    <message>
+        <source>%1 UTC
+%2 local time (%3)
+%4 after the start</source>
+        <translation>%1 UTC
+%2 lokal tid (%3)
+%4 etter start</translation>
+    </message>
 </context>
 <context>
     <name>MissionPicture</name>
@@ -6247,8 +6371,12 @@ Tilstøtende område %4</translation>
         <translation>Nærmest hittil</translation>
     </message>
     <message>
-        <source>Home margin</source>
-        <translation>Margin hjem</translation>
+        <source>Above the reserve</source>
+        <translation>Over reserven</translation>
+    </message>
+    <message>
+        <source>if home now</source>
+        <translation>hvis hjem nå</translation>
     </message>
 </context>
 <context>
@@ -6605,6 +6733,138 @@ Tilstøtende område %4</translation>
         <source>Type one angle: a whole coordinate would put all of them at one place.</source>
         <translation>Skriv én vinkel: en hel koordinat ville sette alle på ett sted.</translation>
     </message>
+    <message>
+        <source>Amundsen Sea</source>
+        <translation>Amundsenhavet</translation>
+    </message>
+    <message>
+        <source>Antarctic Peninsula</source>
+        <translation>Antarktishalvøya</translation>
+    </message>
+    <message>
+        <source>Baffin Island</source>
+        <translation>Baffinøya</translation>
+    </message>
+    <message>
+        <source>Bellingshausen Sea</source>
+        <translation>Bellingshausenhavet</translation>
+    </message>
+    <message>
+        <source>Bering Sea</source>
+        <translation>Beringhavet</translation>
+    </message>
+    <message>
+        <source>Bransfield Strait</source>
+        <translation>Bransfieldstredet</translation>
+    </message>
+    <message>
+        <source>Cape Horn</source>
+        <translation>Kapp Horn</translation>
+    </message>
+    <message>
+        <source>Chukchi Sea</source>
+        <translation>Tsjuktsjerhavet</translation>
+    </message>
+    <message>
+        <source>East Siberian Sea</source>
+        <translation>Østsibirhavet</translation>
+    </message>
+    <message>
+        <source>Ellesmere Island</source>
+        <translation>Ellesmereøya</translation>
+    </message>
+    <message>
+        <source>Falkland Islands</source>
+        <translation>Falklandsøyene</translation>
+    </message>
+    <message>
+        <source>Greenland</source>
+        <translation>Grønland</translation>
+    </message>
+    <message>
+        <source>Greenland Sea</source>
+        <translation>Grønlandshavet</translation>
+    </message>
+    <message>
+        <source>Gulf of St. Lawrence</source>
+        <translation>St. Lawrencegulfen</translation>
+    </message>
+    <message>
+        <source>Hudson Bay</source>
+        <translation>Hudsonbukta</translation>
+    </message>
+    <message>
+        <source>Hudson Strait</source>
+        <translation>Hudsonstredet</translation>
+    </message>
+    <message>
+        <source>Iceland</source>
+        <translation>Island</translation>
+    </message>
+    <message>
+        <source>Iceland Sea</source>
+        <translation>Islandshavet</translation>
+    </message>
+    <message>
+        <source>Irminger Sea</source>
+        <translation>Irmingerhavet</translation>
+    </message>
+    <message>
+        <source>Lancaster Sound</source>
+        <translation>Lancastersundet</translation>
+    </message>
+    <message>
+        <source>Lincoln Sea</source>
+        <translation>Lincolnhavet</translation>
+    </message>
+    <message>
+        <source>New Siberian Islands</source>
+        <translation>Nysibirøyene</translation>
+    </message>
+    <message>
+        <source>Newfoundland</source>
+        <translation>Newfoundland</translation>
+    </message>
+    <message>
+        <source>North Cape</source>
+        <translation>Nordkapp</translation>
+    </message>
+    <message>
+        <source>North Sea</source>
+        <translation>Nordsjøen</translation>
+    </message>
+    <message>
+        <source>Norwegian Sea</source>
+        <translation>Norskehavet</translation>
+    </message>
+    <message>
+        <source>Scotia Sea</source>
+        <translation>Scotiahavet</translation>
+    </message>
+    <message>
+        <source>Severnaya Zemlya</source>
+        <translation>Severnaja Semlja</translation>
+    </message>
+    <message>
+        <source>South Orkney Islands</source>
+        <translation>Sør-Orknøyene</translation>
+    </message>
+    <message>
+        <source>South Shetland Islands</source>
+        <translation>Sør-Shetlandsøyene</translation>
+    </message>
+    <message>
+        <source>Strait of Belle Isle</source>
+        <translation>Belle Isle-stredet</translation>
+    </message>
+    <message>
+        <source>White Sea</source>
+        <translation>Kvitsjøen</translation>
+    </message>
+    <message>
+        <source>Wrangel Island</source>
+        <translation>Wrangeløya</translation>
+    </message>
 </context>
 <context>
     <name>PlacingTools</name>
@@ -6670,6 +6930,11 @@ Tilstøtende område %4</translation>
     <message>
         <source>Click places %1, drag on to turn it. With Ctrl it is another UAV. Esc leaves the tool.</source>
         <translation>Klikk plasserer %1, dra videre for å dreie den. Med Ctrl blir det en ny UAV. Esc forlater verktøyet.</translation>
+    </message>
+    <message>
+        <source>Seen by %1.</source>
+        <comment>source and its error</comment>
+        <translation>Sett med %1.</translation>
     </message>
 </context>
 <context>
@@ -6838,6 +7103,30 @@ Tilstøtende område %4</translation>
     <message>
         <source>No plan while the UAV returns, holds or is on the ground</source>
         <translation>Ingen plan mens UAV-en er på vei hjem, holder eller er på bakken</translation>
+    </message>
+    <message>
+        <source>The wind is too strong to come home</source>
+        <translation>Vinden er for sterk til å komme hjem</translation>
+    </message>
+    <message>
+        <source>Home with %1 of the reserve used</source>
+        <translation>Hjemme med %1 av reserven brukt</translation>
+    </message>
+    <message>
+        <source>Home with %1 above the reserve</source>
+        <translation>Hjemme med %1 over reserven</translation>
+    </message>
+    <message>
+        <source>In 1 flight of 20 the wind is too strong to come home</source>
+        <translation>I 1 av 20 flyginger er vinden for sterk til å komme hjem</translation>
+    </message>
+    <message>
+        <source>1 flight in 20 uses %1 or more of the reserve</source>
+        <translation>1 av 20 flyginger bruker %1 eller mer av reserven</translation>
+    </message>
+    <message>
+        <source>1 flight in 20: %1 or less above the reserve</source>
+        <translation>1 av 20 flyginger: %1 eller mindre over reserven</translation>
     </message>
 </context>
 <context>
@@ -7058,6 +7347,43 @@ Tilstøtende område %4</translation>
     <message>
         <source>%1 (%2 ft)</source>
         <translation>%1 (%2 fot)</translation>
+    </message>
+    <message>
+        <source>not home</source>
+        <translation>ikke hjemme</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>fot</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 fot</translation>
+    </message>
+    <message>
+        <source>%1 ft (%2)</source>
+        <translation>%1 fot (%2)</translation>
+    </message>
+    <message>
+        <source>σ %1 (95 % within %2)</source>
+        <translation>σ %1 (95 % innenfor %2)</translation>
+    </message>
+    <message>
+        <source>95 % within %2 (σ %1)</source>
+        <translation>95 % innenfor %2 (σ %1)</translation>
+    </message>
+    <message>
+        <source>m² s</source>
+        <translation>m² s</translation>
+    </message>
+    <message>
+        <source>km² s</source>
+        <translation>km² s</translation>
+    </message>
+    <message>
+        <source>%1 T / %2 M</source>
+        <comment>course by true and by magnetic north</comment>
+        <translation>%1 R / %2 M</translation>
     </message>
 </context>
 <context>
@@ -7483,14 +7809,6 @@ Tilstøtende område %4</translation>
         <translation>Ett tilfelle anbefaler ingen strategi: fly flere.</translation>
     </message>
     <message>
-        <source>Recommended: %1, %2 against %3, the best of another policy.</source>
-        <translation>Anbefalt: %1, %2 mot %3, den beste av en annen strategi.</translation>
-    </message>
-    <message>
-        <source>No policy is surely the best: %1 is %2 against %3.</source>
-        <translation>Ingen strategi er sikkert den beste: %1 er %2 mot %3.</translation>
-    </message>
-    <message>
         <source>Lowest ζ: %1, %2 m² s.</source>
         <translation>Lavest ζ: %1, %2 m² s.</translation>
     </message>
@@ -7501,10 +7819,6 @@ Tilstøtende område %4</translation>
     <message>
         <source>Lowest ζ: %1, %2 m² s, %3 against %4.</source>
         <translation>Lavest ζ: %1, %2 m² s, %3 mot %4.</translation>
-    </message>
-    <message>
-        <source>Lowest mean ζ: %1, %2 m² s, %3 against %4.</source>
-        <translation>Lavest midlere ζ: %1, %2 m² s, %3 mot %4.</translation>
     </message>
     <message>
         <source>Best τ of this case: %1.</source>
@@ -7563,12 +7877,28 @@ Tilstøtende område %4</translation>
         <translation>etapper med siktepunkter som gir lavest forutsagt ζ, planlagt på nytt ved hver observasjon</translation>
     </message>
     <message>
-        <source>Planned: the first plan, before take-off, in straight legs. Distances flown are through the air.</source>
-        <translation>Planlagt: den første planen, før avgang, i rette etapper. Fløyne avstander er gjennom luften.</translation>
-    </message>
-    <message>
         <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again, left, was removed or the record ends.</source>
         <translation>Lengst usett: fra et isfjell ble kjent eller sett, til det ble sett igjen, dro ut, ble fjernet eller opptaket slutter.</translation>
+    </message>
+    <message>
+        <source>Planned: the first sortie of the plan before take-off, over ground in straight legs. Distances flown are through the air.</source>
+        <translation>Planlagt: det første toktet i planen før avgang, over grunnen i rette etapper. Fløyne avstander er gjennom luften.</translation>
+    </message>
+    <message>
+        <source>95 % within, m</source>
+        <translation>95 % innenfor, m</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 og %2 til</translation>
+    </message>
+    <message>
+        <source>No clear winner. These settings may be the best: %1.</source>
+        <translation>Ingen klar vinner. Disse innstillingene kan være best: %1.</translation>
+    </message>
+    <message>
+        <source>Recommended: %1, %2 against %3, the closest other setting.</source>
+        <translation>Anbefalt: %1, %2 mot %3, den nærmeste andre innstillingen.</translation>
     </message>
 </context>
 <context>
@@ -7642,6 +7972,37 @@ Tilstøtende område %4</translation>
     </message>
 </context>
 <context>
+    <name>SourceText</name>
+    <message>
+        <source>ship&apos;s radar</source>
+        <translation>skipsradar</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>øyet</translation>
+    </message>
+    <message>
+        <source>satellite</source>
+        <translation>satellitt</translation>
+    </message>
+    <message>
+        <source>camera of a UAV</source>
+        <translation>kamera på en UAV</translation>
+    </message>
+    <message>
+        <source>GPS beacon</source>
+        <translation>GPS-sender</translation>
+    </message>
+    <message>
+        <source>Argos beacon</source>
+        <translation>Argos-sender</translation>
+    </message>
+    <message>
+        <source>%1, 95 % within %2</source>
+        <translation>%1, 95 % innenfor %2</translation>
+    </message>
+</context>
+<context>
     <name>TimeChartText</name>
     <message>
         <source>Time, h:mm:ss</source>
@@ -7650,6 +8011,10 @@ Tilstøtende område %4</translation>
     <message>
         <source>Time, mm:ss</source>
         <translation>Tid, mm:ss</translation>
+    </message>
+    <message>
+        <source>Time, UTC</source>
+        <translation>Tid, UTC</translation>
     </message>
 </context>
 <context>
@@ -7940,6 +8305,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Time, mm:ss</source>
         <translation>Tid, mm:ss</translation>
+    </message>
+    <message>
+        <source>Time, UTC</source>
+        <translation>Tid, UTC</translation>
     </message>
 </context>
 <context>
@@ -8618,16 +8987,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>%1 m² s</source>
-        <translation>%1 m² s</translation>
-    </message>
-    <message>
         <source>Exports the log of the run: planned and flown, sightings, deviations.</source>
         <translation>Eksporterer flygeloggen: planlagt og fløyet, observasjoner, avvik.</translation>
-    </message>
-    <message>
-        <source>%1, %2 % computed</source>
-        <translation>%1, %2 % beregnet</translation>
     </message>
     <message>
         <source>Predicted range</source>
@@ -8652,6 +9013,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>changed in flight</source>
         <translation>endret underveis</translation>
+    </message>
+    <message>
+        <source>being computed, %1 %</source>
+        <translation>beregnes, %1 %</translation>
     </message>
 </context>
 <context>
@@ -9351,6 +9716,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Compared run</source>
         <translation>Sammenlignet flyging</translation>
     </message>
+    <message>
+        <source>Place names</source>
+        <translation>Stedsnavn</translation>
+    </message>
 </context>
 <context>
     <name>berg::MainWindow</name>
@@ -9442,12 +9811,13 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>driver ikke</translation>
     </message>
     <message>
-        <source>%1: σ %2 m² (√σ %3 m), %4</source>
-        <translation>%1: σ er %2 m² (√σ %3 m), %4</translation>
-    </message>
-    <message>
         <source>drifting %1 towards %2</source>
         <translation>driver %1 mot %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <comment>name, uncertainty, drift</comment>
+        <translation>%1: %2, %3</translation>
     </message>
 </context>
 <context>
@@ -9900,6 +10270,26 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>&amp;Solve time</source>
         <translation>&amp;Løsningstid</translation>
     </message>
+    <message>
+        <source>Colour scale of σ</source>
+        <translation>Fargeskala for σ</translation>
+    </message>
+    <message>
+        <source>Place names</source>
+        <translation>Stedsnavn</translation>
+    </message>
+    <message>
+        <source>S&amp;ound alarms</source>
+        <translation>&amp;Lyd ved alarmer</translation>
+    </message>
+    <message>
+        <source>A sound at each new alarm, until it is acknowledged</source>
+        <translation>En lyd ved hver ny alarm, til den er bekreftet</translation>
+    </message>
+    <message>
+        <source>&amp;New icebergs seen by</source>
+        <translation>&amp;Nye isfjell sett med</translation>
+    </message>
 </context>
 <context>
     <name>berg::MessageList</name>
@@ -10034,8 +10424,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Korteste vei</translation>
     </message>
     <message>
-        <source>Distance, %1</source>
-        <translation>Avstand, %1</translation>
+        <source>Whole order, %1</source>
+        <translation>Hele rekkefølgen, %1</translation>
     </message>
 </context>
 <context>
@@ -10047,10 +10437,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 </context>
 <context>
     <name>berg::PlanModel</name>
-    <message>
-        <source>in %1</source>
-        <translation>om %1</translation>
-    </message>
     <message>
         <source>%1 (id %2)</source>
         <translation>%1 (id-en er %2)</translation>
@@ -10080,16 +10466,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Ankomst</translation>
     </message>
     <message>
-        <source>Time from now until the UAV is there</source>
-        <translation>Tid fra nå til UAV-en er der</translation>
-    </message>
-    <message>
         <source>Uncertainty of the position now</source>
         <translation>Posisjonens usikkerhet nå</translation>
-    </message>
-    <message>
-        <source>σ is %1 m² now, a standard deviation of %2 m; at arrival it is %3 m², if the iceberg is not seen before</source>
-        <translation>σ er %1 m² nå, et standardavvik på %2 m; ved ankomst er den %3 m², hvis isfjellet ikke er sett før</translation>
     </message>
     <message>
         <source>later</source>
@@ -10160,6 +10538,44 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Uncertainty of the position when the UAV is there</source>
         <translation>Posisjonens usikkerhet når UAV-en er der</translation>
     </message>
+    <message>
+        <source>%1, flown by %2</source>
+        <comment>length and end of a path, UTC</comment>
+        <translation>%1, fløyet innen %2</translation>
+    </message>
+    <message>
+        <source>Course over ground %1, ground speed %2</source>
+        <translation>Kurs over grunnen %1, fart over grunnen %2</translation>
+    </message>
+    <message>
+        <source>Now %1; at arrival %2, if the iceberg is not seen before</source>
+        <translation>Nå %1; ved ankomst %2, hvis isfjellet ikke er sett før</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Course over ground at the start of the leg</source>
+        <translation>Kurs over grunnen i begynnelsen av etappen</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <comment>over ground</comment>
+        <translation>Fart</translation>
+    </message>
+    <message>
+        <source>Speed over ground in the wind of now</source>
+        <translation>Fart over grunnen i vinden som er nå</translation>
+    </message>
+    <message>
+        <source>When the UAV is there</source>
+        <translation>Når UAV-en er der</translation>
+    </message>
+    <message>
+        <source>95 % now</source>
+        <translation>95 % nå</translation>
+    </message>
 </context>
 <context>
     <name>berg::PlanPanel</name>
@@ -10174,18 +10590,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Plan: icebergs in visiting order</source>
         <translation>Plan: isfjell i besøksrekkefølge</translation>
-    </message>
-    <message>
-        <source>%1 including the return, flown %2</source>
-        <translation>%1 med returen, fløyet %2</translation>
-    </message>
-    <message>
-        <source>%1, flown %2</source>
-        <translation>%1, fløyet %2</translation>
-    </message>
-    <message>
-        <source>Against the plan before: %1, ζ %2 m² s</source>
-        <translation>Mot planen før: %1, ζ %2 m² s</translation>
     </message>
     <message>
         <source>Order before the change at %1: %2</source>
@@ -10208,10 +10612,6 @@ på den, og uten at noe planlegges på nytt.</translation>
         <translation>Ingen nyttig nedre grense for ζ</translation>
     </message>
     <message>
-        <source>Lower bound on ζ: %1 m² s</source>
-        <translation>Nedre grense for ζ: %1 m² s</translation>
-    </message>
-    <message>
         <source>That limit is proven for this scenario and the noise that it draws,
 whatever the policy and however tightly the UAV turns.</source>
         <translation>Grensen er bevist for dette scenariet og støyen det trekker,
@@ -10222,10 +10622,6 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Utenfor rekkevidde i %1</translation>
     </message>
     <message>
-        <source>Home %1 before the reserve (5 %: %2)</source>
-        <translation>Hjemme %1 før reserven (5 %: %2)</translation>
-    </message>
-    <message>
         <source>Recovery slots: %1</source>
         <translation>Landingsvinduer: %1</translation>
     </message>
@@ -10234,28 +10630,56 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>UAV-en er på vei hjem, på bakken eller holder: den planlegges igjen ved avgang eller når den fortsetter.</translation>
     </message>
     <message>
-        <source>ζ at %1 without another plan: %2 m² s</source>
-        <translation>ζ ved %1 uten ny plan: %2 m² s</translation>
-    </message>
-    <message>
-        <source>ζ at the end without another plan: %1 m² s</source>
-        <translation>ζ ved slutten uten ny plan: %1 m² s</translation>
-    </message>
-    <message>
         <source>Against the plan before: %1</source>
         <translation>Mot planen før: %1</translation>
     </message>
     <message>
-        <source>Lower bound on ζ: %1 m² s, %2 % computed</source>
-        <translation>Nedre grense for ζ: %1 m² s, %2 % beregnet</translation>
-    </message>
-    <message>
-        <source>ζ at the end: %1 m² s</source>
-        <translation>ζ ved slutten: %1 m² s</translation>
-    </message>
-    <message>
         <source>The run is complete.</source>
         <translation>Flygingen er fullført.</translation>
+    </message>
+    <message>
+        <source>This sortie: %1 with the return, flown by %2</source>
+        <translation>Dette toktet: %1 med returen, ferdig %2</translation>
+    </message>
+    <message>
+        <source>This sortie: %1 with the return, flown %2</source>
+        <translation>Dette toktet: %1 med returen, fløyet %2</translation>
+    </message>
+    <message>
+        <source>This sortie: %1, flown by %2</source>
+        <translation>Dette toktet: %1, ferdig %2</translation>
+    </message>
+    <message>
+        <source>This sortie: %1, flown %2</source>
+        <translation>Dette toktet: %1, fløyet %2</translation>
+    </message>
+    <message>
+        <source>ζ at the end: %1</source>
+        <translation>ζ til slutt: %1</translation>
+    </message>
+    <message>
+        <source>ζ at %1 without another plan: %2</source>
+        <translation>ζ kl. %1 uten ny plan: %2</translation>
+    </message>
+    <message>
+        <source>ζ at the end without another plan: %1</source>
+        <translation>ζ til slutt uten ny plan: %1</translation>
+    </message>
+    <message>
+        <source>Against the plan before: %1, ζ %2</source>
+        <translation>Mot planen før: %1, ζ %2</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ: being computed, %1 %</source>
+        <translation>Nedre grense for ζ: beregnes, %1 %</translation>
+    </message>
+    <message>
+        <source>Lower bound on ζ: %1</source>
+        <translation>Nedre grense for ζ: %1</translation>
+    </message>
+    <message>
+        <source>The length of this sortie is over ground, until the run ends at most.</source>
+        <translation>Lengden av dette toktet er over grunnen, høyst til flygingen slutter.</translation>
     </message>
 </context>
 <context>
@@ -10263,14 +10687,6 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     <message>
         <source>%1 m²</source>
         <translation>%1 m²</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Avstand</translation>
-    </message>
-    <message>
-        <source>Length of the whole plan.</source>
-        <translation>Hele planens vei.</translation>
     </message>
     <message>
         <source>Uncertainty reward</source>
@@ -10315,6 +10731,14 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     <message>
         <source>State of the plan: %1</source>
         <translation>Planens tilstand: %1</translation>
+    </message>
+    <message>
+        <source>Whole order</source>
+        <translation>Hele rekkefølgen</translation>
+    </message>
+    <message>
+        <source>Length of the whole order as it was planned, through the air, in wind the mean of both directions, and with its turns: what the solver weighs, as in the trade-off chart. The plan panel has that of this sortie over ground.</source>
+        <translation>Lengden av hele rekkefølgen slik den ble planlagt, gjennom luften, i vind midlet av begge retninger, og med svingene: det løseren veier, som i avveiningsdiagrammet. Rutepanelet har lengden av dette toktet over grunnen.</translation>
     </message>
 </context>
 <context>
@@ -10415,17 +10839,21 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <source>&quot;%1&quot; is not a time. Type it like 3:20 or 45 min.</source>
         <translation>«%1» er ikke en tid. Skriv den som 3:20 eller 45 min.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not a time of this run. Type it like 1215Z, 3:20 or 45 min.</source>
+        <translation>«%1» er ikke et tidspunkt i denne flygingen. Skriv det som 1215Z, 3:20 eller 45 min.</translation>
+    </message>
+    <message>
+        <source>Time shown. Type one to look back at it, e.g. 1215Z or, since the start, 3:20.</source>
+        <translation>Tiden som vises. Skriv en for å se tilbake på den, f.eks. 1215Z eller, siden start, 3:20.</translation>
+    </message>
+    <message>
+        <source>End of the run</source>
+        <translation>Slutten på flygingen</translation>
+    </message>
 </context>
 <context>
     <name>berg::PolicyCombo</name>
-    <message>
-        <source>%1 m² s</source>
-        <translation>%1 m² s</translation>
-    </message>
-    <message>
-        <source>Lowest</source>
-        <translation>Lavest</translation>
-    </message>
     <message>
         <source>%1 %…</source>
         <translation>%1 %…</translation>
@@ -10437,18 +10865,6 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     <message>
         <source>chosen</source>
         <translation>valgt</translation>
-    </message>
-    <message>
-        <source>Not predicted: flying it in advance takes more than %1.</source>
-        <translation>Ikke forutsagt: å fly det på forhånd tar mer enn %1.</translation>
-    </message>
-    <message>
-        <source>ζ is predicted before take-off by flying the mission in advance with the policy, planned
-again at each sighting as in flight, with icebergs that drift exactly as entered. The real
-flight differs by the noise of the drift.</source>
-        <translation>ζ forutsies før avgang ved at oppdraget flys på forhånd med strategien, planlagt på nytt
-ved hver observasjon som under flyging, med isfjell som driver nøyaktig som oppgitt. Den
-virkelige flygingen avviker med støyen i driften.</translation>
     </message>
     <message>
         <source>ζ not predicted: takes too long</source>
@@ -10471,36 +10887,46 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>%1 til %2</translation>
     </message>
     <message>
-        <source>Then each policy is flown %1 times with drift and sightings drawn as the scenario describes
-them, in the same %1 worlds: ζ is the mean of these flights, the range that of 90 % of them,
-and the policy with the lowest mean is recommended.</source>
-        <translation>Deretter flys hver strategi %1 ganger med drift og observasjoner trukket slik scenariet beskriver
-dem, i de samme %1 verdenene: ζ er gjennomsnittet av disse flygingene, spennet gjelder 90 % av
-dem, og strategien med lavest gjennomsnitt anbefales.</translation>
-    </message>
-    <message>
         <source>Recommended</source>
         <translation>Anbefalt</translation>
     </message>
     <message>
-        <source>Mean ζ %1</source>
-        <translation>Gjennomsnittlig ζ %1</translation>
-    </message>
-    <message>
-        <source>%1, the lowest</source>
-        <translation>%1, den laveste</translation>
-    </message>
-    <message>
-        <source>%1, lowest %2</source>
-        <translation>%1, laveste %2</translation>
-    </message>
-    <message>
-        <source>too slow for %1 flights</source>
-        <translation>for langsom for %1 flyginger</translation>
-    </message>
-    <message>
         <source>%1; too slow to compare: %2</source>
         <translation>%1; for langsom til å sammenlignes: %2</translation>
+    </message>
+    <message>
+        <source>Not predicted: flying it %1 times in advance takes more than %2.</source>
+        <translation>Ikke forutsagt: å fly det %1 ganger på forhånd tar mer enn %2.</translation>
+    </message>
+    <message>
+        <source>ζ is predicted before take-off by flying the mission %1 times with each policy, with drift
+and sightings drawn as the scenario describes them, in the same %1 worlds: ζ is the mean of
+these flights, the range that of 90 % of them. A policy is recommended if its ζ is surely lower
+than that of every other one (95 % interval of the differences in the same worlds).</source>
+        <translation>ζ forutsies før avgang ved å fly oppdraget %1 ganger med hver strategi, med drift og
+observasjoner trukket slik scenarioet beskriver dem, i de samme %1 verdenene: ζ er gjennomsnittet av
+disse flygingene, området gjelder 90 % av dem. En strategi anbefales hvis dens ζ sikkert er lavere
+enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</translation>
+    </message>
+    <message>
+        <source>Predicting ζ: %1 %</source>
+        <translation>Forutsier ζ: %1 %</translation>
+    </message>
+    <message>
+        <source>No ζ to predict: there is no iceberg out of view.</source>
+        <translation>Ingen ζ å forutsi: det er ikke noe isfjell ute av syne.</translation>
+    </message>
+    <message>
+        <source>%1; no policy is a clear winner</source>
+        <translation>%1; ingen strategi er en klar vinner</translation>
+    </message>
+    <message>
+        <source>%1; recommended</source>
+        <translation>%1; anbefalt</translation>
+    </message>
+    <message>
+        <source>%1; recommended: %2</source>
+        <translation>%1; anbefalt: %2</translation>
     </message>
 </context>
 <context>
@@ -10596,6 +11022,74 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>The text has this size when Bergwatch is started again.</source>
         <translation>Teksten får denne størrelsen når Bergwatch startes på nytt.</translation>
+    </message>
+    <message>
+        <source>Night (red)</source>
+        <translation>Natt (rødt)</translation>
+    </message>
+    <message>
+        <source>Automatic, from the scenario</source>
+        <translation>Automatisk, etter scenariet</translation>
+    </message>
+    <message>
+        <source>Ends at %1 m²</source>
+        <translation>Slutter ved %1 m²</translation>
+    </message>
+    <message>
+        <source>&amp;Heights</source>
+        <translation>&amp;Høyder</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Fot</translation>
+    </message>
+    <message>
+        <source>C&amp;ourses</source>
+        <translation>Kurs&amp;er</translation>
+    </message>
+    <message>
+        <source>&amp;Times</source>
+        <translation>&amp;Tider</translation>
+    </message>
+    <message>
+        <source>UTC, where the scenario has a start</source>
+        <translation>UTC, der scenarioet har en start</translation>
+    </message>
+    <message>
+        <source>Elapsed since the start</source>
+        <translation>Tid siden start</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty</source>
+        <translation>&amp;Usikkerhet</translation>
+    </message>
+    <message>
+        <source>σ first, 95 % radius beside it</source>
+        <translation>σ først, 95 %-radien ved siden av</translation>
+    </message>
+    <message>
+        <source>95 % radius first, σ beside it</source>
+        <translation>95 %-radien først, σ ved siden av</translation>
+    </message>
+    <message>
+        <source>True</source>
+        <translation>Rettvisende</translation>
+    </message>
+    <message>
+        <source>True and magnetic, by the World Magnetic Model 2025</source>
+        <translation>Rettvisende og magnetiske, etter World Magnetic Model 2025</translation>
+    </message>
+    <message>
+        <source>True and magnetic, declination %1...</source>
+        <translation>Rettvisende og magnetiske, misvisning %1 …</translation>
+    </message>
+    <message>
+        <source>True and magnetic, declination typed in...</source>
+        <translation>Rettvisende og magnetiske, misvisning skrives inn …</translation>
     </message>
 </context>
 <context>
@@ -11523,23 +12017,23 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <source>Lowest ζ: %1. One case recommends no policy: fly more of them.</source>
         <translation>Lavest ζ: %1. Ett tilfelle gir ingen anbefaling: fly flere.</translation>
     </message>
-    <message numerus="yes">
-        <source>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the best of another policy, in %n cases.</source>
-        <translation>
-            <numerusform>Anbefalt: %1. Dens ζ er %2 (95 %: %3 til %4) mot %5, den beste med en annen strategi, i %n tilfelle.</numerusform>
-            <numerusform>Anbefalt: %1. Dens ζ er %2 (95 %: %3 til %4) mot %5, den beste med en annen strategi, i %n tilfeller.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>No policy is surely the best: the ζ of %1 is %2 (95 %: %3 to %4) against %5, in %n cases.</source>
-        <translation>
-            <numerusform>Ingen strategi er sikkert best: ζ for %1 er %2 (95 %: %3 til %4) mot %5, i %n tilfelle.</numerusform>
-            <numerusform>Ingen strategi er sikkert best: ζ for %1 er %2 (95 %: %3 til %4) mot %5, i %n tilfeller.</numerusform>
-        </translation>
-    </message>
     <message>
-        <source>Use the lowest: %1</source>
-        <translation>Bruk den laveste: %1</translation>
+        <source>%1 and %2 more</source>
+        <translation>%1 og %2 til</translation>
+    </message>
+    <message numerus="yes">
+        <source>No clear winner over %n cases. These settings may be the best: %1.</source>
+        <translation>
+            <numerusform>Ingen klar vinner over %n tilfelle. Disse innstillingene kan være best: %1.</numerusform>
+            <numerusform>Ingen klar vinner over %n tilfeller. Disse innstillingene kan være best: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the closest other setting, over %n cases.</source>
+        <translation>
+            <numerusform>Anbefalt: %1. Dens ζ er %2 (95 %: %3 til %4) mot %5, den nærmeste andre innstillingen, over %n tilfelle.</numerusform>
+            <numerusform>Anbefalt: %1. Dens ζ er %2 (95 %: %3 til %4) mot %5, den nærmeste andre innstillingen, over %n tilfeller.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

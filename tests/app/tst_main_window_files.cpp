@@ -414,7 +414,7 @@ private slots:
         w.workspace.selection().set({"berg-2"});
         w.window().findChild<QDockWidget*>(u"inspectorDock"_s)->raise();
         auto& input = test::child<QWidget>(w.window(), field);
-        QVERIFY(w.until([&] { return !input.visibleRegion().isEmpty(); }));
+        QVERIFY(w.until([&] { return input.isVisible(); }));
         input.setFocus();
         QTest::keyClick(&input, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(&input, u"3"_s);
@@ -440,7 +440,7 @@ private slots:
         w.workspace.selection().set({"berg-2"});
         w.window().findChild<QDockWidget*>(u"inspectorDock"_s)->raise();
         auto& input = test::child<QWidget>(w.window(), field);
-        QVERIFY(w.until([&] { return !input.visibleRegion().isEmpty(); }));
+        QVERIFY(w.until([&] { return input.isVisible(); }));
         input.setFocus();
         QTest::keyClick(&input, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(&input, u"3"_s);

@@ -38,21 +38,6 @@ QString signedText(double value, const QString& size)
     return (value < 0 ? u"−"_s : u"+"_s) + size;
 }
 
-/** From now; 0 without rows. */
-double lastArrival_s(const std::vector<PlanSection>& sections)
-{
-    double last_s = 0;
-    for (const PlanSection& section : sections)
-        last_s = std::max(last_s, section.lastArrival_s());
-    return last_s;
-}
-
-bool returns(const std::vector<PlanSection>& sections)
-{
-    return std::ranges::any_of(sections,
-                               [](const PlanSection& s) { return s.returns.has_value(); });
-}
-
 bool hasRows(const std::vector<PlanSection>& sections)
 {
     return std::ranges::any_of(sections, [](const PlanSection& s) { return !s.rows.empty(); });
@@ -214,9 +199,9 @@ void PlanPanel::updateSummary()
 QString PlanPanel::flownText() const
 {
     const QString length = distanceText(planLength_m(m_sections), locale());
-    const QString end = m_times.text(lastArrival_s(m_sections));
+    const QString end = m_times.text(planEnd_s(m_sections));
     const bool isUtc = m_times.clock.isUtc();
-    if (returns(m_sections))
+    if (comesHome(m_sections))
         return (isUtc ? tr("This sortie: %1 with the return, flown by %2")
                       : tr("This sortie: %1 with the return, flown %2"))
             .arg(length, end);
@@ -398,7 +383,7 @@ void PlanPanel::showPlan(std::vector<PlanSection> sections, const TimesAhead& ti
         const QScopedValueRollback selecting(m_isSelecting, true);
         m_model->setPlan(m_sections, m_times);
     }
-    if (const QString widest = m_times.widest(lastArrival_s(m_sections));
+    if (const QString widest = m_times.widest(planEnd_s(m_sections));
         std::exchange(m_widestArrival, widest) != widest)
         setColumnWidths();
     else if (m_columnsFor != std::pair(m_model->mayMiss(), nameRoom_px()))

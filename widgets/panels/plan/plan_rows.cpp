@@ -378,6 +378,20 @@ double planLength_m(const std::vector<PlanSection>& sections)
     return length_m;
 }
 
+double planEnd_s(const std::vector<PlanSection>& sections)
+{
+    double last_s = 0;
+    for (const PlanSection& section : sections)
+        last_s = std::max(last_s, section.lastArrival_s());
+    return last_s;
+}
+
+bool comesHome(const std::vector<PlanSection>& sections)
+{
+    return std::ranges::any_of(sections,
+                               [](const PlanSection& s) { return s.returns.has_value(); });
+}
+
 std::optional<PlanOutlook> planOutlook(const FlightRecord& record)
 {
     std::optional<PlanOutlook> outlook =

@@ -76,6 +76,10 @@ struct PlanSection
                                              const std::vector<PlanSection>& sections);
 /** Of all sections. */
 [[nodiscard]] double planLength_m(const std::vector<PlanSection>& sections);
+/** The last arrival of all, from now; 0 without rows. */
+[[nodiscard]] double planEnd_s(const std::vector<PlanSection>& sections);
+/** Whether one of them ends at home. */
+[[nodiscard]] bool comesHome(const std::vector<PlanSection>& sections);
 
 /** What is told of the plan as a whole. */
 struct PlanOutlook
