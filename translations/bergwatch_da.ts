@@ -8617,8 +8617,8 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Afvejning τ, strategi, løser og rute</translation>
     </message>
     <message>
-        <source>Trade-off curve</source>
-        <translation>Afvejningskurve</translation>
+        <source>Pareto curve</source>
+        <translation>Paretokurve</translation>
     </message>
     <message>
         <source>First chart</source>
@@ -10264,7 +10264,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>S&amp;tudy</source>
-        <translation>S&amp;tudie</translation>
+        <translation>Stu&amp;die</translation>
     </message>
     <message>
         <source>&amp;Solve time</source>

@@ -8617,8 +8617,8 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Compromis τ, stratégie, solveur et itinéraire</translation>
     </message>
     <message>
-        <source>Trade-off curve</source>
-        <translation>Courbe des compromis</translation>
+        <source>Pareto curve</source>
+        <translation>Courbe de Pareto</translation>
     </message>
     <message>
         <source>First chart</source>
@@ -10268,7 +10268,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>&amp;Solve time</source>
-        <translation>Temp&amp;s de résolution</translation>
+        <translation>Temps de &amp;résolution</translation>
     </message>
     <message>
         <source>Colour scale of σ</source>
@@ -10280,7 +10280,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>S&amp;ound alarms</source>
-        <translation>Alarmes &amp;sonores</translation>
+        <translation>Son à c&amp;haque alarme</translation>
     </message>
     <message>
         <source>A sound at each new alarm, until it is acknowledged</source>
@@ -11053,7 +11053,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>&amp;Times</source>
-        <translation>&amp;Heures</translation>
+        <translation>He&amp;ures</translation>
     </message>
     <message>
         <source>UTC, where the scenario has a start</source>

@@ -8617,8 +8617,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Avveining τ, strategi, løser og rute</translation>
     </message>
     <message>
-        <source>Trade-off curve</source>
-        <translation>Avveiningskurve</translation>
+        <source>Pareto curve</source>
+        <translation>Paretokurve</translation>
     </message>
     <message>
         <source>First chart</source>
@@ -10264,7 +10264,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>S&amp;tudy</source>
-        <translation>S&amp;tudie</translation>
+        <translation>Stu&amp;die</translation>
     </message>
     <message>
         <source>&amp;Solve time</source>

@@ -138,13 +138,12 @@ void Docks::addRight()
     QDockWidget* plan = add("planDock", tr("Plan"), panels().plan, kArea);
     if (settings().contains(kFoldedKey))
         panels().inspector->foldGroups(settings().value(kFoldedKey).toStringList());
-    connect(panels().inspector, &InspectorPanel::folded, this, [this] {
-        settings().setValue(kFoldedKey, panels().inspector->foldedGroups());
-    });
+    connect(panels().inspector, &InspectorPanel::folded, this,
+            [this] { settings().setValue(kFoldedKey, panels().inspector->foldedGroups()); });
     connect(panels().inspector, &InspectorPanel::left, panels().map,
             qOverload<>(&QWidget::setFocus));
     QDockWidget* inspector = add("inspectorDock", tr("Inspector"), panels().inspector, kArea);
-    QDockWidget* pareto = add("paretoDock", tr("Trade-off curve"), panels().pareto, kArea);
+    QDockWidget* pareto = add("paretoDock", tr("Pareto curve"), panels().pareto, kArea);
     window().tabifyDockWidget(plan, inspector);
     window().tabifyDockWidget(inspector, pareto);
     QDockWidget* history = add("historyDock", tr("History"), panels().history, kArea);

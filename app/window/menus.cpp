@@ -175,8 +175,7 @@ void Menus::buildViewMenu()
     buildMapActions(menu);
     add(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7},
         [this] { m_parts.checks.toggleChecks(); });
-    add(menu, {"studyAction", tr("S&tudy")},
-        [this] { m_parts.study.showStudy(); });
+    add(menu, {"studyAction", tr("S&tudy")}, [this] { m_parts.study.showStudy(); });
     add(menu, {"solveTimeAction", tr("&Solve time")}, [this] { m_parts.solveTimes.show(); });
     menu.addSeparator();
     addLayouts(*menu.addMenu(tr("La&youts")));

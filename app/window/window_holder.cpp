@@ -1,8 +1,8 @@
 #include "app/window/window_holder.h"
 
 #include "app/dialogs/interaction.h"
-#include "widgets/theme/declination.h"
 #include "widgets/model/sigma_end.h"
+#include "widgets/theme/declination.h"
 #include "widgets/theme/language.h"
 #include "widgets/theme/unit_settings.h"
 

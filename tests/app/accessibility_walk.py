@@ -227,8 +227,8 @@ def read_tables(window):
     table = find(show_panel(window, "Icebergs"), "table", "Icebergs")
     check(table.queryTable().nRows == 12, "the icebergs of the map are rows of a table")
     for panel, name in (
-        ("Chart", "Uncertainty now and accumulated"),
-        ("Trade-offs", "Distance against uncertainty reward"),
+        ("First chart", "Uncertainty now and accumulated"),
+        ("Pareto curve", "Distance against uncertainty reward"),
     ):
         act(find(show_panel(window, panel), "chart", name), "Show values as a table")
         values = wait_for("the values", lambda: next(iter(window.others()), None))
@@ -250,7 +250,7 @@ def choose(window):
     wait_for("the policy before", lambda: policy.name == before)
 
     def distance():
-        return find(window.app, "label", "Distance: ").name
+        return find(window.app, "label", "Whole order: ").name
 
     known = wait_for("the length of the plan", distance)
     tau = wait_for("the trade-off", lambda: find(window.app, "spin button", "Trade-off"))

@@ -8,9 +8,9 @@
 namespace berg {
 
 /** Chapters in their order: names of the files in resources/manual/LANGUAGE, without ".md". */
-inline constexpr std::array kManualChapters{"start", "window", "planning", "policies", "zeta",
-                                            "world", "safety", "studies",  "field",    "autopilot",
-                                            "commands", "files", "fields", "trouble"};
+inline constexpr std::array kManualChapters{
+    "start",   "window", "planning",  "policies", "zeta",  "world",  "safety",
+    "studies", "field",  "autopilot", "commands", "files", "fields", "trouble"};
 
 /** A chapter, read. */
 struct ManualChapter

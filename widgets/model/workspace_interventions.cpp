@@ -1,6 +1,5 @@
-#include "widgets/model/workspace.h"
-
 #include "widgets/model/scenario_edits.h"
+#include "widgets/model/workspace.h"
 
 #include <algorithm>
 #include <utility>

@@ -10,8 +10,8 @@ namespace berg {
 // How quantities that a user types are read. Both decimal signs are accepted where the locale's own
 // reading fails; case and spaces before a unit do not matter.
 
-/** Seconds on the clock of a flight: "90", "mm:ss", "h:mm:ss", "45 min", "1 h 30 min"; nullopt if it
- * is no time. */
+/** Seconds on the clock of a flight: "90", "mm:ss", "h:mm:ss", "45 min", "1 h 30 min"; nullopt if
+ * it is no time. */
 [[nodiscard]] std::optional<double> clockValue(const QString& text);
 
 /** Seconds of a duration: as `clockValue`, but "h:mm" ("0:45" is 45 min); a number without a unit

@@ -129,9 +129,9 @@ private slots:
     void everyUnitHasItsPlace()
     {
         const UnitsInUse units({.distance = DistanceUnit::Nautical,
-                                      .speed = SpeedUnit::Knots,
-                                      .height = HeightUnit::Feet,
-                                      .north = NorthForm::Typed});
+                                .speed = SpeedUnit::Knots,
+                                .height = HeightUnit::Feet,
+                                .north = NorthForm::Typed});
         for (const ExportContent& content :
              {planContent(fourIcebergs()), fleetContent(1, 40), fleetContent(5, 20)}) {
             const BriefLayout layout = layOutBrief(briefContent(content, kGerman), kA4_px);

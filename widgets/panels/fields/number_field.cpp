@@ -290,6 +290,7 @@ void addNumberRow(QFormLayout& form, const QString& text, NumberField* field)
     auto* label = new QLabel(text);
     form.addRow(label, withRemark(field));
     label->setBuddy(field); // the form gave it what surrounds the field
+    field->setAccessibleName(QString(text).remove(u'&')); // the label is no sibling of it
 }
 
 } // namespace berg

@@ -19,9 +19,9 @@ struct Decimals
  * A number to be edited. Shows what it is given without telling anybody; tells what the user made
  * of it. Typing counts when it is finished (Return, focus leaves). It can stand for several things
  * with different numbers: then it is empty and says "mixed". Other units and clock times are
- * converted ("15 kn", "45 min", "0:45" for hours and minutes); a number alone is in the unit that was shown. Seconds
- * are shown as durations: "45 s", "45 min" or "0:16:40". A number beyond the limits becomes the
- * nearest that can be set, and `remarked` says so. The wheel needs the focus.
+ * converted ("15 kn", "45 min", "0:45" for hours and minutes); a number alone is in the unit that
+ * was shown. Seconds are shown as durations: "45 s", "45 min" or "0:16:40". A number beyond the
+ * limits becomes the nearest that can be set, and `remarked` says so. The wheel needs the focus.
  */
 class NumberField : public QDoubleSpinBox
 {

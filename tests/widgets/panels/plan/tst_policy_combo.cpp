@@ -143,7 +143,7 @@ private slots:
     }
 
     /** Without icebergs there is nothing to predict. */
-    void nothingIsSaidOfNothing()
+    void nothingIsPredictedOfNothing()
     {
         PolicyComboFixture f;
         PolicyForecastList list;
@@ -152,7 +152,7 @@ private slots:
                             .share = 1,
                             .drawn_m2s = std::vector<double>(kDrawnFlights, 0)};
         f.panel.showForecasts(list);
-        QVERIFY2(f.line.text().isEmpty(), qUtf8Printable(f.line.text()));
+        QCOMPARE(f.line.text(), u"No ζ to predict: there is no iceberg out of view."_s);
     }
 
     void setAgainstTheOneChosen()
