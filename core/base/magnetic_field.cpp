@@ -16,16 +16,16 @@ constexpr int kDegree = 12;
 constexpr double kEpoch_year = 2025;
 constexpr double kEnd_year = 2030;
 constexpr double kRadius_m = 6'371'200;
-constexpr double kBlackout_nT = 2000;
+constexpr double kBlackout_nanotesla = 2000;
 
 struct GaussCoefficient
 {
     int degree = 0;
     int order = 0;
-    double g_nT = 0;
-    double h_nT = 0;
-    double gChange_nT = 0; ///< a year
-    double hChange_nT = 0;
+    double g_nanotesla = 0;
+    double h_nanotesla = 0;
+    double gChange_nanotesla = 0; ///< a year
+    double hChange_nanotesla = 0;
 };
 
 constexpr std::array<GaussCoefficient, 90> kCoefficients{{
@@ -43,11 +43,12 @@ Harmonics harmonicsOf(double year)
 {
     Harmonics harmonics;
     for (const GaussCoefficient& c : kCoefficients) {
-        const auto place =
-            static_cast<std::size_t>(c.order * kDegree - c.order * (c.order - 1) / 2 + c.degree);
-        harmonics.cosines[place] = c.g_nT + (year - kEpoch_year) * c.gChange_nT;
+        const int packed = c.order * kDegree - c.order * (c.order - 1) / 2 + c.degree;
+        const auto place = static_cast<std::size_t>(packed);
+        harmonics.cosines[place] = c.g_nanotesla + (year - kEpoch_year) * c.gChange_nanotesla;
         if (c.order > 0) // the sines begin behind those of order 0
-            harmonics.sines[place - (kDegree + 1)] = c.h_nT + (year - kEpoch_year) * c.hChange_nT;
+            harmonics.sines[place - (kDegree + 1)] =
+                c.h_nanotesla + (year - kEpoch_year) * c.hChange_nanotesla;
     }
     return harmonics;
 }
@@ -74,15 +75,16 @@ std::optional<MagneticField> magneticField(LatLon place, double height_m, double
         return -kRadius_m * (rotation[axis] * slope[0] + rotation[axis + 3] * slope[1] +
                              rotation[axis + 6] * slope[2]);
     };
-    return MagneticField{.east_nT = along(0), .north_nT = along(1), .up_nT = along(2)};
+    return MagneticField{
+        .east_nanotesla = along(0), .north_nanotesla = along(1), .up_nanotesla = along(2)};
 }
 
 std::optional<double> magneticDeclination_deg(LatLon place, double year)
 {
     const std::optional<MagneticField> field = magneticField(place, 0, year);
-    if (!field || std::hypot(field->east_nT, field->north_nT) < kBlackout_nT)
+    if (!field || std::hypot(field->east_nanotesla, field->north_nanotesla) < kBlackout_nanotesla)
         return std::nullopt;
-    return degFromRad(std::atan2(field->east_nT, field->north_nT));
+    return degFromRad(std::atan2(field->east_nanotesla, field->north_nanotesla));
 }
 
 } // namespace berg

@@ -9,9 +9,9 @@ namespace berg {
 /** The Earth's main field at a place, nT. */
 struct MagneticField
 {
-    double east_nT = 0;
-    double north_nT = 0;
-    double up_nT = 0;
+    double east_nanotesla = 0;
+    double north_nanotesla = 0;
+    double up_nanotesla = 0;
 };
 
 /**

@@ -32,11 +32,12 @@ private slots:
             const auto field = magneticField(place, 1000 * height_km, year);
             QVERIFY(field);
             // Theirs is computed by recurrences of another kind: alike to 0.001 nT of 60,000.
-            COMPARE_NEAR(field->north_nT, north, 1e-3);
-            COMPARE_NEAR(field->east_nT, east, 1e-3);
-            COMPARE_NEAR(-field->up_nT, down, 1e-3);
+            COMPARE_NEAR(field->north_nanotesla, north, 1e-3);
+            COMPARE_NEAR(field->east_nanotesla, east, 1e-3);
+            COMPARE_NEAR(-field->up_nanotesla, down, 1e-3);
             // Printed with two decimals.
-            const double angle_deg = degFromRad(std::atan2(field->east_nT, field->north_nT));
+            const double angle_deg =
+                degFromRad(std::atan2(field->east_nanotesla, field->north_nanotesla));
             COMPARE_NEAR(std::remainder(angle_deg - declination, 360), 0, 0.00501);
             ++values;
         }

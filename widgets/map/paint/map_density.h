@@ -45,6 +45,8 @@ struct MapCrowding
 /** How the icebergs of one view are drawn. A dense one is crowded, too. */
 struct MapDensity : MapCrowding
 {
+    [[nodiscard]] const MapCrowding& crowding() const { return *this; }
+
     std::vector<IcebergMark> marks; ///< by iceberg
     std::vector<MapCount> counts;
 };

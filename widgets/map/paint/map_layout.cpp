@@ -386,7 +386,7 @@ QString labelText(const MapIceberg& iceberg, const MissionClock& clock)
 MapContinuity continuityOf(const MapPicture& picture, const MapLayout& layout)
 {
     MapContinuity continuity{.labels = {},
-                             .crowding = layout.density,
+                             .crowding = layout.density.crowding(),
                              .legend_px = layout.legend.size(),
                              .isLegendCompact = layout.isLegendCompact};
     for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {

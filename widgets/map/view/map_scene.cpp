@@ -96,7 +96,7 @@ void MapScene::fit()
     m_labelsOwed = m_picture.icebergs.size();
     const MapLayout fitted = arrangeMap(m_picture, style(), m_rect, std::nullopt,
                                         {.turn = LabelTurn{}}); // labels do not count
-    m_continuity.crowding = fitted.density;
+    m_continuity.crowding = fitted.density.crowding();
     setView(fitted.view);
 }
 

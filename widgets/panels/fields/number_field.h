@@ -89,7 +89,7 @@ private:
 /** The field and below it, while there is one, its remark: named after the field and "Fault". */
 [[nodiscard]] QWidget* withRemark(NumberField* field);
 
-/** Adds a row of a form: the label is of the field, and the field has its remark. */
-void addNumberRow(QFormLayout& form, const QString& label, NumberField* field);
+/** Adds a row of a form: a label with this text is the field's, and the field has its remark. */
+void addNumberRow(QFormLayout& form, const QString& text, NumberField* field);
 
 } // namespace berg

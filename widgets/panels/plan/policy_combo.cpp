@@ -312,7 +312,7 @@ QString PolicyCombo::summary() const
         u"%1 (%2)"_s.arg(zetaText(prediction->mean_m2s, locale()), spreadOf(policy));
     if (m_inFlight)
         return tr("Predicted before take-off: ζ %1").arg(figure);
-    const QString told = tr("Predicted ζ %1").arg(figure);
+    QString told = tr("Predicted ζ %1").arg(figure);
     if (!isComplete())
         return told;
     if (const std::vector<PolicyKind> slow = tooSlow(); !slow.empty()) {
