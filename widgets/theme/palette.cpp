@@ -6,6 +6,18 @@
 
 namespace berg {
 
+namespace {
+
+/** That of marks in boxes and the like, which has a role of its own from Qt 6.6 on. */
+template <class Palette>
+void setAccent(Palette& palette, const QColor& colour)
+{
+    if constexpr (requires { Palette::Accent; })
+        palette.setColor(Palette::Accent, colour);
+}
+
+} // namespace
+
 QPalette paletteOf(const Theme& theme)
 {
     const QColor base = theme.chart;
@@ -25,6 +37,7 @@ QPalette paletteOf(const Theme& theme)
     palette.setColor(QPalette::Link, theme.plan);
     palette.setColor(QPalette::Highlight, theme.plan);
     palette.setColor(QPalette::HighlightedText, theme.planText);
+    setAccent(palette, theme.plan);
     palette.setColor(QPalette::Light,
                      mixed(window, theme.toned(Qt::white), theme.isDark ? 0.1 : 0.6));
     palette.setColor(QPalette::Midlight, mixed(window, theme.text, 0.08));
