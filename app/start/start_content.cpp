@@ -75,7 +75,7 @@ QImage pictureOf(const Scenario& scenario, const Theme& theme, double pixelRatio
     return painted(picture, theme, kExamplePicture_px, pixelRatio);
 }
 
-/** What the file is about: a scenario, or that of a run; nullopt for studies. */
+/** Returns the scenario that the file holds or its run was flown in; nullopt for studies. */
 std::optional<Scenario> scenarioIn(const QFileInfo& file)
 {
     const std::string path = QFile::encodeName(file.filePath()).toStdString();

@@ -18,9 +18,9 @@ public:
     PreferenceMenus(WindowContext& context, AppearanceChoice& appearance);
 
     void build(QMenu& menu);
-    /** Where the colours of sigma end: of each scenario its own, or one for all. */
+    /** Fills a menu that chooses where the colours of sigma end, by scenario or for all of them. */
     void buildSigmaEnd(QMenu& menu);
-    /** What icebergs that are placed were seen by. */
+    /** Fills a menu that chooses what sees new icebergs, and so how uncertain they are. */
     void buildSources(QMenu& menu);
 
 signals:

@@ -221,7 +221,7 @@ void SightingsImport::importSightings(const QString& path)
         acceptImport(*choice, QFileInfo(path).fileName());
 }
 
-/** Of the instant at which it pauses. */
+/** Pauses the flight and imports into the instant at which it stands then. */
 void SightingsImport::importInFlight(const QString& path)
 {
     if (workspace().refuseIntervention())

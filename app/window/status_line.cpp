@@ -53,7 +53,7 @@ StatusLine::StatusLine(WindowContext& context)
         label->setContentsMargins(kLabelMargin_px, 0, kLabelMargin_px, 0);
     QStatusBar& bar = *window().statusBar();
     bar.addWidget(m_hint, 1);
-    // What comes and goes with the pointer is leftmost, where it moves nothing.
+    // The text that comes and goes with the pointer is leftmost, where it moves nothing.
     for (QWidget* widget : std::initializer_list<QWidget*>{m_cursor, m_findings, m_state,
                                                            m_autosaved, panels().announcer})
         bar.addPermanentWidget(widget);

@@ -139,7 +139,7 @@ void greet(MainWindow& window, Interaction& interaction, const QSettings& settin
     window.offerRecoveries();
 }
 
-/** As asked for, else as it was left, else as designed. */
+/** Gives the window the size asked for, else the one it was left with, else that of the design. */
 void giveSize(MainWindow& window, const std::optional<QSize>& size_px, bool wasLeft)
 {
     constexpr QSize kDesigned_px(1280, 800);
@@ -172,7 +172,7 @@ int runWindow(const WindowOptions& options)
     MainWindow& window = holder.window();
     if (!picture && !settings.contains(u"window/state"_s))
         window.showFirstLayout();
-    // Of the layout, which may ask for more room.
+    // The layout may ask for more room than the window was given.
     giveSize(window, options.size_px, !picture && settings.contains(u"window/geometry"_s));
     if (!options.size_px && !picture)
         keepOnScreen(window);

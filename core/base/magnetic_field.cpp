@@ -32,7 +32,7 @@ constexpr std::array<GaussCoefficient, 90> kCoefficients{{
 #include "core/base/magnetic_coefficients.inc"
 }};
 
-/** Of one year, in the order that GeographicLib wants: order by order. */
+/** The coefficients of one year, sorted by their order as GeographicLib wants them. */
 struct Harmonics
 {
     std::vector<double> cosines = std::vector<double>((kDegree + 1) * (kDegree + 2) / 2);
