@@ -52,11 +52,6 @@ double sigmaOfRadius95_m2(double radius_m)
     return radius_m * radius_m / kChiSquare95;
 }
 
-double meanRadius95_m(double zeta_m2s, double icebergs, double duration_s)
-{
-    return icebergs > 0 && duration_s > 0 ? radius95_m(zeta_m2s / (icebergs * duration_s)) : 0;
-}
-
 const SourceError& errorOf(SightingSource source)
 {
     return kErrors.at(static_cast<std::size_t>(source));

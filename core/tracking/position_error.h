@@ -19,9 +19,6 @@ inline constexpr double kChiSquare95 = 5.991464547107979;
 /** The sigma whose circle has that radius, >= 0. */
 [[nodiscard]] double sigmaOfRadius95_m2(double radius_m);
 
-/** Radius of 95 % for the mean sigma of `icebergs` over a run with this zeta; 0 without any. */
-[[nodiscard]] double meanRadius95_m(double zeta_m2s, double icebergs, double duration_s);
-
 /** What an iceberg was seen or heard by. */
 enum class SightingSource : std::uint8_t
 {

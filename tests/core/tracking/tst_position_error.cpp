@@ -43,14 +43,6 @@ private slots:
         COMPARE_NEAR(static_cast<double>(inside) / kDrawn, 0.95, 0.006);
     }
 
-    void meanRadiusOfARun()
-    {
-        // Two icebergs of 5 m² each for 1000 s.
-        COMPARE_NEAR(meanRadius95_m(2 * 5 * 1000.0, 2, 1000), radius95_m(5), 1e-12);
-        COMPARE_NEAR(meanRadius95_m(0, 0, 1000), 0, 0);
-        COMPARE_NEAR(meanRadius95_m(0, 3, 0), 0, 0);
-    }
-
     void everySourceIsFoundAgain()
     {
         std::set<std::string_view> names;

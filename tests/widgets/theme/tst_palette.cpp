@@ -1,27 +1,16 @@
+#include "tests/support/themes.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/palette.h"
 
 #include <QtTest>
 
 using namespace berg;
+using test::themes;
 
 namespace {
 
 constexpr double kTextContrast = 4.5; // WCAG 2.1, 1.4.3
 constexpr double kLineContrast = 3.0; // WCAG 2.1, 1.4.11
-
-struct NamedTheme
-{
-    const char* name;
-    Theme theme;
-};
-
-const std::vector<NamedTheme>& themes()
-{
-    static const std::vector<NamedTheme> all = {
-        {"light", Theme::light()}, {"dark", Theme::dark()}, {"night", Theme::night()}};
-    return all;
-}
 
 const Theme& themeOf(int look)
 {

@@ -1,4 +1,5 @@
 #include "tests/support/approx.h"
+#include "tests/support/themes.h"
 #include "widgets/theme/theme.h"
 
 #include <QtTest>
@@ -6,6 +7,7 @@
 #include <cmath>
 
 using namespace berg;
+using test::themes;
 
 namespace {
 
@@ -58,19 +60,6 @@ const std::vector<Pair>& pairs()
         {"coast against land", &Theme::coast, &Theme::land, kLineContrast},
         {"axis on chart", &Theme::chartAxis, &Theme::chart, kLineContrast},
     };
-    return all;
-}
-
-struct NamedTheme
-{
-    const char* name;
-    Theme theme;
-};
-
-const std::vector<NamedTheme>& themes()
-{
-    static const std::vector<NamedTheme> all = {
-        {"light", Theme::light()}, {"dark", Theme::dark()}, {"night", Theme::night()}};
     return all;
 }
 

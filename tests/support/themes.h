@@ -1,0 +1,23 @@
+#pragma once
+
+#include "widgets/theme/theme.h"
+
+#include <vector>
+
+namespace berg::test {
+
+struct NamedTheme
+{
+    const char* name;
+    Theme theme;
+};
+
+/** The themes that are no high contrast, by name. */
+inline const std::vector<NamedTheme>& themes()
+{
+    static const std::vector<NamedTheme> all = {
+        {"light", Theme::light()}, {"dark", Theme::dark()}, {"night", Theme::night()}};
+    return all;
+}
+
+} // namespace berg::test
