@@ -1,0 +1,97 @@
+#pragma once
+
+#include "core/base/geodesy.h"
+#include "core/link/vehicle_side.h"
+#include "core/vehicle/dubins.h"
+#include "core/vehicle/uav_spec.h"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace berg {
+
+/** The aircraft of a rehearsal and the world in which it flies. */
+struct RehearsalOptions
+{
+    VehicleSideOptions side; ///< Behaviour of its autopilot and its id on the link.
+    UavSpec uav;             ///< Airspeed, bank limit and altitude; endurance 0 drains no battery.
+    LatLon home;
+    double homeAltitude_m = 0;      ///< Above mean sea level.
+    Point wind_mps = Point::Zero(); ///< Wind over ground, east and north.
+};
+
+/**
+ * A simulated fixed-wing aircraft at the vehicle's end of a link. Any ground station can monitor it
+ * and upload missions. It starts in the air, circling home. It flies the mission on board
+ * (waypoints, circles, jumps, speeds, return) with the Dubins model, and follows mode changes and
+ * guided targets. After the last item it flies home as ArduPilot or circles as PX4. In any other
+ * mode the pilot is taken to be in control, and it flies straight on. Used by one thread; the
+ * caller supplies the time.
+ */
+class RehearsalVehicle
+{
+public:
+    /** `link` must outlive the vehicle. */
+    RehearsalVehicle(ByteLink& link, RehearsalOptions options);
+
+    /** Flies up to `now` in steps of at most 0.1 s, then answers the messages received. */
+    void advance(LinkTime now);
+    /**
+     * Switches the mode as the pilot's transmitter does; `mode` is the custom_mode of HEARTBEAT.
+     */
+    void setMode(std::uint32_t mode);
+    /**
+     * Restarts the autopilot: for `off_s` seconds the link receives and sends nothing. The aircraft
+     * flies on.
+     */
+    void reboot(double off_s) { m_side.reboot(m_now, off_s); }
+
+    [[nodiscard]] const VehicleReadings& readings() const { return m_readings; }
+    [[nodiscard]] const VehicleSide& side() const { return m_side; }
+
+private:
+    enum class Flight
+    {
+        Mission,
+        Home,
+        Circle, ///< Around `m_centre_m`, on hold or guided.
+        Pilot
+    };
+
+    void execute(const VehicleOrder& order);
+    void flyStep(double dt_s);
+    /** Executes items that take no time and returns the item to fly, or nullopt after the last. */
+    [[nodiscard]] std::optional<LinkMissionItem> itemToFly();
+    /** Returns the turn rate towards an item, rad/s, and moves on once it is reached. */
+    [[nodiscard]] double turnRateFor(const LinkMissionItem& item, double dt_s);
+    [[nodiscard]] double turnRateToPoint(const Point& target_m) const;
+    [[nodiscard]] double turnRateRound(const Point& centre_m, double radius_m) const;
+    [[nodiscard]] double turnRateToCourse(double course_rad) const;
+    [[nodiscard]] bool isReached(const LinkMissionItem& item, const Point& target_m) const;
+    void reachItem();
+    void endMission();
+    [[nodiscard]] Point placeOf(const LinkMissionItem& item) const;
+    [[nodiscard]] double altitudeOf(const LinkMissionItem& item) const;
+    void updateReadings(double turnRate_radps, double climb_mps);
+
+    RehearsalOptions m_options;
+    VehicleSide m_side;
+    LocalFrame m_frame;
+    DubinsState m_motion;
+    double m_airspeed_mps;
+    double m_altitude_m;       ///< Above mean sea level.
+    double m_targetAltitude_m; ///< Above mean sea level.
+    Flight m_flight = Flight::Circle;
+    Point m_centre_m = Point::Zero();
+    double m_radius_m = 0; ///< Radius of the circle; 0 selects the smallest comfortable one.
+    std::size_t m_item = 0;
+    double m_itemFlown_s = 0;           ///< Time spent on the circle of the present item.
+    std::map<std::size_t, int> m_jumps; ///< Number of times each jump was taken, by item.
+    LinkTime m_now;
+    std::optional<double> m_started_s;
+    std::vector<LinkMissionItem> m_items;
+    VehicleReadings m_readings;
+};
+
+} // namespace berg
