@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core/io: what is open, as system calls know it.
+// Private to core/io: POSIX file descriptors and loops over their system calls.
 
 #include <array>
 #include <cerrno>
@@ -25,14 +25,14 @@ public:
 
     [[nodiscard]] int get() const { return m_fd; }
     [[nodiscard]] bool isOpen() const { return m_fd >= 0; }
-    /** Closes now; false when the system reports that data were lost. */
+    /** Closes now. Returns false if the system reports that data were lost. */
     [[nodiscard]] bool close() { return ::close(std::exchange(m_fd, -1)) == 0; }
 
 private:
     int m_fd;
 };
 
-/** False leaves the reason in errno. */
+/** Writes all of `content` to `fd`. Returns false on failure, with the reason in errno. */
 [[nodiscard]] inline bool writeAll(int fd, std::string_view content)
 {
     while (!content.empty()) {
@@ -46,7 +46,10 @@ private:
     return true;
 }
 
-/** All of a file that can be read from any place, written to another; likewise. */
+/**
+ * Copies all of `from`, which must be seekable, to `to`. Returns false on failure, with the reason
+ * in errno.
+ */
 [[nodiscard]] inline bool copyAll(int from, int to)
 {
     std::array<char, 1U << 16U> piece{};

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kTemporaryEnding = ".tmp";
 
-/** `.TARGET.PID-NUMBER.tmp` */
+/** Whether `name` has the form `.TARGET.PID-NUMBER.tmp`. */
 bool isTemporaryName(std::string_view name)
 {
     const auto dropDigits = [&name] {
@@ -33,8 +33,11 @@ bool isTemporaryName(std::string_view name)
            dropDigits() && drop(".") && name.size() > 1;
 }
 
-/** Of a copy of this process that has its calling thread alone: system calls and nothing else. */
-[[noreturn]] void placeAll(std::span<const Placing> placings, int told)
+/**
+ * Runs in a forked copy of this process that has the calling thread only, so it may use nothing but
+ * system calls.
+ */
+[[noreturn]] void placeAll(std::span<const Placing> placings, int reportTo)
 {
     for (const Placing& placing : placings) {
         const bool isNamed =
@@ -47,8 +50,8 @@ bool isTemporaryName(std::string_view name)
                 ::unlink(placing.name.c_str());
             break;
         }
-        // Nobody hears it when the program has been killed: the rest is done all the same.
-        [[maybe_unused]] const ssize_t heard = ::write(told, "+", 1);
+        // A killed parent cannot read this; the remaining files are renamed all the same.
+        [[maybe_unused]] const ssize_t reports = ::write(reportTo, "+", 1);
     }
     ::_exit(0);
 }
@@ -60,26 +63,26 @@ std::filesystem::path folderOf(const std::filesystem::path& file)
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
-std::size_t placeApart(std::span<const Placing> placings)
+std::size_t placeInChildProcess(std::span<const Placing> placings)
 {
     int ends[2] = {-1, -1};
     if (placings.empty() || ::pipe2(ends, O_CLOEXEC) != 0)
         return 0;
-    const Descriptor heard(ends[0]);
-    Descriptor told(ends[1]);
+    const Descriptor reports(ends[0]);
+    Descriptor reportTo(ends[1]);
     sigset_t all;
     sigset_t before;
     ::sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &before); // nor does Ctrl-C come between
+    ::pthread_sigmask(SIG_SETMASK, &all, &before); // keeps Ctrl-C from interrupting the renames
     const pid_t other = ::fork();
     if (other == 0)
-        placeAll(placings, told.get());
+        placeAll(placings, reportTo.get());
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    if (!told.close() || other < 0)
+    if (!reportTo.close() || other < 0)
         return 0;
     std::size_t placed = 0;
     for (char mark = 0;;) {
-        const ssize_t got = ::read(heard.get(), &mark, 1);
+        const ssize_t got = ::read(reports.get(), &mark, 1);
         if (got == 0 || (got < 0 && errno != EINTR))
             break;
         placed += got > 0 ? 1U : 0U;
@@ -132,7 +135,7 @@ bool TemporaryFile::flush() const
 {
     if (::fsync(m_fd) != 0)
         return false;
-    const int copy = ::dup(m_fd); // some file systems tell only when a file is closed
+    const int copy = ::dup(m_fd); // some file systems report errors only when a file is closed
     return copy >= 0 && ::close(copy) == 0;
 }
 
@@ -163,7 +166,7 @@ Placing TemporaryFile::placing() const
 
 std::filesystem::path TemporaryFile::nameOf(int number) const
 {
-    // File names may have 255 bytes at most; the target's own may use them all.
+    // A file name may have at most 255 bytes, which the target's own name may use up.
     constexpr std::size_t kLongestStem = 200;
     return m_target.parent_path() /
            ('.' + m_target.filename().string().substr(0, kLongestStem) + '.' +

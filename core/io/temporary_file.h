@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core/io: files that are being written, beside those whose place they will take.
+// Private to core/io: temporary files beside the files that they will replace.
 
 #include <filesystem>
 #include <span>
@@ -10,34 +10,36 @@
 
 namespace berg {
 
-/** The folder that a file is in, as system calls want it. */
+/** Returns the folder that holds `file`; "." for a name without a folder. */
 [[nodiscard]] std::filesystem::path folderOf(const std::filesystem::path& file);
 
-/** What is left to be done with a temporary file. */
+/** Pending rename of a complete temporary file to its target. */
 struct Placing
 {
-    std::string link; ///< by which it can be given its name; empty: it has it
+    std::string link; ///< path to link `name` to; empty if `name` already exists
     std::string name;
     std::string target;
 };
 
 /**
- * Gives them their names and puts them in the places of their targets, in a process of its own: the
- * death of this one, however sudden, does not come between. How many have their places, the first
- * ones; less than all when one is refused, none when there is no such process to be had.
+ * Names the files and renames them to their targets in a child process, so that even the sudden
+ * death of this process does not leave a part of them renamed. Returns how many of the first files
+ * were renamed: fewer than all if the system refuses one, 0 if the child process cannot be started.
  */
-[[nodiscard]] std::size_t placeApart(std::span<const Placing> placings);
+[[nodiscard]] std::size_t placeInChildProcess(std::span<const Placing> placings);
 
-/** Removes from the folder what writers have left that were killed: see `TemporaryFile`. */
+/** Removes the temporary files of `folder` whose writers were killed; see `TemporaryFile`. */
 void removeLeftTemporaries(const std::filesystem::path& folder);
 
 /**
- * New file beside the target, removed again unless it was put in the target's place. Where the file
- * system can, it has no name until then: a program that is killed leaves nothing. Locked, which
- * tells it from one whose writer was killed. Its name is `.TARGET.PID-NUMBER.tmp`.
+ * New file beside the target that is removed again unless `place` renames it to the target. Where
+ * the file system allows it, the file has no name until then, so that a killed program leaves
+ * nothing behind. A lock marks it as being written; an unlocked one belongs to a killed writer. Its
+ * name is `.TARGET.PID-NUMBER.tmp`.
  */
 class TemporaryFile
 {
+    /** When the file gets its name: at `place` where possible, or at once. */
 public:
     enum class Name
     {
@@ -45,6 +47,7 @@ public:
         Early
     };
 
+    /** Creates the file; check `isOpen` for success. */
     explicit TemporaryFile(const std::filesystem::path& target, Name name = Name::Late);
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -53,23 +56,32 @@ public:
     [[nodiscard]] bool isOpen() const { return m_fd >= 0; }
     [[nodiscard]] bool isNamed() const { return m_isNamed; }
 
-    /** To write to, and to read again what was written. */
+    /** Returns the descriptor for writing and for reading back what was written. */
     [[nodiscard]] int descriptor() const { return m_fd; }
-    /** To the disk, with all that was written; false leaves the reason in errno. */
+    /**
+     * Flushes all that was written to the disk. Returns false on failure, with the reason in errno.
+     */
     [[nodiscard]] bool flush() const;
+    /** Gives the file the owner (where permitted) and the permissions of `from`. */
     void copyAttributes(const struct stat& from) const;
 
-    /** False when the folder refuses; without a name, also where there is no /proc. */
+    /**
+     * Renames the file to its target. Returns false if the folder refuses, or if the file has no
+     * name yet and there is no /proc to name it through.
+     */
     [[nodiscard]] bool place();
-    /** What `place` would do, for somebody else to do it, */
+    /** Returns the rename that `place` would do, for `placeInChildProcess`. */
     [[nodiscard]] Placing placing() const;
-    /** who has done it. */
+    /** Records that another process has renamed the file. */
     void notePlaced() { m_isNamed = m_placed = true; }
 
 private:
     [[nodiscard]] std::filesystem::path nameOf(int number) const;
     [[nodiscard]] std::string link() const;
-    /** The first free name that `make` can use. */
+    /**
+     * Calls `make` with one free name after another until it succeeds or fails for another reason
+     * than an existing file.
+     */
     template <class Make>
     bool acceptName(const Make& make);
 

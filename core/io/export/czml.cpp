@@ -28,7 +28,7 @@ constexpr Rgb kIceColour{120, 200, 240};
 constexpr Rgb kAssetColour{220, 60, 60};
 constexpr Rgb kAreaColour{128, 128, 128};
 constexpr Rgb kClosedColour{200, 40, 40};
-/** Of an area without a ceiling, so that it can be drawn. */
+/** Height up to which an area without a ceiling is drawn. */
 constexpr double kDrawnCeiling_m = 1000;
 
 Json solid(const Rgb& rgb, int alpha = 255)
@@ -59,14 +59,14 @@ public:
             addClosed("stand-off", *m_content.standoff);
         if (m_content.asset) {
             Json packet =
-                mark("asset", m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
-                     assetPlace_m(m_content), kAssetColour);
+                marker("asset", m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
+                       assetPlace_m(m_content), kAssetColour);
             addProperties(packet, assetData(m_content));
             add(std::move(packet));
         }
         for (const ExportUav& uav : m_content.uavs) {
-            Json packet = mark("home/" + uav.uav.id, "Home of " + titleOf(uav.uav), uav.home_m,
-                               uavColour(uav.row));
+            Json packet = marker("home/" + uav.uav.id, "Home of " + titleOf(uav.uav), uav.home_m,
+                                 uavColour(uav.row));
             addProperties(packet, dataOf(m_content, uav));
             add(std::move(packet));
             addUav(uav);
@@ -77,7 +77,7 @@ public:
 private:
     void add(Json packet)
     {
-        const Dismantled later(packet);
+        const JsonTreeGuard later(packet);
         addText(jsonText(packet));
     }
 
@@ -95,7 +95,7 @@ private:
         list.push_back(altitude_m);
     }
 
-    /** ISO 8601 interval of the ways; there must be a start. */
+    /** ISO 8601 interval of the paths; the content must have a start time. */
     [[nodiscard]] std::string interval(double from_s, double to_s) const
     {
         return utcText(*m_content.start, from_s) + '/' + utcText(*m_content.start, to_s);
@@ -122,8 +122,8 @@ private:
         add(std::move(packet));
     }
 
-    [[nodiscard]] Json mark(const std::string& id, const std::string& name, const Point& position_m,
-                            const Rgb& rgb) const
+    [[nodiscard]] Json marker(const std::string& id, const std::string& name,
+                              const Point& position_m, const Rgb& rgb) const
     {
         Json packet;
         packet["id"] = id;
@@ -140,7 +140,7 @@ private:
         return packet;
     }
 
-    /** What imports read back, numbers as such, and the time it is of. */
+    /** Adds the values that imports read back, numbers as such, and the time they apply to. */
     void addProperties(Json& packet, const std::vector<XmlData>& data) const
     {
         constexpr std::array<std::string_view, 3> kTexts{"id", "name", "state"};
@@ -163,7 +163,7 @@ private:
     void addIceberg(const ExportIceberg& now)
     {
         Json packet =
-            mark("iceberg/" + now.iceberg.id, titleOf(now.iceberg), now.position_m, kIceColour);
+            marker("iceberg/" + now.iceberg.id, titleOf(now.iceberg), now.position_m, kIceColour);
         addProperties(packet, dataOf(m_content, now));
         add(std::move(packet));
     }
@@ -233,7 +233,7 @@ private:
         line["width"] = 3;
         line["material"] = solid(rgb);
         std::string head = jsonText(packet);
-        head.pop_back(); // its brace
+        head.pop_back(); // the closing brace
         addText(head);
         if (isMoving) {
             m_put(R"(,"position":{"epoch":)" + jsonText(utcText(*m_content.start, 0)) +
@@ -247,7 +247,7 @@ private:
         }
     }
 
-    /** Samples at rising times: Cesium takes no two at one. */
+    /** Adds samples at rising times, as Cesium accepts only one sample per instant. */
     void addMoving(const ExportUav& uav) const
     {
         std::optional<double> last_s;
@@ -261,7 +261,7 @@ private:
         });
     }
 
-    /** Of each point that `begin` takes. */
+    /** Adds the numbers of each point for which `begin` returns true. */
     template <class Begin>
     void addNumbers(const ExportUav& uav, const Begin& begin) const
     {

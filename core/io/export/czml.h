@@ -6,9 +6,9 @@
 namespace berg {
 
 /**
- * CZML 1.0 for Cesium: a packet for each iceberg (what is known of it as `properties`), for the
- * area, asset and homes, and for each UAV, which moves along its way when the scenario has a start
- * time; without one its way is a line.
+ * Writes CZML 1.0 for Cesium: a packet for each listed iceberg (its data as `properties`), for
+ * area, no-fly areas, stand-off ring, asset and homes, and for each UAV. A UAV moves along its path
+ * if the scenario has a start time; otherwise its path is a line. Throws as `TrackPoints`.
  */
 void writeCzml(const ExportContent& content, const TextSink& put);
 

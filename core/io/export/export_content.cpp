@@ -2,10 +2,10 @@
 
 #include "core/base/angles.h"
 #include "core/io/export/export_flight.h"
-#include "core/scenario/checks.h"
 #include "core/scenario/drift_advice.h"
 #include "core/scenario/fence.h"
 #include "core/scenario/recovery.h"
+#include "core/scenario/text_checks.h"
 #include "core/scenario/validate.h"
 #include "core/sim/clusters.h"
 
@@ -18,7 +18,7 @@ namespace berg {
 
 namespace {
 
-/** A quarter of the way round the Earth, beyond which the plane tears maps apart. */
+/** A quarter of the Earth's circumference; beyond it the plane distorts maps too much. */
 constexpr double kEndOfPlane_m = 1e7;
 
 [[noreturn]] void refuse(const std::string& option, IssueReason reason)
@@ -62,7 +62,7 @@ ExportIceberg enteredIceberg(const Scenario& scenario, const Iceberg& iceberg)
             .state = iceberg.appears_s > 0 ? IcebergState::Expected : IcebergState::Tracked};
 }
 
-ExportIceberg presentIceberg(const Mission& mission, std::size_t row, ExportWhat what)
+ExportIceberg presentIceberg(const Mission& mission, std::size_t row, ExportScope what)
 {
     const Simulation& simulation = mission.simulation();
     const int index = static_cast<int>(row);
@@ -72,16 +72,16 @@ ExportIceberg presentIceberg(const Mission& mission, std::size_t row, ExportWhat
     now.isListed = now.state != IcebergState::Expected && now.state != IcebergState::Left;
     if (now.state == IcebergState::Expected)
         return now;
-    now.position_m = what == ExportWhat::Track ? simulation.truth_m(index)
-                                               : simulation.observer().estimate_m(index);
-    if (what != ExportWhat::Track)
+    now.position_m = what == ExportScope::Track ? simulation.truth_m(index)
+                                                : simulation.observer().estimate_m(index);
+    if (what != ExportScope::Track)
         now.drift_mps = simulation.track(index).velocity_mps;
     now.track = simulation.track(index);
     now.sigma_m2 = now.track.sigma_m2;
     return now;
 }
 
-/** The flight home added or taken away, as chosen. */
+/** Adds or removes the leg home, as the user chose. */
 void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& wind_mps)
 {
     const bool ends = !uav.visits.empty() && uav.visits.back().iceberg < 0;
@@ -97,7 +97,7 @@ void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& w
     uav.visits.push_back({.time_s = last.time_s + flight_s, .position_m = uav.home_m});
 }
 
-/** Icebergs of the order that none of the visits is of. */
+/** Returns how many icebergs of the order have no visit. */
 std::size_t leftOf(const UavOrder& order, const std::vector<Visit>& visits)
 {
     std::set<int> left(order.icebergs.begin(), order.icebergs.end());
@@ -108,7 +108,7 @@ std::size_t leftOf(const UavOrder& order, const std::vector<Visit>& visits)
     return left.size();
 }
 
-/** Without the way home that a limited endurance makes the end of a path. */
+/** Removes the leg home, which a limited endurance adds at the end of a path. */
 void endOverTheLastIceberg(FlyablePath& path)
 {
     if (path.visits.empty() || path.visits.back().iceberg >= 0)
@@ -119,7 +119,7 @@ void endOverTheLastIceberg(FlyablePath& path)
     std::erase_if(path.track, [end_s](const TrackPoint& point) { return point.time_s > end_s; });
 }
 
-/** Where the path first looks for each lost iceberg, among its visits by time. */
+/** Inserts the first search place of each lost iceberg among the visits, by time. */
 void addSearches(ExportUav& uav, double now_s)
 {
     for (const PlannedSearch& search : uav.searches) {
@@ -137,7 +137,7 @@ void addSearches(ExportUav& uav, double now_s)
 void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& content,
              const Scenario& scene)
 {
-    if (content.what == ExportWhat::Track) {
+    if (content.what == ExportScope::Track) {
         uav.track = source.flown.empty() ? flownTrack(*source.mission, uav.row)
                                          : std::move(source.flown[uav.row]);
         uav.visits = flownVisits(*source.mission, static_cast<int>(uav.row));
@@ -146,12 +146,12 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
     }
     UavOrder order = presentOrder(source, uav.row);
     if (content.options.airspeed_mps)
-        order.legs.clear(); // planned for another speed
+        order.legs.clear(); // the legs were planned for another speed
     uav.visits = plannedVisits(scene, order.icebergs, order.clusters);
-    if (content.what == ExportWhat::FirstLeg && uav.visits.size() > 1)
+    if (content.what == ExportScope::FirstLeg && uav.visits.size() > 1)
         uav.visits.resize(1);
     endAtHome(uav, content.options.returnHome, scene.wind_mps);
-    if (content.what == ExportWhat::Path) {
+    if (content.what == ExportScope::Path) {
         const bool home = !uav.visits.empty() && uav.visits.back().iceberg < 0;
         FlyablePath path = flyOrder(scene, order, home);
         uav.isAimed = !order.legs.empty();
@@ -164,7 +164,7 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
         uav.track = path.track;
         uav.visits = std::move(path.visits);
     }
-    if (uav.uav.spec.endurance_s > 0 && content.what != ExportWhat::FirstLeg)
+    if (uav.uav.spec.endurance_s > 0 && content.what != ExportScope::FirstLeg)
         uav.laterSorties = leftOf(order, uav.visits);
     addSearches(uav, content.now_s);
     for (Visit& visit : uav.visits)
@@ -183,12 +183,12 @@ ExportUav exportUav(const ExportSource& source, const ExportContent& content, st
     const double faster = 1 + scene.wind_mps.norm() / spec.airspeed_mps;
     ExportUav result{.row = row,
                      .uav = uav,
-                     .start_s = content.what == ExportWhat::Track ? 0 : content.now_s,
+                     .start_s = content.what == ExportScope::Track ? 0 : content.now_s,
                      .home_m = uav.home_m.value_or(uav.position_m),
                      .reach_m = options.acceptance_m.value_or(scene.reachRadius_m.value_or(seen_m)),
                      .reachChosen = options.acceptance_m.has_value(),
                      .circle_m = turnRadius_m(spec) * faster * faster};
-    if (content.what == ExportWhat::Track) {
+    if (content.what == ExportScope::Track) {
         result.uav.position_m = source.scenario.uavs[row].position_m;
         result.uav.heading_deg = source.scenario.uavs[row].heading_deg;
     }
@@ -200,13 +200,15 @@ ExportUav exportUav(const ExportSource& source, const ExportContent& content, st
         source.mission ? state.withheld_s : withheldAtStart_s(source.scenario)[row];
     if (result.slot_s = slotOfSortie_s(source.scenario, row, withheld_s); result.slot_s) {
         *result.slot_s += content.now_s - state.aloft_s;
-        spec.reserve_s = reserve_s(spec) + withheld_s; // the sortie is over by then
+        spec.reserve_s = reserve_s(spec) + withheld_s; // so that the sortie is over by the slot
     }
     addPath(result, source, content, scene);
     return result;
 }
 
-/** Writers reckon with places on one side of the Earth and with dates that calendars have. */
+/**
+ * Checks that writers can handle the place and time: on one side of the Earth, within the calendar.
+ */
 void checkPlace(const std::string& whose, const char* field, const Point& place_m, double time_s)
 {
     const auto fail = [&](IssueReason reason) {
@@ -218,7 +220,9 @@ void checkPlace(const std::string& whose, const char* field, const Point& place_
         fail({IssueId::ExportOffMap, {time_s, place_m.norm(), kEndOfPlane_m}});
 }
 
-/** Refuses what no file can hold: numbers that are not finite, places off the plane. */
+/**
+ * Throws for content that no file can hold: numbers that are not finite, places outside the plane.
+ */
 void checkContent(const ExportContent& content)
 {
     for (const ExportUav& uav : content.uavs) {
@@ -252,7 +256,7 @@ ExportPlan planOf(const ExportSource& source)
             .fellBack = source.plan.fellBack};
 }
 
-/** With the altitude and the airspeed of the options. */
+/** Returns the operation volume for the altitude and the airspeed of the options. */
 OperationVolume operationAsChosen(Scenario scenario, const ExportOptions& options)
 {
     for (Uav& uav : scenario.uavs) {
@@ -262,7 +266,10 @@ OperationVolume operationAsChosen(Scenario scenario, const ExportOptions& option
     return operationVolume(scenario, *scenario.operation);
 }
 
-/** It is at one of the places at most. */
+/**
+ * Probability to find a lost iceberg; the iceberg is at no more than one of the places, so they add
+ * up.
+ */
 std::optional<double> chanceToFind(const std::vector<PlannedSearch>& searches, int iceberg,
                                    double now_s)
 {
@@ -282,7 +289,7 @@ void checkExportOptions(const ExportSource& source, const ExportOptions& options
     checkRange("acceptance", options.acceptance_m, limits::kExtent_m);
     if (options.loiterTurns < 0 || options.loiterTurns > kMostLoiterTurns)
         refuse("loiter", {IssueId::OutOfRange, {0, kMostLoiterTurns, options.loiterTurns}});
-    if (options.what == ExportWhat::Track && source.mission == nullptr)
+    if (options.what == ExportScope::Track && source.mission == nullptr)
         refuse("what", {IssueId::NothingFlown});
     const Point wind_mps =
         source.mission ? source.mission->simulation().motion(0).wind_mps : source.scenario.wind_mps;
@@ -298,7 +305,7 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
     checkExportOptions(source, options);
     const Scenario& scenario = source.scenario;
     ExportContent content{
-        .what = options.what.value_or(source.mission ? ExportWhat::Track : ExportWhat::Order),
+        .what = options.what.value_or(source.mission ? ExportScope::Track : ExportScope::Order),
         .options = options,
         .name = scenario.name,
         .scenario = std::make_shared<const Scenario>(scenario),
@@ -354,7 +361,7 @@ bool hasHeights(const NoFlyArea& area)
 std::optional<double> chanceInView(const ExportContent& content, const ExportUav& uav,
                                    const Visit& visit, int iceberg)
 {
-    if (content.what == ExportWhat::Track)
+    if (content.what == ExportScope::Track)
         return std::nullopt;
     if (uav.isAimed)
         return chanceToFind(uav.searches, iceberg, content.now_s);

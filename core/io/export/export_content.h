@@ -24,79 +24,88 @@
 namespace berg {
 
 /**
- * What there is to export: the scenario, the plan from its start and, for a run, the mission. A
- * mission is exported as it stands: its plan in force, and what was flown until now.
+ * Input of an export: the scenario, the plan from its start and, for a run, the mission. A mission
+ * is exported in its present state: the plan in force, and the flight until now.
  */
 struct ExportSource
 {
     const Scenario& scenario;
-    const PlanAnswer& plan;           ///< of `planFromStart`, or `startPlan` of the mission
-    const Mission* mission = nullptr; ///< null: nothing flown
-    /** By UAV, moved from; none: what the mission recorded. */
+    const PlanAnswer& plan;           ///< from `planFromStart`, or from `startPlan` of the mission
+    const Mission* mission = nullptr; ///< null if nothing was flown
+    /**
+     * Flown tracks by UAV, which are moved from; if empty, those recorded by the mission are used.
+     */
     std::span<TrackPoints> flown = {};
-    std::optional<ZetaPrediction> predicted = {}; ///< before take-off; nullopt: not known
-    ReportWords words = {};                       ///< of pages for people
+    std::optional<ZetaPrediction> predicted = {}; ///< made before take-off
+    ReportWords words = {};                       ///< language of printed pages
 };
 
-enum class ExportWhat
+/** Part of a flight or plan that is exported. */
+enum class ExportScope
 {
-    FirstLeg, ///< to the first iceberg of the order, or the first cluster
+    FirstLeg, ///< leg to the first iceberg or cluster of the order
     Order,    ///< the whole present order, in straight legs
-    Path,     ///< the present order as an aircraft with these turns flies it
-    Track     ///< what was flown
+    Path,     ///< the present order as an aircraft with its turn radius flies it
+    Track     ///< the path flown so far
 };
 
-inline constexpr std::array<Named<ExportWhat>, 4> kExportWhatNames{{
-    {ExportWhat::FirstLeg, "first-leg"},
-    {ExportWhat::Order, "order"},
-    {ExportWhat::Path, "path"},
-    {ExportWhat::Track, "track"},
+/** Names of scopes on the command line. */
+inline constexpr std::array<Named<ExportScope>, 4> kExportScopeNames{{
+    {ExportScope::FirstLeg, "first-leg"},
+    {ExportScope::Order, "order"},
+    {ExportScope::Path, "path"},
+    {ExportScope::Track, "track"},
 }};
 
-/** What a user chooses; what is left out is as the scenario says. */
+/** Choices of the user; missing ones have the values of the scenario. */
 struct ExportOptions
 {
-    std::optional<ExportWhat> what = {}; ///< none: the track of a mission, else the order
-    std::string uav = {};                ///< id; empty: all
+    /** Without a value, the track of a mission or else the order is exported. */
+    std::optional<ExportScope> what = {};
+    std::string uav = {}; ///< id of the UAV; empty means all
     std::optional<double> altitude_m = {};
     std::optional<double> airspeed_mps = {};
-    std::optional<double> acceptance_m = {}; ///< radius within which a waypoint counts as passed
-    int loiterTurns = 0;                     ///< over each iceberg; 0: fly over it
-    std::optional<bool> returnHome = {};     ///< none: with limited endurance or on a closed route
+    std::optional<double> acceptance_m = {}; ///< radius within which a waypoint counts as reached
+    int loiterTurns = 0;                     ///< turns over each iceberg; 0 means flying over it
+    /** Without a value, paths end at home with limited endurance or on a closed route. */
+    std::optional<bool> returnHome = {};
     bool operator==(const ExportOptions&) const = default;
 };
 
-/** Turns that ArduPlane can store: 8 bits. */
+/** Largest number of turns that ArduPlane can store in its 8 bits. */
 inline constexpr int kMostLoiterTurns = 255;
 
-/** One UAV with its way. */
+/** A UAV with its path. */
 struct ExportUav
 {
-    std::size_t row = 0; ///< in the scenario; writers choose its colour by it
-    Uav uav;             ///< as the way begins: place, heading, altitude and speed chosen
-    double start_s = 0;  ///< when it begins
+    std::size_t row = 0; ///< index in the scenario, which determines its colour
+    Uav uav;             ///< state at the start of the path, with the chosen altitude and speed
+    double start_s = 0;  ///< start time of the path
+    /** landing place, or the start */
     Point home_m = Point::Zero();
-    double reach_m = 0;       ///< acceptance radius wanted over a single iceberg
-    bool reachChosen = false; ///< by the options: the same over clusters
-    bool isAimed = false;     ///< flown with aims: past the estimates, not over them
-    std::vector<PlannedSearch> searches = {}; ///< for lost icebergs, on the aimed legs
+    double reach_m = 0;       ///< requested acceptance radius over a single iceberg
+    bool reachChosen = false; ///< chosen by the user, so it applies to clusters unchanged
+    bool isAimed = false;     ///< flown with aim points, past the estimates and not over them
+    std::vector<PlannedSearch> searches = {}; ///< search places on the aimed legs
     double circle_m = 0;                      ///< radius of the tightest circle over ground
-    std::size_t laterSorties = 0;             ///< icebergs of the order that are left for them
+    std::size_t laterSorties = 0;             ///< number of icebergs left for them
     std::optional<double> slot_s = {}; ///< end of its recovery slot; nullopt if it needs no slot
-    std::vector<Visit> visits = {};    ///< to come or made, in order; home is iceberg -1
-    TrackPoints track = {};            ///< of `Path` and `Track`
-    double flown_m = 0;                ///< through the air until now
+    std::vector<Visit> visits = {};    ///< future or past visits in order; home has iceberg −1
+    TrackPoints track = {};            ///< track of `Path` and `Track`
+    double flown_m = 0;                ///< distance through the air until now
 };
 
+/** State of an iceberg at the time of the export. */
 enum class IcebergState
 {
-    Expected, ///< has not appeared yet
+    Expected, ///< it has not appeared yet
     Tracked,
     Lost,
-    GivenUp, ///< the search for it has ended without it
-    Left     ///< the area
+    GivenUp, ///< the search for it has ended without finding it
+    Left     ///< it has left the area
 };
 
+/** Names of states in exported files. */
 inline constexpr std::array<Named<IcebergState>, 5> kIcebergStateNames{{
     {IcebergState::Expected, "expected"},
     {IcebergState::Tracked, "tracked"},
@@ -105,125 +114,137 @@ inline constexpr std::array<Named<IcebergState>, 5> kIcebergStateNames{{
     {IcebergState::Left, "left"},
 }};
 
-/** One iceberg at `ExportContent::now_s`. */
+/** An iceberg at `ExportContent::now_s`. */
 struct ExportIceberg
 {
     Iceberg iceberg;                  ///< as entered
-    Point position_m = Point::Zero(); ///< estimate; of a track, where it truly is
-    Point drift_mps = Point::Zero();  ///< believed, with the current, in the plane
+    Point position_m = Point::Zero(); ///< estimate; for scope `Track` the true position
+    Point drift_mps = Point::Zero();  ///< estimated drift including the current, in the plane
     double sigma_m2 = 0;
-    Track track; ///< what is known of it: how sigma goes on
+    Track track; ///< tracking state, which determines the growth of sigma
     IcebergState state = IcebergState::Tracked;
-    bool isListed = true; ///< there at `now_s`, or to come in a scenario that was not flown
+    bool isListed = true; ///< present at `now_s`, or expected in a scenario that was not flown
 
-    /** sigma after `dt_s` >= 0 unseen. */
+    /** Returns sigma if the iceberg stays unseen for `dt_s` >= 0. */
     [[nodiscard]] double sigmaAfter_m2(double dt_s) const { return track.sigmaAfter_m2(dt_s); }
 };
 
-/** What the solver said of the plan. */
+/** Solver result of the plan. */
 struct ExportPlan
 {
     SolveStatus status = SolveStatus::None;
-    std::optional<double> gap; ///< relative; none: no bound
-    bool fellBack = false;     ///< the rest of the plan before
+    std::optional<double> gap; ///< relative; nullopt without a bound
+    bool fellBack = false;     ///< the plan is the rest of the previous one
 };
 
-/** Everything that writers of exported files read, made once by `exportContent`. */
+/** Input of the writers of exported files, built by `exportContent`. */
 struct ExportContent
 {
-    ExportWhat what = ExportWhat::Order;
+    ExportScope what = ExportScope::Order;
     ExportOptions options;
-    std::string name;                         ///< of the scenario
+    std::string name;                         ///< name of the scenario
     std::shared_ptr<const Scenario> scenario; ///< as entered
     LocalFrame frame{LatLon{}};
-    std::optional<UtcTime> start;        ///< time 0; none: times are relative
-    double now_s = 0;                    ///< time of the icebergs
-    std::vector<ExportUav> uavs;         ///< those chosen, at least one
-    std::vector<ExportIceberg> icebergs; ///< by the indices that visits name
+    std::optional<UtcTime> start;        ///< instant of time 0; nullopt if times are relative
+    double now_s = 0;                    ///< time of the icebergs' states
+    std::vector<ExportUav> uavs;         ///< the chosen UAVs, at least one
+    std::vector<ExportIceberg> icebergs; ///< by the indices that visits refer to
     std::vector<Point> area_m;
     bool geofence = false;
     std::vector<NoFlyArea> noFly; ///< as entered
     std::optional<Asset> asset;
-    std::optional<NoFlyArea> standoff;        ///< round the asset
-    std::optional<OperationVolume> operation; ///< at the altitude and airspeed chosen
+    std::optional<NoFlyArea> standoff;        ///< stand-off ring of the asset
+    std::optional<OperationVolume> operation; ///< at the chosen altitude and airspeed
     PlannerSettings planner;
-    ExportPlan plan;                         ///< in force, or the last one
+    ExportPlan plan;                         ///< plan in force, or the last one
     Point wind_mps = Point::Zero();          ///< at `now_s`, in the plane
-    std::optional<double> zeta_m2s;          ///< until now, of all UAVs; none: nothing was flown
-    std::optional<ZetaPrediction> predicted; ///< before take-off; nullopt: not known
-    const Mission* mission = nullptr;        ///< for formats that are `flownOnly` alone; borrowed
-    ReportWords words;                       ///< of pages for people
+    std::optional<double> zeta_m2s;          ///< of all UAVs until now, if flown
+    std::optional<ZetaPrediction> predicted; ///< made before take-off; nullopt if there is none
+    const Mission* mission = nullptr;        ///< for formats that are `flownOnly` only; borrowed
+    ReportWords words;                       ///< language of printed pages
 };
 
 /**
- * The content of an export. Throws `Error{InvalidInput}` for options that cannot be met, subject =
- * the option: a UAV that is not there, a track when nothing was flown, a number out of range; and
- * `Error{Unsupported}` of what no file can hold, subject = whose it is: a time or place that is not
- * finite or off the plane. A path is flown here (`flyOrder`): milliseconds for each hour of flight.
+ * Builds the content of an export. Throws `Error{InvalidInput}` with the option as subject for
+ * options that cannot be satisfied: an unknown UAV, a track when nothing was flown, a number out of
+ * range, an airspeed that is not above the wind. Throws `Error{Unsupported}` with the UAV or object
+ * as subject for a time or place that no file can hold: not finite, or outside the plane. Throws as
+ * `TrackPoints` for a track. A path is flown here (`flyOrder`): milliseconds for each hour of
+ * flight.
  */
 [[nodiscard]] ExportContent exportContent(const ExportSource& source,
                                           const ExportOptions& options = {});
 
-/** What every paper about an operation volume says first. */
+/** First line of every document about an operation volume. */
 inline constexpr const char* kVolumeTitle =
     "Operation volume: proposal, to be checked with your authority";
 
-/** Refuses options that cannot be met, as `exportContent` does. */
+/** Throws `Error{InvalidInput}` for options that cannot be satisfied, as `exportContent` does. */
 void checkExportOptions(const ExportSource& source, const ExportOptions& options);
 
-/** No-fly areas and the stand-off ring, `closedAreas` of the content. */
+/** Returns the no-fly areas and the stand-off ring. */
 [[nodiscard]] std::vector<NoFlyArea> closedAreas(const ExportContent& content);
 
-/** Whether it is open below or above some altitude. */
+/** Returns true if the area is closed only above its floor or below its ceiling. */
 [[nodiscard]] bool hasHeights(const NoFlyArea& area);
 
 /**
- * Chance that an iceberg of a planned visit is in view when the UAV is over its estimate
- * (`chanceInView`; of a cluster, as far out as its farthest member); of a lost one that legs with
- * aims search for, that one of the places shows it. None where the UAV does not fly over it, or has
- * done so.
+ * Returns the probability that an iceberg of a planned visit is in view when the UAV is over its
+ * estimate (`chanceInView`, for a cluster at the distance of its farthest member). On aimed legs,
+ * returns for a lost iceberg the probability that one of the planned search places shows it.
+ * Returns nullopt for other icebergs on aimed legs, which the UAV passes aside, and for a track.
  */
 [[nodiscard]] std::optional<double> chanceInView(const ExportContent& content, const ExportUav& uav,
                                                  const Visit& visit, int iceberg);
 
-/** Ids of the icebergs in view at a visit. */
+/** Returns the ids of the icebergs in view at a visit, none for a visit to home. */
 [[nodiscard]] std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit);
 
-/** How its drift changes, where it does, by the names that scenario files have for it. */
+/**
+ * Returns the standard deviation of the velocity and the parameters of a changing drift, those that
+ * the iceberg has, by their names in scenario files.
+ */
 [[nodiscard]] std::vector<std::pair<std::string_view, double>>
 driftData(const ExportContent& content, const ExportIceberg& iceberg);
 
-/** Name of what is visited for people: name or id of the iceberg, ids of a cluster, "Home". */
+/**
+ * Returns the name of a visit for people: name or id of the iceberg, ids of a cluster, or "Home".
+ */
 [[nodiscard]] std::string titleOf(const ExportContent& content, const Visit& visit);
 
-/** Its name, or its id when it has none. */
+/** Returns the name of the object, or its id if it has no name. */
 [[nodiscard]] const std::string& titleOf(const Iceberg& iceberg);
 [[nodiscard]] const std::string& titleOf(const Uav& uav);
 
-/** A velocity in the plane as east and north at the place, to 1e-9 m/s. */
+/** Converts a velocity in the plane to true east and north at the place, rounded to 1e-9 m/s. */
 [[nodiscard]] Point eastNorth_mps(const ExportContent& content, const Point& velocity_mps,
                                   const Point& at_m);
 
-/** Heading in the plane as true heading at the place, degrees in [0, 360). */
+/**
+ * Converts a heading in the plane to the true heading at the place, degrees in [0, 360), rounded to
+ * 1e-6.
+ */
 [[nodiscard]] double trueHeading_deg(const ExportContent& content, double heading_deg,
                                      const Point& at_m);
 
-/** Where the asset is at `now_s`; there must be one. */
+/** Returns the position of the asset at `now_s`; the content must have an asset. */
 [[nodiscard]] Point assetPlace_m(const ExportContent& content);
 
-/** Each point of the way in turn: its track, or the start and each visit; at least one. */
+/**
+ * Passes each point of the path to `take`: the track, or the start and each visit; at least one.
+ */
 void eachPoint(const ExportUav& uav, const PointSink& take);
 
-/** The way as a line of the map: `eachPlace`. */
+/** Passes the path as longitude-latitude lines to `take`; see `eachPlace` of geo_shapes.h. */
 void eachPlace(const ExportContent& content, const ExportUav& uav, const PlaceSink& take);
 
-/** Of that line. */
+/** Returns the number of parts of the lines of `eachPlace`, which are cut at the antimeridian. */
 [[nodiscard]] std::size_t partsOf(const ExportContent& content, const ExportUav& uav);
 
-/** The way in memory, for what is of one page or one hour. */
+/** Returns the points of the path in memory, for use on a page or over an hour of flight. */
 [[nodiscard]] std::vector<TimedPoint> pathOf(const ExportUav& uav);
 
-/** Its last point. */
+/** Returns the last point of the path. */
 [[nodiscard]] TimedPoint endOf(const ExportUav& uav);
 
 } // namespace berg

@@ -7,7 +7,7 @@ namespace berg {
 
 namespace {
 
-/** Letters of any script, digits, and marks that every file system and shell takes. */
+/** Keeps letters of any script, digits, and characters that every file system and shell accepts. */
 std::string fileNamePart(std::string_view id)
 {
     std::string part;

@@ -10,10 +10,10 @@ namespace berg {
 
 namespace {
 
-/** Later than any flight ends. */
+/** Time after the end of any flight. */
 constexpr double kNever_s = 2 * kLargestTime_s;
 
-/** Where the iceberg is believed to be, as one of a scenario that starts now. */
+/** Returns the iceberg at its estimate, for a scenario that starts now. */
 Iceberg presentIceberg(const Iceberg& iceberg, const Simulation& simulation, int index)
 {
     Iceberg now = iceberg;
@@ -24,14 +24,14 @@ Iceberg presentIceberg(const Iceberg& iceberg, const Simulation& simulation, int
         return now;
     const Track& track = simulation.track(index);
     now.position_m = simulation.observer().estimate_m(index);
-    now.velocity_mps = track.velocity_mps - track.mean_mps; // the current stays the scene's
+    now.velocity_mps = track.velocity_mps - track.mean_mps; // the scenario still adds the current
     now.sigma0_m2 = track.sigma_m2;
     now.velocitySd_mps = std::sqrt(track.velocity_m2ps2);
     now.observed_s = 0;
     return now;
 }
 
-void moveOn(Uav& uav, const UavState& now, double least_s)
+void advanceToNow(Uav& uav, const UavState& now, double least_s)
 {
     uav.home_m = uav.home_m.value_or(uav.position_m);
     uav.position_m = now.pose.position_m;
@@ -39,13 +39,13 @@ void moveOn(Uav& uav, const UavState& now, double least_s)
     if (uav.spec.endurance_s == 0)
         return;
     const double left_s = std::max(least_s, usableEndurance_s(uav.spec) - now.aloft_s);
-    uav.spec.reserve_s = reserve_s(uav.spec); // of the whole endurance, not of what is left
-    uav.spec.climb_s = 0;                     // done
+    uav.spec.reserve_s = reserve_s(uav.spec); // fixed by the whole endurance, not by what is left
+    uav.spec.climb_s = 0;                     // the climb is over
     uav.spec.endurance_s = left_s + *uav.spec.reserve_s + uav.spec.landing_s;
 }
 
-/** The scene, which has UAV `row` alone, as the mission stands. */
-void moveOn(Scenario& scene, const Mission& mission, int row)
+/** Updates the scenario, which has UAV `row` only, to the present state of the mission. */
+void advanceToNow(Scenario& scene, const Mission& mission, int row)
 {
     const Simulation& simulation = mission.simulation();
     scene.planner = mission.plannerSettings();
@@ -55,12 +55,12 @@ void moveOn(Scenario& scene, const Mission& mission, int row)
     for (const Iceberg& iceberg : mission.icebergs())
         scene.icebergs.push_back(
             presentIceberg(iceberg, simulation, static_cast<int>(scene.icebergs.size())));
-    moveOn(scene.uavs.front(), simulation.uav(row), simulation.world().dt_s());
+    advanceToNow(scene.uavs.front(), simulation.uav(row), simulation.world().dt_s());
 }
 
 UavOrder orderAtStart(const PlanAnswer& plan, std::size_t row)
 {
-    if (row >= plan.uavs.size()) // at the start all UAVs are planned
+    if (row >= plan.uavs.size()) // a plan from the start covers all UAVs
         return {};
     return {
         .icebergs = plan.uavs[row].order, .clusters = plan.clusters, .legs = plan.uavs[row].legs};
@@ -73,7 +73,7 @@ PlanAnswer startPlan(const Mission& mission)
     PlanAnswer answer;
     for (const PlanEvent& plan : mission.plans()) {
         if (&plan != &mission.plans().front() && !plan.sameSolve)
-            break; // made later
+            break; // made after the start
         answer.uavs.push_back({.order = plan.order, .legs = plan.legs});
         answer.clusters.insert(answer.clusters.end(), plan.clusters.begin(), plan.clusters.end());
         answer.outcome.status = plan.status;
@@ -96,7 +96,7 @@ UavOrder presentOrder(const ExportSource& source, std::size_t row)
     if (plan->outlook)
         order.searches = plan->outlook->searches;
     if (!order.legs.empty() && simulation.uav(uav).aim)
-        order.legs.front() = *simulation.uav(uav).aim; // what is left of its turn
+        order.legs.front() = *simulation.uav(uav).aim; // the rest of the current turn
     for (AimedLeg& leg : order.legs) {
         leg.sighting_s -= simulation.time_s();
         if (leg.end_s)
@@ -107,12 +107,12 @@ UavOrder presentOrder(const ExportSource& source, std::size_t row)
 
 Scenario presentScene(const ExportSource& source, std::size_t row)
 {
-    Scenario scene = foreseen(source.scenario, source.scenario.planner.policy);
+    Scenario scene = withoutUnknowns(source.scenario, source.scenario.planner.policy);
     scene.uavs = {source.scenario.uavs.at(row)};
     if (source.mission != nullptr)
-        moveOn(scene, *source.mission, static_cast<int>(row));
+        advanceToNow(scene, *source.mission, static_cast<int>(row));
     for (Iceberg& iceberg : scene.icebergs)
-        iceberg.uav.clear(); // the order says who visits it
+        iceberg.uav.clear(); // the order determines the UAV
     return scene;
 }
 

@@ -7,21 +7,28 @@
 
 namespace berg {
 
-// The one place that knows how plans and recordings hold the UAVs of a fleet.
+// Access to the UAVs of a fleet in plans and recordings, for all exports.
 
-/** The plan that the mission began with, as far as exports read it; nothing is solved again. */
+/**
+ * Returns the plan with which the mission began, with the members that exports read; nothing is
+ * solved again.
+ */
 [[nodiscard]] PlanAnswer startPlan(const Mission& mission);
 
-/** What UAV `row` of the scenario is to fly from now on. */
+/**
+ * Returns the order that UAV `row` of the scenario flies from now on; it is empty if the UAV has
+ * none. Times of its legs count from now, those of its searches from the start of the mission.
+ */
 [[nodiscard]] UavOrder presentOrder(const ExportSource& source, std::size_t row);
 
 /**
- * What is known now as a scenario that starts now, with that UAV alone: estimates in place of
- * icebergs, no noise, no recorded tracks, the endurance that is left. Indices of icebergs stay.
+ * Returns the present estimate as a scenario that starts now, with UAV `row` only: estimates
+ * instead of true positions, no noise, no recorded tracks, and the remaining endurance. Indices of
+ * icebergs are unchanged. Throws `std::out_of_range` if there is no such UAV.
  */
 [[nodiscard]] Scenario presentScene(const ExportSource& source, std::size_t row);
 
-/** Samples on record; empty when the mission kept none. */
+/** Returns the recorded samples of a UAV, none if nothing was recorded. Throws as `TrackPoints`. */
 [[nodiscard]] TrackPoints flownTrack(const Mission& mission, std::size_t row);
 
 } // namespace berg

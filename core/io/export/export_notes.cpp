@@ -1,13 +1,11 @@
 #include "core/io/export/export_notes.h"
 
-#include "core/base/number_text.h"
 #include "core/base/translate_noop.h"
 #include "core/io/export/export_files.h"
 #include "core/io/export/mission_items.h"
 #include "core/scenario/fence.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -19,28 +17,38 @@ constexpr std::string_view kArduPlane = "ArduPlane";
 constexpr std::string_view kMissionPlanner = "Mission Planner";
 constexpr std::string_view kGroundStations = "QGroundControl, Mission Planner";
 
-constexpr std::array<Named<ExportNoteKind>, 16> kNoteIds{{
-    {ExportNoteKind::OneFileEach, "one-file-each"},
-    {ExportNoteKind::NoTimes, "no-times"},
-    {ExportNoteKind::NoFence, "no-fence"},
-    {ExportNoteKind::NoNoFly, "no-no-fly-areas"},
-    {ExportNoteKind::NoHeights, "no-heights"},
-    {ExportNoteKind::FenceAcross180, "fence-across-180"},
-    {ExportNoteKind::VisitsOnly, "visits-only"},
-    {ExportNoteKind::PathAsWaypoints, "path-as-waypoints"},
-    {ExportNoteKind::AcceptanceCut, "acceptance-cut"},
-    {ExportNoteKind::LoiterInSteps, "loiter-in-steps"},
-    {ExportNoteKind::WholeSpeed, "whole-speed"},
-    {ExportNoteKind::ChoiceNotUsed, "choice-not-used"},
-    {ExportNoteKind::NothingToFly, "nothing-to-fly"},
-    {ExportNoteKind::LegsCross, "legs-cross"},
-    {ExportNoteKind::LaterSorties, "later-sorties"},
-    {ExportNoteKind::OptionNotUsed, "option-not-used"},
-}};
-
-std::string_view idOf(ExportNoteKind kind)
+/** Name for scripts, and English words with %1, %2, ... for the arguments. */
+struct NoteRow
 {
-    return std::ranges::find(kNoteIds, kind, &Named<ExportNoteKind>::value)->name;
+    ExportNoteKind kind;
+    std::string_view id;
+    std::string_view words;
+};
+// clang-format off
+constexpr NoteRow kNoteWords[]{
+    {ExportNoteKind::OneFileEach, "one-file-each", QT_TRANSLATE_NOOP("IssueText", "a file holds one UAV: %1 files are written, named after the UAVs")},
+    {ExportNoteKind::NoTimes, "no-times", QT_TRANSLATE_NOOP("IssueText", "the scenario has no start time, so the file has no dates")},
+    {ExportNoteKind::NoFence, "no-fence", QT_TRANSLATE_NOOP("IssueText", "the geofence is left out: the format has no place for it")},
+    {ExportNoteKind::NoNoFly, "no-no-fly-areas", QT_TRANSLATE_NOOP("IssueText", "no-fly areas and the stand-off ring are left out: the format has no place for them")},
+    {ExportNoteKind::NoHeights, "no-heights", QT_TRANSLATE_NOOP("IssueText", "no-fly areas have no heights: those at the altitude of the UAV are written")},
+    {ExportNoteKind::FenceAcross180, "fence-across-180", QT_TRANSLATE_NOOP("IssueText", "%1 may draw the fence the long way round: it crosses the antimeridian")},
+    {ExportNoteKind::VisitsOnly, "visits-only", QT_TRANSLATE_NOOP("IssueText", "the places where icebergs were reached are written, not the track")},
+    {ExportNoteKind::PathAsWaypoints, "path-as-waypoints", QT_TRANSLATE_NOOP("IssueText", "the path becomes %1 waypoints within %2 m of it")},
+    {ExportNoteKind::AcceptanceCut, "acceptance-cut", QT_TRANSLATE_NOOP("IssueText", "%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m")},
+    {ExportNoteKind::LoiterInSteps, "loiter-in-steps", QT_TRANSLATE_NOOP("IssueText", "%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m")},
+    {ExportNoteKind::WholeSpeed, "whole-speed", QT_TRANSLATE_NOOP("IssueText", "%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact")},
+    {ExportNoteKind::ChoiceNotUsed, "choice-not-used", QT_TRANSLATE_NOOP("IssueText", "the file is about the whole flight, whatever is chosen to be exported")},
+    {ExportNoteKind::NothingToFly, "nothing-to-fly", QT_TRANSLATE_NOOP("IssueText", "UAVs without an iceberg to visit: %1")},
+    {ExportNoteKind::LegsCross, "legs-cross", QT_TRANSLATE_NOOP("IssueText", "straight legs that lead out of the geofence or through a no-fly area: %1; export the path instead, which leads round")},
+    {ExportNoteKind::LaterSorties, "later-sorties", QT_TRANSLATE_NOOP("IssueText", "only this sortie is exported; icebergs left for later sorties: %1")},
+    {ExportNoteKind::OptionNotUsed, "option-not-used", QT_TRANSLATE_NOOP("IssueText", "nothing in the file depends on %1")},
+};
+// clang-format on
+static_assert(std::size(kNoteWords) == std::size_t(ExportNoteKind::OptionNotUsed) + 1);
+
+const NoteRow& noteRow(ExportNoteKind kind)
+{
+    return *std::ranges::find(kNoteWords, kind, &NoteRow::kind);
 }
 
 class NoteList
@@ -49,7 +57,7 @@ public:
     void add(ExportNoteKind kind, std::string_view tool = {}, double value = 0, double limit = 0)
     {
         m_notes.push_back(
-            {.kind = kind, .id = idOf(kind), .tool = tool, .value = value, .limit = limit});
+            {.kind = kind, .id = noteRow(kind).id, .tool = tool, .value = value, .limit = limit});
     }
 
     std::vector<ExportNote> take() { return std::move(m_notes); }
@@ -67,7 +75,7 @@ bool fenceCrosses180(const ExportContent& content)
            std::ranges::any_of(closedAreas(content), crosses, &NoFlyArea::corners_m);
 }
 
-/** What the autopilots' own storage makes of the numbers. */
+/** Adds notes about numbers that the storage of autopilots changes. */
 void addAutopilotNotes(NoteList& notes, const ExportContent& content)
 {
     double reach_m = 0;
@@ -83,8 +91,9 @@ void addAutopilotNotes(NoteList& notes, const ExportContent& content)
             shown_mps = whole_mps;
         }
     }
-    const bool waypointsAreCut = content.options.loiterTurns == 0 &&
-                                 (content.what != ExportWhat::Path || content.options.acceptance_m);
+    const bool waypointsAreCut =
+        content.options.loiterTurns == 0 &&
+        (content.what != ExportScope::Path || content.options.acceptance_m);
     if (reach_m > kLargestByte_m && waypointsAreCut)
         notes.add(ExportNoteKind::AcceptanceCut, kArduPlane, reach_m, kLargestByte_m);
     if (circle_m > kLargestByte_m)
@@ -96,9 +105,9 @@ void addAutopilotNotes(NoteList& notes, const ExportContent& content)
 
 void addMissionNotes(NoteList& notes, const ExportContent& content)
 {
-    if (content.what == ExportWhat::Track)
+    if (content.what == ExportScope::Track)
         notes.add(ExportNoteKind::VisitsOnly);
-    if (content.what == ExportWhat::Path) {
+    if (content.what == ExportScope::Path) {
         std::size_t waypoints = 0;
         for (const ExportUav& uav : content.uavs)
             waypoints = std::max(waypoints, pathCorners(uav).size());
@@ -107,7 +116,7 @@ void addMissionNotes(NoteList& notes, const ExportContent& content)
     addAutopilotNotes(notes, content);
 }
 
-void addOptionNotes(NoteList& notes, const ExportHolds& holds, const ExportContent& content)
+void addOptionNotes(NoteList& notes, const ExportCapabilities& holds, const ExportContent& content)
 {
     struct Option
     {
@@ -134,7 +143,7 @@ void addOptionNotes(NoteList& notes, const ExportHolds& holds, const ExportConte
 
 std::size_t legsThatCross(const ExportContent& content)
 {
-    if (content.what == ExportWhat::Path || content.what == ExportWhat::Track)
+    if (content.what == ExportScope::Path || content.what == ExportScope::Track)
         return 0;
     std::size_t crossing = 0;
     for (const ExportUav& uav : content.uavs) {
@@ -155,7 +164,7 @@ std::size_t legsThatCross(const ExportContent& content)
 std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportContent& content)
 {
     NoteList notes;
-    const ExportHolds& holds = format.holds;
+    const ExportCapabilities& holds = format.holds;
     if (const std::size_t files = fileCount(format, content); files > 1)
         notes.add(ExportNoteKind::OneFileEach, {}, static_cast<double>(files));
     addOptionNotes(notes, holds, content);
@@ -193,83 +202,29 @@ std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportCont
 
 std::string_view notePattern(ExportNoteKind kind)
 {
-    switch (kind) {
-    case ExportNoteKind::OneFileEach:
-        return QT_TRANSLATE_NOOP(
-            "CommandLine", "a file holds one UAV: %1 files are written, named after the UAVs");
-    case ExportNoteKind::NoTimes:
-        return QT_TRANSLATE_NOOP("CommandLine",
-                                 "the scenario has no start time, so the file has no dates");
-    case ExportNoteKind::NoFence:
-        return QT_TRANSLATE_NOOP("CommandLine",
-                                 "the geofence is left out: the format has no place for it");
-    case ExportNoteKind::NoNoFly:
-        return QT_TRANSLATE_NOOP(
-            "CommandLine",
-            "no-fly areas and the stand-off ring are left out: the format has no place for them");
-    case ExportNoteKind::NoHeights:
-        return QT_TRANSLATE_NOOP(
-            "CommandLine",
-            "no-fly areas have no heights: those at the altitude of the UAV are written");
-    case ExportNoteKind::FenceAcross180:
-        return QT_TRANSLATE_NOOP(
-            "CommandLine", "%1 may draw the fence the long way round: it crosses the antimeridian");
-    case ExportNoteKind::VisitsOnly:
-        return QT_TRANSLATE_NOOP(
-            "CommandLine", "the places where icebergs were reached are written, not the track");
-    case ExportNoteKind::PathAsWaypoints:
-        return QT_TRANSLATE_NOOP("CommandLine", "the path becomes %1 waypoints within %2 m of it");
-    case ExportNoteKind::AcceptanceCut:
-        return QT_TRANSLATE_NOOP("CommandLine",
-                                 "%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m");
-    case ExportNoteKind::LoiterInSteps:
-        return QT_TRANSLATE_NOOP(
-            "CommandLine", "%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m");
-    case ExportNoteKind::WholeSpeed:
-        return QT_TRANSLATE_NOOP("CommandLine",
-                                 "%1 reads the cruise speed as a whole number: %2 m/s becomes %3 "
-                                 "m/s; the speed in the mission is exact");
-    case ExportNoteKind::ChoiceNotUsed:
-        return QT_TRANSLATE_NOOP(
-            "CommandLine", "the file is about the whole flight, whatever is chosen to be exported");
-    case ExportNoteKind::NothingToFly:
-        return QT_TRANSLATE_NOOP("CommandLine", "UAVs without an iceberg to visit: %1");
-    case ExportNoteKind::LegsCross:
-        return QT_TRANSLATE_NOOP("CommandLine",
-                                 "straight legs that lead out of the geofence or through a no-fly "
-                                 "area: %1; the path (--what path) leads round");
-    case ExportNoteKind::LaterSorties:
-        return QT_TRANSLATE_NOOP(
-            "CommandLine",
-            "this sortie alone is written: icebergs of the order left for later ones: %1");
-    case ExportNoteKind::OptionNotUsed:
-        return QT_TRANSLATE_NOOP("CommandLine",
-                                 "--%1 is not used: nothing in the file depends on it");
-    }
-    throw std::logic_error("notePattern: unknown kind");
+    return noteRow(kind).words;
 }
 
 std::vector<IssueArgument> noteArguments(const ExportNote& note)
 {
     const std::string tool(note.tool);
-    const std::string value = fixedText(note.value, 0);
-    const std::string limit = fixedText(note.limit, 0);
     switch (note.kind) {
     case ExportNoteKind::OneFileEach:
     case ExportNoteKind::NothingToFly:
     case ExportNoteKind::LegsCross:
     case ExportNoteKind::LaterSorties:
-        return {value};
+        return {note.value};
     case ExportNoteKind::FenceAcross180:
-    case ExportNoteKind::OptionNotUsed:
         return {tool};
+    case ExportNoteKind::OptionNotUsed:
+        return {FieldPath{"--" + tool}};
     case ExportNoteKind::PathAsWaypoints:
-        return {value, fixedText(kPathTolerance_m, 0)};
+        return {note.value, kPathTolerance_m};
     case ExportNoteKind::AcceptanceCut:
     case ExportNoteKind::LoiterInSteps:
-        return {tool, value, limit};
+        return {tool, std::round(note.value), std::round(note.limit)};
     case ExportNoteKind::WholeSpeed:
-        return {tool, fixedText(note.value, 2), limit};
+        return {tool, std::round(100 * note.value) / 100, note.limit};
     case ExportNoteKind::NoTimes:
     case ExportNoteKind::NoFence:
     case ExportNoteKind::NoNoFly:

@@ -9,48 +9,57 @@
 
 namespace berg {
 
-/** What a format leaves out, or a tool will change. */
+/**
+ * Property of an export that the user should know: content that the format leaves out, or that a
+ * tool will change.
+ */
 enum class ExportNoteKind
 {
-    OneFileEach,    ///< value: UAVs, each in a file of its own
+    OneFileEach,    ///< value: number of UAVs, each in a file of its own
     NoTimes,        ///< the scenario has no start time, so there are no dates
     NoFence,        ///< the format has no place for the geofence
-    NoNoFly,        ///< nor for no-fly areas and the stand-off ring
-    NoHeights,      ///< of no-fly areas: those at the altitude of the UAV, at every height
+    NoNoFly,        ///< the format has no place for no-fly areas and the stand-off ring
+    NoHeights,      ///< no-fly areas lose their heights: those at the altitude of the UAV are
+                    ///< exported for every height
     FenceAcross180, ///< ground stations may draw a fence across the antimeridian the long way round
-    VisitsOnly,     ///< of a track: waypoints where icebergs were reached
-    PathAsWaypoints, ///< value: waypoints that stand for the path
-    AcceptanceCut,   ///< value m wanted, limit m kept
-    LoiterInSteps,   ///< value m needed, limit m kept
-    WholeSpeed,      ///< value m/s, limit m/s shown
-    ChoiceNotUsed,   ///< what is to be exported does not matter: it is the whole flight
-    NothingToFly,    ///< value: UAVs without anything to visit
-    LegsCross,       ///< value: straight legs that the fence or a no-fly area is in the way of
-    LaterSorties,    ///< value: icebergs of the orders that the endurance leaves for them
-    OptionNotUsed    ///< tool: the option that was given, on which nothing in the file depends
+    VisitsOnly,     ///< a track is exported as waypoints where icebergs were reached
+    PathAsWaypoints, ///< value: number of waypoints that represent the path
+    AcceptanceCut,   ///< value: requested radius in m, limit: stored radius in m
+    LoiterInSteps,   ///< value: necessary radius in m, limit: stored radius in m
+    WholeSpeed,      ///< value: speed in m/s, limit: displayed speed in m/s
+    ChoiceNotUsed,   ///< the chosen scope is irrelevant, because the file covers the whole flight
+    NothingToFly,    ///< value: number of UAVs without anything to visit
+    LegsCross,       ///< value: number of straight legs that cross the fence or a no-fly area
+    LaterSorties,    ///< value: number of icebergs that the endurance leaves for later sorties
+    OptionNotUsed    ///< tool: the given option, on which nothing in the file depends
 };
 
 struct ExportNote
 {
     ExportNoteKind kind = ExportNoteKind::NoTimes;
-    std::string_view id;   ///< of the kind, for translations and scripts, e.g. "acceptance-cut"
-    std::string_view tool; ///< whose doing it is; empty: the format's
+    std::string_view id;   ///< id of the kind for translations and scripts, e.g. "acceptance-cut"
+    std::string_view tool; ///< tool that causes the change; empty if the format does
     double value = 0;
     double limit = 0;
     bool operator==(const ExportNote&) const = default;
 };
 
-/** What the user should know before writing this; each kind at most once (but one for each
- * option), the worst case of the UAVs. */
+/**
+ * Returns the notes about an export, each kind at most once (except one for each unused option)
+ * with the worst case of the UAVs.
+ */
 [[nodiscard]] std::vector<ExportNote> exportNotes(const ExportFormat& format,
                                                   const ExportContent& content);
 
-/** Straight legs that lead out of the geofence or through a no-fly area, where a flight goes round:
- * of the path, which is flown round, none. */
+/**
+ * Returns the number of straight legs that lead out of the geofence or through a no-fly area, which
+ * a flight would avoid; 0 for a path, which avoids them already.
+ */
 [[nodiscard]] std::size_t legsThatCross(const ExportContent& content);
 
-/** A sentence in English, with %1, %2, ... for the arguments. */
+/** Returns an English sentence with %1, %2, ... for the arguments. */
 [[nodiscard]] std::string_view notePattern(ExportNoteKind kind);
+/** Returns the arguments of the note's sentence. */
 [[nodiscard]] std::vector<IssueArgument> noteArguments(const ExportNote& note);
 
 } // namespace berg

@@ -26,9 +26,9 @@ bool isDeviation(const MissionEvent& event)
     case EventKind::Planned:
         return event.fellBack;
     case EventKind::Appeared:
+    case EventKind::Sighted:
         return event.reported;
     case EventKind::Reached:
-    case EventKind::Sighted:
     case EventKind::Left:
     case EventKind::Found:
     case EventKind::HomeBound:
@@ -44,7 +44,10 @@ bool isPlannerChange(const MissionEvent& event)
     return event.kind == EventKind::Intervention && event.changed == ChangedPart::Planner;
 }
 
-/** Of a drag of tau, which is many changes, where it began and what it came to. */
+/**
+ * Merges the many changes of a drag of tau into one event: its time is the start of the drag, its
+ * tau the final value.
+ */
 void addDeviation(std::vector<MissionEvent>& deviations, const MissionEvent& event)
 {
     constexpr double kDrag_s = 60;
@@ -56,13 +59,13 @@ void addDeviation(std::vector<MissionEvent>& deviations, const MissionEvent& eve
         deviations.push_back(event);
 }
 
-/** What the first plan was to be, and its file. */
+/** Adds the figures of the first plan, and the hash of its file. */
 void addPlanned(LogUav& uav, const Mission& mission, const PlanAnswer& plan)
 {
     const Scenario& scenario = mission.scenario();
     const std::string& id = scenario.uavs[uav.row].id;
-    const ExportContent order =
-        exportContent({.scenario = scenario, .plan = plan}, {.what = ExportWhat::Order, .uav = id});
+    const ExportContent order = exportContent({.scenario = scenario, .plan = plan},
+                                              {.what = ExportScope::Order, .uav = id});
     const ExportUav& planned = order.uavs.front();
     const std::vector<TimedPoint> line = pathOf(planned);
     for (std::size_t i = 1; i < line.size(); ++i)
@@ -73,11 +76,11 @@ void addPlanned(LogUav& uav, const Mission& mission, const PlanAnswer& plan)
     uav.planHash = sha256(wplText(order));
 }
 
-/** What the samples tell of UAVs and icebergs, one after the other. */
-class RecordReading
+/** Reads the samples of the record for UAVs and icebergs, one after the other. */
+class RecordReader
 {
 public:
-    RecordReading(const ExportContent& content, FlightLog& log)
+    RecordReader(const ExportContent& content, FlightLog& log)
         : m_content(content), m_log(log), m_icebergs(content.mission->icebergs().size())
     {
     }
@@ -86,10 +89,14 @@ public:
     {
         const Recorder& recorder = m_content.mission->recorder();
         IcebergReader reader = recorder.reader();
+        const std::vector<Intervention>& changes = m_content.mission->interventions();
+        auto next = changes.begin();
         double before_s = 0;
         for (std::size_t row = 0; row < recorder.samples().size(); ++row) {
             const Sample& sample = recorder.samples()[row];
             readUavs(sample, sample.time_s - before_s);
+            for (; next != changes.end() && next->time_s <= sample.time_s; ++next)
+                readReport(*next);
             readIcebergs(reader.at(row), sample.time_s);
             before_s = sample.time_s;
         }
@@ -105,7 +112,7 @@ private:
     struct Watched
     {
         LogIceberg log;
-        std::optional<double> known_s; ///< seen last, or known of from then on
+        std::optional<double> known_s; ///< last sighting, or when it became known
         bool wasThere = false;
     };
 
@@ -113,8 +120,13 @@ private:
     {
         for (LogUav& uav : m_log.uavs) {
             const UavSample& now = sample.uavs.at(uav.row);
-            if (now.onGround)
+            if (now.onGround) {
+                if (uav.tookOff_s && !uav.landed_s)
+                    uav.landed_s = sample.time_s;
                 continue;
+            }
+            uav.tookOff_s = uav.tookOff_s.value_or(sample.time_s - passed_s);
+            uav.landed_s.reset();
             uav.aloft_s += passed_s;
             if (m_content.operation &&
                 !insidePolygon(m_content.operation->outline_m(VolumePart::Geography),
@@ -130,6 +142,26 @@ private:
                 std::max(watched.log.longestUnseen_s, time_s - *watched.known_s);
     }
 
+    /** Counts a sighting that another observer reported by radio. */
+    void readReport(const Intervention& change)
+    {
+        const std::vector<Iceberg>& icebergs = m_content.mission->icebergs();
+        const std::optional<std::string> id =
+            change.appears ? std::optional(change.appears->id) : change.seen;
+        const int index = id ? indexOfId(icebergs, *id) : -1;
+        if (index >= 0 && static_cast<std::size_t>(index) < m_icebergs.size())
+            see(m_icebergs[static_cast<std::size_t>(index)],
+                change.time_s - (change.seen ? change.seenAge_s : 0));
+    }
+
+    static void see(Watched& watched, double time_s)
+    {
+        close(watched, time_s);
+        watched.known_s = std::max(watched.known_s.value_or(time_s), time_s);
+        watched.log.first_s = std::min(watched.log.first_s.value_or(time_s), time_s);
+        watched.log.last_s = std::max(watched.log.last_s.value_or(time_s), time_s);
+    }
+
     void readIcebergs(const std::vector<IcebergSample>& icebergs, double time_s)
     {
         for (std::size_t i = 0; i < icebergs.size() && i < m_icebergs.size(); ++i) {
@@ -143,12 +175,8 @@ private:
             watched.log.sigma_m2 = icebergs[i].sigma_m2;
             if (!watched.known_s)
                 watched.known_s = time_s;
-            if (!icebergs[i].inView)
-                continue;
-            close(watched, time_s);
-            watched.known_s = time_s;
-            watched.log.first_s = watched.log.first_s.value_or(time_s);
-            watched.log.last_s = time_s;
+            if (icebergs[i].inView)
+                see(watched, time_s);
         }
     }
 
@@ -176,7 +204,7 @@ FlightLog flightLog(const ExportContent& content)
         addPlanned(uav, mission, plan);
         log.uavs.push_back(std::move(uav));
     }
-    RecordReading(content, log).read();
+    RecordReader(content, log).read();
     for (const MissionEvent& event : mission.events()) {
         if (event.kind == EventKind::Reached)
             for (LogIceberg& iceberg : log.icebergs)

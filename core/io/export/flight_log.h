@@ -8,51 +8,56 @@
 
 namespace berg {
 
-/** Of one UAV: what the first plan had in mind, and what came of it. */
+/** Log of one UAV: the first plan and the flight. */
 struct LogUav
 {
-    std::size_t row = 0; ///< in the scenario
+    std::size_t row = 0; ///< index in the scenario
     std::size_t plannedVisits = 0;
-    double plannedLength_m = 0; ///< over ground, in straight legs, as the brief has it
+    double plannedLength_m = 0; ///< over ground in straight legs, as in the brief
     double plannedTime_s = 0;
     int visits = 0;
-    double flown_m = 0;   ///< through the air
-    double aloft_s = 0;   ///< as far as the record tells
-    double outside_s = 0; ///< of the flight geography, where there is an operation
-    std::string planHash; ///< SHA-256 of the first plan as a file of the format wpl
+    double flown_m = 0;              ///< distance through the air
+    double aloft_s = 0;              ///< flight time covered by the record
+    std::optional<double> tookOff_s; ///< first take-off
+    std::optional<double> landed_s;  ///< last landing; nullopt if the UAV is in the air
+    double outside_s = 0;            ///< time outside the flight geography
+    std::string planHash;            ///< SHA-256 of the first plan as a file of format wpl
 };
 
-/** Of one iceberg: how it was kept in sight. */
+/** Log of one iceberg: sightings by UAVs and by reports of others. */
 struct LogIceberg
 {
     std::size_t iceberg = 0;       ///< index
-    std::optional<double> first_s; ///< seen first; none: never
+    std::optional<double> first_s; ///< first sighting; nullopt if it was never seen
+    /** last sighting */
     std::optional<double> last_s;
     int visits = 0;
-    double longestUnseen_s = 0; ///< from when it was known of
-    double sigma_m2 = 0;        ///< at the end of the record
+    double longestUnseen_s = 0; ///< counted from when the iceberg was known
+    double sigma_m2 = 0;        ///< sigma at the end of the record
 };
 
-/** What is told of a flight when it is over, or until now. */
+/** Log of a flight that is over, or of a flight until now. */
 struct FlightLog
 {
     double flown_s = 0;
     Metrics metrics;
-    std::optional<ZetaPrediction> predicted; ///< of the content: before take-off, of the whole run
-    bool wasChanged = false; ///< in flight: then the prediction was for another flight
+    std::optional<ZetaPrediction> predicted; ///< made before take-off, for the whole run
+    bool wasChanged = false; ///< the flight was changed, so the prediction does not apply to it
     std::vector<LogUav> uavs;
-    std::vector<LogIceberg> icebergs;     ///< those that have appeared
-    std::vector<MissionEvent> deviations; ///< from what was planned; of a drag of tau the last
+    std::vector<LogIceberg> icebergs;     ///< icebergs that have appeared
+    std::vector<MissionEvent> deviations; ///< a drag of tau is one of them
 };
 
 /**
- * The log of the mission of the content, all UAVs. Cost: linear in the record. Throws
- * `Error{InvalidInput}` without a mission.
+ * Builds the log of the content's mission with all UAVs. Cost: linear in the record. Throws
+ * `Error{InvalidInput}` without a mission, and as `exportContent` for the first plan.
  */
 [[nodiscard]] FlightLog flightLog(const ExportContent& content);
 
-/** The log as a page of its own for browsers: HTML that is well-formed XML, in the words of the
- * content. */
+/**
+ * Returns the log as a self-contained page: HTML that is well-formed XML, in the language of the
+ * content. Throws as `flightLog`.
+ */
 [[nodiscard]] std::string flightLogHtml(const ExportContent& content);
 
 } // namespace berg

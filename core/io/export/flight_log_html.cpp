@@ -15,7 +15,7 @@ namespace berg {
 
 namespace {
 
-/** "1:02:03" */
+/** Time as "1:02:03". */
 std::string clockOf(double time_s)
 {
     const long long whole = std::llround(time_s);
@@ -35,7 +35,7 @@ std::string rounded(double value)
     return printedNumber(std::round(value), 0);
 }
 
-/** "visitation, τ = 1.2" */
+/** Policy and tau, as "visitation, τ = 1.2". */
 std::string plannerText(PolicyKind policy, double tau)
 {
     const std::string name = nameOf(kPolicyNames, policy);
@@ -99,15 +99,19 @@ std::string uavsHtml(const ExportContent& content, const FlightLog& log)
              QT_TRANSLATE_NOOP("Report", "flown"),
              QT_TRANSLATE_NOOP("Report", "Distance planned, km"),
              QT_TRANSLATE_NOOP("Report", "flown, km"), QT_TRANSLATE_NOOP("Report", "Time planned"),
-             QT_TRANSLATE_NOOP("Report", "aloft"),
+             QT_TRANSLATE_NOOP("Report", "aloft"), QT_TRANSLATE_NOOP("Report", "Took off"),
+             QT_TRANSLATE_NOOP("Report", "Landed"),
              QT_TRANSLATE_NOOP("Report", "Outside the flight geography")}));
+    const auto time = [&](const std::optional<double>& time_s) {
+        return time_s ? timeOf(content, *time_s) : std::string("–");
+    };
     std::string hashes;
     for (const LogUav& uav : log.uavs) {
         const std::string name = htmlName(titleOf(content.mission->scenario().uavs[uav.row]));
         table.addRow({name, std::to_string(uav.plannedVisits), std::to_string(uav.visits),
                       kilometres(uav.plannedLength_m), kilometres(uav.flown_m),
-                      clockOf(uav.plannedTime_s), clockOf(uav.aloft_s),
-                      content.operation ? clockOf(uav.outside_s) : "–"});
+                      clockOf(uav.plannedTime_s), clockOf(uav.aloft_s), time(uav.tookOff_s),
+                      time(uav.landed_s), content.operation ? clockOf(uav.outside_s) : "–"});
         hashes += rowOf(name, "<code>" + uav.planHash + "</code>");
     }
     return "<section>\n<h2>" + words.html(QT_TRANSLATE_NOOP("Report", "Planned and flown")) +
@@ -200,7 +204,7 @@ std::string deviationHtml(const ExportContent& content, const MissionEvent& even
                            .planner = plannerText(event.policy, event.tau)};
     std::string text = timeOf(content, event.time_s) + ' ' +
                        eventSentence(event, names, [&content](std::string_view english) {
-                           return htmlText(content.words.said(english));
+                           return htmlText(content.words.translated(english));
                        });
     if (!event.failure.empty())
         text += ": " + htmlText(event.failure);
@@ -209,15 +213,15 @@ std::string deviationHtml(const ExportContent& content, const MissionEvent& even
 
 std::string deviationsHtml(const ExportContent& content, const FlightLog& log)
 {
-    constexpr std::size_t kMostTold = 200;
+    constexpr std::size_t kMostListed = 200;
     const ReportWords& words = content.words;
     std::string lines;
-    for (std::size_t i = 0; i < std::min(log.deviations.size(), kMostTold); ++i)
+    for (std::size_t i = 0; i < std::min(log.deviations.size(), kMostListed); ++i)
         lines += deviationHtml(content, log.deviations[i]);
-    if (log.deviations.size() > kMostTold)
+    if (log.deviations.size() > kMostListed)
         lines += "<li>" +
                  words.html(QT_TRANSLATE_NOOP("Report", "and %1 more"),
-                            {std::to_string(log.deviations.size() - kMostTold)}) +
+                            {std::to_string(log.deviations.size() - kMostListed)}) +
                  "</li>\n";
     return "<section>\n<h2>" + words.html(QT_TRANSLATE_NOOP("Report", "Deviations")) + "</h2>\n" +
            (lines.empty()

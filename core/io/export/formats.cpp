@@ -22,13 +22,13 @@ namespace {
 
 void csvPieces(const ExportContent& content, const TextSink& put)
 {
-    if (content.what == ExportWhat::Path || content.what == ExportWhat::Track)
+    if (content.what == ExportScope::Path || content.what == ExportScope::Track)
         writeTrackCsv(content, put);
     else
         put(planCsv(content));
 }
 
-/** A table of a flight. */
+/** Writes a table of a flight. */
 template <void (*Write)(const Mission&, const TextSink&)>
 void flightPieces(const ExportContent& content, const TextSink& put)
 {
@@ -37,7 +37,7 @@ void flightPieces(const ExportContent& content, const TextSink& put)
     Write(*content.mission, put);
 }
 
-/** What is never long. */
+/** Writes a text that is never long. */
 template <std::string (*Text)(const ExportContent&)>
 void putText(const ExportContent& content, const TextSink& put)
 {
@@ -53,38 +53,38 @@ constexpr SampleTable kZetaTable{
     [](const SampleTables& tables, std::string& text, const Sample& sample,
        std::span<const IcebergSample> /*icebergs*/) { tables.addZeta(text, sample); }};
 
-constexpr ExportHolds kMissionHolds{
+constexpr ExportCapabilities kMissionHolds{
     .order = true, .mission = true, .radii = true, .altitude = true, .airspeed = true};
-constexpr ExportHolds kMapHolds{.order = true,
-                                .path = true,
-                                .fleet = true,
-                                .times = true,
-                                .icebergs = true,
-                                .fence = true,
-                                .altitude = true,
-                                .airspeed = true,
-                                .wayHome = true};
-constexpr ExportHolds kFlightTableHolds{.fleet = true, .flownOnly = true};
-constexpr ExportHolds kPictureHolds{.order = true,
-                                    .path = true,
-                                    .fleet = true,
-                                    .icebergs = true,
-                                    .fence = true,
-                                    .airspeed = true, // the dial of the wind ends there
-                                    .wayHome = true,
-                                    .painted = true};
-constexpr ExportHolds kBriefHolds{.order = true,
-                                  .path = true,
-                                  .fleet = true,
-                                  .times = true,
-                                  .icebergs = true,
-                                  .fence = true,
-                                  .radii = true,
-                                  .altitude = true,
-                                  .airspeed = true,
-                                  .wayHome = true,
-                                  .painted = true};
-constexpr ExportHolds kChartsHold{.fleet = true, .flownOnly = true, .painted = true};
+constexpr ExportCapabilities kMapHolds{.order = true,
+                                       .path = true,
+                                       .fleet = true,
+                                       .times = true,
+                                       .icebergs = true,
+                                       .fence = true,
+                                       .altitude = true,
+                                       .airspeed = true,
+                                       .legHome = true};
+constexpr ExportCapabilities kFlightTableHolds{.fleet = true, .flownOnly = true};
+constexpr ExportCapabilities kPictureHolds{.order = true,
+                                           .path = true,
+                                           .fleet = true,
+                                           .icebergs = true,
+                                           .fence = true,
+                                           .airspeed = true, // the wind dial depends on it
+                                           .legHome = true,
+                                           .painted = true};
+constexpr ExportCapabilities kBriefHolds{.order = true,
+                                         .path = true,
+                                         .fleet = true,
+                                         .times = true,
+                                         .icebergs = true,
+                                         .fence = true,
+                                         .radii = true,
+                                         .altitude = true,
+                                         .airspeed = true,
+                                         .legHome = true,
+                                         .painted = true};
+constexpr ExportCapabilities kChartsHold{.fleet = true, .flownOnly = true, .painted = true};
 
 constexpr std::array kFormats{
     ExportFormat{"plan",
@@ -107,7 +107,7 @@ constexpr std::array kFormats{
                  csvPieces},
     ExportFormat{"sigma-csv", "csv", "spreadsheets: sigma of every iceberg over time",
                  kFlightTableHolds, flightPieces<writeSigma>, &kSigmaTable},
-    ExportFormat{"decisions-csv", "csv", "spreadsheets: plans, visits and what else happened",
+    ExportFormat{"decisions-csv", "csv", "spreadsheets: plans, visits and other events",
                  kFlightTableHolds, flightPieces<writeEvents>},
     ExportFormat{"zeta-csv", "csv", "spreadsheets: zeta over time", kFlightTableHolds,
                  flightPieces<writeZeta>, &kZetaTable},
@@ -121,12 +121,12 @@ constexpr std::array kFormats{
                   .icebergs = true,
                   .altitude = true,
                   .airspeed = true,
-                  .wayHome = true},
+                  .legHome = true},
                  writeGpx},
     ExportFormat{"kml", "kml", "Google Earth and other globes", kMapHolds, writeKml},
     ExportFormat{"kmz", "kmz", "Google Earth, packed", kMapHolds, writeKmz},
     ExportFormat{"czml", "czml", "Cesium", kMapHolds, writeCzml},
-    ExportFormat{"brief", "pdf", "paper: a page to fly by", kBriefHolds},
+    ExportFormat{"brief", "pdf", "paper: flight brief on one page", kBriefHolds},
     ExportFormat{"map-pdf", "pdf", "paper: the map", kPictureHolds},
     ExportFormat{"map-svg", "svg", "drawing programs: the map", kPictureHolds},
     ExportFormat{"map-png", "png", "documents and messages: the map", kPictureHolds},
@@ -146,17 +146,17 @@ constexpr std::array kFormats{
 
 } // namespace
 
-bool ExportHolds::dependsOn(ExportOption option, const ExportContent& content) const
+bool ExportCapabilities::dependsOn(ExportOption option, const ExportContent& content) const
 {
-    const bool isPath = content.what == ExportWhat::Path;
-    const bool isTrack = content.what == ExportWhat::Track;
+    const bool isPath = content.what == ExportScope::Path;
+    const bool isTrack = content.what == ExportScope::Track;
     const bool drawsVolume = content.operation && fence && !mission;
     if (flownOnly)
         return false;
     switch (option) {
     case ExportOption::Uav:
         return true;
-    case ExportOption::Altitude: // a path leads round what is closed there
+    case ExportOption::Altitude: // a path avoids areas that are closed at its altitude
         return altitude || drawsVolume ||
                (isPath && std::ranges::any_of(closedAreas(content), hasHeights));
     case ExportOption::Airspeed:
@@ -166,7 +166,7 @@ bool ExportHolds::dependsOn(ExportOption option, const ExportContent& content) c
     case ExportOption::Loiter:
         return radii && (!mission || !isPath);
     case ExportOption::ReturnHome:
-        return mission || (!isTrack && (isPath || wayHome));
+        return mission || (!isTrack && (isPath || legHome));
     }
     throw std::logic_error("dependsOn: unknown option");
 }
@@ -184,7 +184,7 @@ ExportContent ExportFormat::content(const ExportSource& source, const ExportOpti
         return exportContent(source, options);
     checkExportOptions(source, options);
     ExportContent whole = exportContent(source);
-    whole.options = options; // what is told of them
+    whole.options = options; // for the notes about unused options
     return whole;
 }
 

@@ -9,7 +9,7 @@
 
 namespace berg {
 
-/** What a user may choose about an export, besides its `ExportWhat`. */
+/** Options that a user may choose for an export, besides its `ExportScope`. */
 enum class ExportOption
 {
     Uav,
@@ -20,57 +20,65 @@ enum class ExportOption
     ReturnHome
 };
 
-/** What a file of a format can hold. */
-struct ExportHolds
+/** Content that a file of a format can hold. */
+struct ExportCapabilities
 {
-    bool order = false; ///< a way as waypoints
-    bool path = false;  ///< a way as a line of any number of points
-    bool fleet = false; ///< several UAVs; else one file each
-    bool times = false; ///< dates, so only with a start time
+    bool order = false; ///< a path as waypoints
+    bool path = false;  ///< a path as a line of any number of points
+    bool fleet = false; ///< several UAVs; otherwise there is one file per UAV
+    bool times = false; ///< dates, which need a start time
     bool icebergs = false;
     bool fence = false;
-    bool flownOnly = false; ///< it is about a flight, whatever `ExportOptions::what` says
-    bool mission = false;   ///< items for an autopilot
-    bool radii = false;     ///< acceptance radius and turns over each iceberg
-    bool altitude = false;  ///< of the UAVs
-    bool airspeed = false;  ///< of the UAVs, besides the times it leads to
-    bool wayHome = false;   ///< at the end of an order; of a path it is part of the line
-    bool painted = false;   ///< a picture or a page: an `ExportPainter` makes it
-    bool predicted = false; ///< zeta that was predicted before take-off
+    bool flownOnly = false; ///< it concerns a whole flight, regardless of `ExportOptions::what`
+    bool mission = false;   ///< items of an autopilot mission
+    bool radii = false;     ///< acceptance radius, and turns over each iceberg
+    bool altitude = false;  ///< altitudes of the UAVs
+    bool airspeed = false;  ///< airspeeds of the UAVs, besides the times that result from them
+    bool legHome = false;   ///< the leg home at the end of an order; a path includes it
+    bool painted = false;   ///< a figure or page made by an `ExportPainter`
+    bool predicted = false; ///< the zeta predicted before take-off
 
-    /** Whether a file of this content depends on the option. */
+    /** Returns true if a file of this content depends on the option. */
     [[nodiscard]] bool dependsOn(ExportOption option, const ExportContent& content) const;
 };
 
-/** One row of the table that the command line, the file dialog and the tests share. */
+/** Row of the table of formats that the command line, the file dialog and the tests share. */
 struct ExportFormat
 {
     std::string_view id;        ///< e.g. "plan"
     std::string_view extension; ///< without dot
-    std::string_view reader;    ///< the tool it is meant for
-    ExportHolds holds;
-    /** Of one UAV unless it holds a fleet; null: painted. */
+    std::string_view reader;    ///< programs for which the format is meant
+    ExportCapabilities holds;
+    /** Writes the file, for one UAV unless it holds a fleet; null for painted formats. */
     void (*put)(const ExportContent&, const TextSink&) = nullptr;
-    /** The table that it is, for who writes it while a run is flown again; null: none. */
+    /** Table of the format, for writing it while a run is replayed; null if it is no such table. */
     const SampleTable* table = nullptr;
 
-    /** All that is put. */
+    /**
+     * Returns the whole text that `put` writes. The format must not be painted: its `put` is null.
+     * Throws `Error{InvalidInput}` for a `flownOnly` format without a mission, and as its writer.
+     */
     [[nodiscard]] std::string text(const ExportContent& content) const;
 
-    /** `exportContent` of what a file of it is about: a whole flight is as the scenario says. */
+    /**
+     * Returns the `exportContent` for a file of this format: `flownOnly` formats ignore the
+     * options, but check them. Throws as `exportContent`.
+     */
     [[nodiscard]] ExportContent content(const ExportSource& source,
                                         const ExportOptions& options = {}) const;
 
     /**
-     * One file of it. Throws as `exportContent`, and `Error{InvalidInput}` when there are more UAVs
-     * than it holds (`exportFiles` makes one for each), Unsupported for what is painted.
+     * Returns the text of one file. Throws as `exportContent`, `Error{InvalidInput}` if there are
+     * more UAVs than it holds (`exportFiles` makes one file for each), and Unsupported for painted
+     * formats.
      */
     [[nodiscard]] std::string write(const ExportSource& source,
                                     const ExportOptions& options = {}) const;
 };
 
+/** Returns all formats. */
 [[nodiscard]] std::span<const ExportFormat> exportFormats();
-/** Null when there is no such format. */
+/** Returns the format with this id, or null if there is none. */
 [[nodiscard]] const ExportFormat* findExportFormat(std::string_view id);
 
 } // namespace berg

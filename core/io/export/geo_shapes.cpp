@@ -11,7 +11,7 @@ namespace {
 
 /** Largest distance between a leg and its image. */
 constexpr double kTolerance_m = 1;
-/** Legs of less change in longitude stay within 0.3 m of their image: R dlon^2 / 16. */
+/** Legs with a smaller change in longitude stay within 0.3 m of their image: R dlon^2 / 16. */
 constexpr double kShortLeg_deg = 0.05;
 
 struct Vertex
@@ -26,13 +26,13 @@ Vertex vertexOf(const LocalFrame& frame, const TimedPoint& point)
             .at = {.place = frame.toGeographic(point.position_m), .time_s = point.time_s}};
 }
 
-/** Longitude of `b` as the next one after `a` the shorter way round; may leave [-180, 180]. */
+/** Longitude of `b` in the shorter direction from `a`; it may be outside [-180, 180]. */
 double nextLongitude_deg(const LatLon& a, const LatLon& b)
 {
     return a.longitude_deg + std::remainder(b.longitude_deg - a.longitude_deg, 360.0);
 }
 
-/** Takes the vertices after `a` up to `b`. */
+/** Passes the vertices after `a` up to `b` to `take`. */
 void addLeg(const LocalFrame& frame, const Vertex& a, const Vertex& b,
             const std::function<void(const TimedPlace&)>& take)
 {
@@ -53,7 +53,10 @@ void addLeg(const LocalFrame& frame, const Vertex& a, const Vertex& b,
     take(b.at);
 }
 
-/** Where the line from `a` to `b` leaves across the antimeridian: its end on the side of `a`. */
+/**
+ * Returns the point at which the line from `a` to `b` crosses the antimeridian, on the side of `a`,
+ * or nullopt if it does not cross.
+ */
 std::optional<TimedPlace> crossing(const TimedPlace& a, const TimedPlace& b)
 {
     const double change_deg = b.place.longitude_deg - a.place.longitude_deg;
@@ -69,8 +72,8 @@ std::optional<TimedPlace> crossing(const TimedPlace& a, const TimedPlace& b)
 }
 
 /**
- * Vertices of a line, cut where it crosses the antimeridian. Takes each, and whether a part begins
- * with it; a part may be a single one.
+ * Adds vertices to a line and cuts it at the antimeridian. It passes on each vertex and whether a
+ * part begins with it; a part may be a single vertex.
  */
 class LineCutter
 {
@@ -114,7 +117,7 @@ private:
     TimedPlace m_lastPlace;
 };
 
-/** The parts of a ring; the first and last may be single points. */
+/** Returns the parts of a ring; the first and last may be single points. */
 std::vector<std::vector<TimedPlace>> partsOf(const LocalFrame& frame,
                                              std::span<const TimedPoint> points)
 {
@@ -137,10 +140,10 @@ bool onBorder(const TimedPlace& vertex)
 using Ring = std::vector<LatLon>;
 
 /**
- * Puts the parts of a counter-clockwise ring together to rings along the border of the map. The
- * inside is on the left, so that a part that ends on the east border goes on northwards from there
- * to the next part that starts on it, one that ends on the west border southwards; where there is
- * none, the pole is inside and the border is followed over it to the other side.
+ * Joins the parts of a counter-clockwise ring to rings along the border of the map. The inside is
+ * on the left, so a part that ends on the east border continues northwards to the next part that
+ * starts on it, and one that ends on the west border continues southwards. If there is no such
+ * part, the pole is inside, and the border is followed over it to the other side.
  */
 class RingAssembler
 {
@@ -170,7 +173,10 @@ public:
     }
 
 private:
-    /** The part that goes on from the end of `ring`; adds the corners at a pole to the ring. */
+    /**
+     * Returns the part that continues from the end of `ring`; adds the corners at a pole to the
+     * ring.
+     */
     std::size_t nextPart(Ring& ring, std::size_t first) const
     {
         LatLon at = ring.back();
@@ -185,7 +191,9 @@ private:
         return first; // the ring's own start is on one of the two borders
     }
 
-    /** First start of an unused part (or of `first`) on the border of `at` beyond it. */
+    /**
+     * Returns the first start of an unused part (or of `first`) on the border of `at`, beyond `at`.
+     */
     [[nodiscard]] std::optional<std::size_t> startOnBorder(const LatLon& at,
                                                            std::size_t first) const
     {
@@ -223,7 +231,7 @@ Ring placesOf(const std::vector<TimedPlace>& line)
 void eachPlace(const LocalFrame& frame, const std::function<void(const PointSink&)>& eachPoint,
                const PlaceSink& take)
 {
-    std::optional<TimedPlace> waiting; // first of a part, should there be a second
+    std::optional<TimedPlace> waiting; // first vertex of a part, in case a second follows
     LineCutter cutter(frame, [&](const TimedPlace& place, bool isFirst) {
         if (waiting && !isFirst)
             take(*waiting, true);
@@ -256,7 +264,7 @@ std::vector<std::vector<LatLon>> geographicPolygon(const LocalFrame& frame,
 
     std::vector<Ring> rings;
     for (const std::vector<TimedPlace>& part : parts)
-        if (!std::all_of(part.begin(), part.end(), onBorder)) // what only touches the border
+        if (!std::all_of(part.begin(), part.end(), onBorder)) // skips a part along the border
             rings.push_back(placesOf(part));
     return RingAssembler(std::move(rings)).rings();
 }

@@ -8,40 +8,43 @@
 
 namespace berg {
 
-// Straight lines of the local plane as the longitude-latitude lines of RFC 7946: further vertices
-// are put in where the two differ by more than a metre (long legs, high latitudes), and everything
-// is cut at the antimeridian, so that no line crosses it.
+// Straight lines of the local plane as the longitude-latitude lines of RFC 7946: vertices are added
+// where the two differ by more than a metre (long legs, high latitudes), and everything is cut at
+// the antimeridian, so that no line crosses it.
 
-/** A place and when it is passed. */
+/** A point of a path with the time at which it is passed. */
 struct TimedPoint
 {
     Point position_m = Point::Zero();
     double time_s = 0;
 };
 
-/** Longitude in [-180, 180], +180 where a part ends there coming from the west. */
+/**
+ * A place of a path with its time; longitude in [-180, 180], +180 if a part ends there eastwards.
+ */
 struct TimedPlace
 {
     LatLon place;
     double time_s = 0;
 };
 
-/** Takes points or places in turn. */
+/** Receives points one by one. */
 using PointSink = std::function<void(const TimedPoint& point)>;
-/** `isFirst`: a part begins with it. */
+/** Receives places one by one; `isFirst` is true for the first place of a part. */
 using PlaceSink = std::function<void(const TimedPlace& place, bool isFirst)>;
 
 /**
- * The line through the points that `eachPoint` hands on, in parts of two or more vertices each, as
- * long as it may be; times are interpolated. One part when the antimeridian is not crossed, none
- * for fewer than two points.
+ * Passes the line through the points supplied by `eachPoint` to `take`, in parts of two or more
+ * vertices each, for a line of any length; times are interpolated. There is one part if the
+ * antimeridian is not crossed, and none for fewer than two points.
  */
 void eachPlace(const LocalFrame& frame, const std::function<void(const PointSink&)>& eachPoint,
                const PlaceSink& take);
 
 /**
- * Exterior rings of the simple polygon with these corners (at least three, in any sense), each
- * counter-clockwise and closed (first vertex repeated). One that holds a pole runs along it.
+ * Returns the exterior rings of a simple polygon with at least three corners in any sense. Each
+ * ring is counter-clockwise and closed (the first vertex is repeated); one that contains a pole
+ * runs along it.
  */
 [[nodiscard]] std::vector<std::vector<LatLon>> geographicPolygon(const LocalFrame& frame,
                                                                  std::span<const Point> corners_m);

@@ -2,8 +2,8 @@
 
 #include "core/io/export/geo_shapes.h"
 #include "core/io/text/export_numbers.h"
+#include "core/io/text/file_backed_buffer.h"
 #include "core/io/text/json_writer.h"
-#include "core/io/text/spool.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,21 +25,21 @@ Json pair(const Point& vector)
     return {vector.x(), vector.y()};
 }
 
-const char* featureKind(ExportWhat what)
+const char* featureKind(ExportScope what)
 {
     switch (what) {
-    case ExportWhat::FirstLeg:
-    case ExportWhat::Order:
+    case ExportScope::FirstLeg:
+    case ExportScope::Order:
         return "plan";
-    case ExportWhat::Path:
+    case ExportScope::Path:
         return "path";
-    case ExportWhat::Track:
+    case ExportScope::Track:
         return "track";
     }
     return "";
 }
 
-/** Builds the features of one content. */
+/** Writes the features of one content. */
 class Collection
 {
 public:
@@ -76,7 +76,7 @@ private:
     void add(Json geometry, Json properties)
     {
         Json feature;
-        const Dismantled later(feature);
+        const JsonTreeGuard later(feature);
         feature["type"] = "Feature";
         feature["geometry"] = std::move(geometry);
         feature["properties"] = std::move(properties);
@@ -181,7 +181,7 @@ private:
         for (const Visit& visit : uav.visits)
             for (const std::string& id : idsOf(m_content, visit))
                 properties["order"].push_back(id);
-        if (m_content.what == ExportWhat::Track) {
+        if (m_content.what == ExportScope::Track) {
             properties["flown_m"] = uav.flown_m;
             properties["zeta_m2s"] = *m_content.zeta_m2s; // of all UAVs
         } else {
@@ -192,13 +192,16 @@ private:
             addParts(uav, parts > 1, jsonText(properties));
     }
 
-    /** A LineString, or a MultiLineString with nested times, which wait for the last place. */
+    /**
+     * Writes a LineString, or a MultiLineString with nested times; the times follow after the last
+     * place.
+     */
     void addParts(const ExportUav& uav, bool several, std::string properties)
     {
         addText(std::string(R"({"type":"Feature","geometry":{"type":")") +
                 (several ? "MultiLineString" : "LineString") + R"(","coordinates":)" +
                 (several ? "[" : ""));
-        Spool times;
+        FileBackedBuffer times;
         bool isOpen = false;
         eachPlace(m_content, uav, [&](const TimedPlace& vertex, bool isFirst) {
             const char* const before = !isFirst ? "," : isOpen ? "],[" : "[";

@@ -16,7 +16,7 @@ constexpr const char* kHead =
     "<gpx version=\"1.1\" creator=\"Bergwatch\" xmlns=\"http://www.topografix.com/GPX/1/1\" "
     "xmlns:berg=\"urn:bergwatch:gpx:1\">\n";
 
-/** A point of GPX; the schema wants its children in this order. */
+/** A point of GPX; the schema requires its children in this order. */
 struct GpxPoint
 {
     std::string tag;
@@ -53,7 +53,7 @@ public:
         m_put("</metadata>\n");
         addWaypoints();
         for (const ExportUav& uav : m_content.uavs)
-            if (m_content.what != ExportWhat::Track)
+            if (m_content.what != ExportScope::Track)
                 addRoute(uav);
         for (const ExportUav& uav : m_content.uavs)
             if (!uav.track.empty())
@@ -132,7 +132,7 @@ private:
     void addTrack(const ExportUav& uav)
     {
         m_put("<trk>" + xmlElement("name", titleOf(uav.uav)) +
-              xmlElement("type", nameOf(kExportWhatNames, m_content.what)) + "<trkseg>\n");
+              xmlElement("type", nameOf(kExportScopeNames, m_content.what)) + "<trkseg>\n");
         std::optional<double> last_deg;
         for (const TrackPoint& point : uav.track) {
             const double here_deg =

@@ -6,10 +6,10 @@
 namespace berg {
 
 /**
- * GPX 1.1: a waypoint for each iceberg, home and the asset (`type` says which), a route for each
- * UAV with the visits to come, a track for each path or flown track, in segments that do not cross
- * the antimeridian. Times only when the scenario has a start time. What is known of an iceberg is
- * in `extensions`, in a namespace of our own.
+ * Writes GPX 1.1: a waypoint for each iceberg, home and the asset (distinguished by `type`), a
+ * route with the future visits of each UAV, and a track for each path or flown track, in segments
+ * that do not cross the antimeridian. Times need a start time of the scenario. Data of an iceberg
+ * are in `extensions`, in Bergwatch's own namespace.
  */
 void writeGpx(const ExportContent& content, const TextSink& put);
 

@@ -4,7 +4,7 @@
 #include "core/io/export/uav_colours.h"
 #include "core/io/export/xml_text.h"
 #include "core/io/text/export_numbers.h"
-#include "core/io/text/spool.h"
+#include "core/io/text/file_backed_buffer.h"
 #include "core/io/text/zip_file.h"
 #include "core/scenario/airspace.h"
 
@@ -19,7 +19,7 @@ constexpr const char* kHead = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                               "<kml xmlns=\"http://www.opengis.net/kml/2.2\" "
                               "xmlns:gx=\"http://www.google.com/kml/ext/2.2\">\n<Document>\n";
 
-/** `aabbggrr` */
+/** Colour as `aabbggrr`. */
 std::string colourText(const Rgb& colour)
 {
     constexpr std::string_view kDigits = "0123456789abcdef";
@@ -35,7 +35,10 @@ std::string styleId(const ExportUav& uav)
     return "uav-" + std::to_string(uav.row);
 }
 
-/** `longitude,latitude,altitude` or with blanks; +180 is kept where a cut line ends there. */
+/**
+ * Text `longitude,latitude,altitude`, or with another separator; +180 is kept at the end of a cut
+ * line.
+ */
 std::string coordinates(const LatLon& place, double altitude_m, char separator)
 {
     return decimalText(roundedDegrees(place.longitude_deg)) + separator +
@@ -63,7 +66,7 @@ std::string closedStyle(const std::string& id)
            "<PolyStyle><color>402828c8</color></PolyStyle></Style>\n";
 }
 
-/** From the inside: green, amber, red, grey. */
+/** Colours from the inside outwards: green, amber, red, grey. */
 constexpr std::array<const char*, kVolumeParts> kVolumeColours{"ff50a028", "ff1ea0f0", "ff2828c8",
                                                                "ff787878"};
 
@@ -108,7 +111,7 @@ public:
     }
 
 private:
-    struct Mark
+    struct Marker
     {
         std::string name;
         std::string style;
@@ -119,19 +122,19 @@ private:
         std::vector<XmlData> data = {};
     };
 
-    void addPoint(const Mark& mark)
+    void addPoint(const Marker& marker)
     {
-        m_put("<Placemark>" + xmlElement("name", mark.name));
-        if (!mark.description.empty())
-            m_put(xmlElement("description", mark.description));
-        if (mark.time_s && m_content.start)
-            m_put("<TimeStamp>" + xmlElement("when", timeText(m_content, *mark.time_s)) +
+        m_put("<Placemark>" + xmlElement("name", marker.name));
+        if (!marker.description.empty())
+            m_put(xmlElement("description", marker.description));
+        if (marker.time_s && m_content.start)
+            m_put("<TimeStamp>" + xmlElement("when", timeText(m_content, *marker.time_s)) +
                   "</TimeStamp>");
-        m_put(xmlElement("styleUrl", "#" + mark.style));
-        m_put(extendedData(mark.data));
-        const LatLon place = roundedPlace(m_content.frame.toGeographic(mark.position_m));
-        m_put("<Point>" + altitudeMode(mark.altitude_m) + "<coordinates>" +
-              coordinates(place, mark.altitude_m, ',') + "</coordinates></Point></Placemark>\n");
+        m_put(xmlElement("styleUrl", "#" + marker.style));
+        m_put(extendedData(marker.data));
+        const LatLon place = roundedPlace(m_content.frame.toGeographic(marker.position_m));
+        m_put("<Point>" + altitudeMode(marker.altitude_m) + "<coordinates>" +
+              coordinates(place, marker.altitude_m, ',') + "</coordinates></Point></Placemark>\n");
     }
 
     void addStyles()
@@ -182,7 +185,10 @@ private:
         m_put("</MultiGeometry></Placemark>\n");
     }
 
-    /** Stands on the sea up to its ceiling; one that begins above the sea is drawn at its floor. */
+    /**
+     * Adds an area that extends from the sea to its ceiling; one with a floor is drawn at its
+     * floor.
+     */
     void addClosed(const NoFlyArea& area, const std::string& style, const std::string& title)
     {
         const double height_m = area.floor_m > 0 ? area.floor_m : area.ceiling_m.value_or(0);
@@ -244,7 +250,7 @@ private:
         std::string style;
         const std::vector<Point>& corners_m;
         double height_m = 0;
-        bool isSolid = false; ///< from the sea up to the height
+        bool isSolid = false; ///< extends from the sea up to the height
         std::vector<XmlData> data = {};
     };
 
@@ -301,11 +307,13 @@ private:
         m_put("</Placemark>\n");
     }
 
-    /** All times of a part come before its places, which wait for them. */
+    /**
+     * Adds a path with times. All times of a part precede its places, which are buffered meanwhile.
+     */
     void addTracks(const ExportUav& uav)
     {
         const double altitude_m = uav.uav.spec.altitude_m;
-        Spool places;
+        FileBackedBuffer places;
         const auto endPart = [&] {
             places.putAll(m_put);
             places.clear();

@@ -6,14 +6,14 @@
 namespace berg {
 
 /**
- * KML 2.2: folders of icebergs (with what is known of them as extended data) and of each UAV with
- * its visits and its way, airspace, the operation volume, the area, home and asset. A path or track
- * is a `gx:Track` with times when the scenario has a start time, else a line. Lines and the area
- * are cut at the antimeridian.
+ * Writes KML 2.2: a folder of icebergs (their data as extended data), one of each UAV with its
+ * home, its visits and its path, airspace, the operation volume, area, no-fly areas, stand-off ring
+ * and asset. A path or track is a `gx:Track` with times if the scenario has a start time, else a
+ * line. Lines and areas are cut at the antimeridian.
  */
 void writeKml(const ExportContent& content, const TextSink& put);
 
-/** The same as `doc.kml` in a zip archive. */
+/** Writes the KML as `doc.kml` in a zip archive. Throws as `writeZip`. */
 void writeKmz(const ExportContent& content, const TextSink& put);
 
 } // namespace berg

@@ -10,10 +10,10 @@ namespace berg {
 
 namespace {
 
-/** Above 8 bits ArduPlane counts a loiter radius in steps. */
+/** ArduPlane stores loiter radii above 8 bits in steps. */
 constexpr double kRadiusStep_m = 10;
 
-/** p1 0: airspeed (1 is ground speed); p3 -1: throttle unchanged. */
+/** In DO_CHANGE_SPEED, p1 = 0 means airspeed (1 is ground speed) and p3 = -1 unchanged throttle. */
 MavItem changeSpeed(double airspeed_mps)
 {
     return {.command = MavCommand::DoChangeSpeed,
@@ -23,7 +23,7 @@ MavItem changeSpeed(double airspeed_mps)
             .altitude_m = 0};
 }
 
-/** Makes the items of one UAV. */
+/** Makes the mission items of one UAV. */
 class ItemMaker
 {
 public:
@@ -38,12 +38,12 @@ public:
 
     [[nodiscard]] MavItem waypoint(const Point& position_m, double acceptance_m) const
     {
-        // Param 4, the yaw at a waypoint, is 0 and not "none": a fixed wing ignores it, and Mission
+        // Param 4, the yaw at a waypoint, is 0 and not NaN: a fixed wing ignores it, and Mission
         // Planner reads numbers only.
         return at(position_m, MavCommand::NavWaypoint, {0, acceptance_m, 0, 0});
     }
 
-    /** A waypoint, or the circles wanted. */
+    /** Returns a waypoint, or the requested circles. */
     [[nodiscard]] MavItem visit(const Visit& visit) const
     {
         if (m_content.options.loiterTurns == 0)
@@ -72,12 +72,12 @@ private:
     const ExportUav& m_uav;
 };
 
-/** The items between the first, its speed, and the last, its loiter. */
-std::vector<MavItem> itemsOnTheWay(const ExportContent& content, const ExportUav& uav,
-                                   const ItemMaker& maker)
+/** Returns the items between the first (speed) and the last (loiter). */
+std::vector<MavItem> pathItems(const ExportContent& content, const ExportUav& uav,
+                               const ItemMaker& maker)
 {
     std::vector<MavItem> items;
-    if (content.what == ExportWhat::Path) {
+    if (content.what == ExportScope::Path) {
         const double acceptance_m = uav.reachChosen ? acceptanceRadius_m(uav) : kPathAcceptance_m;
         for (const TimedPoint& corner : pathCorners(uav))
             items.push_back(maker.waypoint(corner.position_m, acceptance_m));
@@ -120,10 +120,10 @@ MavMission mavMission(const ExportContent& content)
                        .airspeed_mps = uav.uav.spec.airspeed_mps,
                        .altitude_m = uav.uav.spec.altitude_m,
                        .items = {changeSpeed(uav.uav.spec.airspeed_mps)}};
-    for (MavItem& item : itemsOnTheWay(content, uav, maker))
+    for (MavItem& item : pathItems(content, uav, maker))
         mission.items.push_back(item);
     Point end_m = uav.home_m;
-    if (content.what == ExportWhat::Path)
+    if (content.what == ExportScope::Path)
         end_m = endOf(uav).position_m;
     else if (!uav.visits.empty())
         end_m = uav.visits.back().position_m;

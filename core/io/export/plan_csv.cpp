@@ -27,7 +27,7 @@ void addVisit(std::string& text, const ExportContent& content, const ExportUav& 
         if (const std::optional<double> chance = chanceInView(content, uav, visit, index))
             appendNumber(text, *chance);
         text += '\n';
-        leg_m = 0; // the others of a cluster are there already
+        leg_m = 0; // the other members of a cluster are at the same place
     }
 }
 
@@ -42,7 +42,7 @@ std::string planCsv(const ExportContent& content)
         int sequence = 0;
         for (const Visit& visit : uav.visits) {
             if (visit.iceberg < 0)
-                continue; // the way home
+                continue; // the leg home
             addVisit(text, content, uav, visit, from_m, ++sequence);
             from_m = visit.position_m;
         }
@@ -52,7 +52,7 @@ std::string planCsv(const ExportContent& content)
 
 void writeTrackCsv(const ExportContent& content, const TextSink& put)
 {
-    // The UAVs of one mission have their samples at the same times, so a row of each in turn.
+    // The UAVs of a mission are sampled at the same times, so a row of each is written in turn.
     std::vector<TrackPoints::Iterator> tracks;
     std::vector<std::string> ids;
     for (const ExportUav& uav : content.uavs) {

@@ -7,17 +7,17 @@
 
 namespace berg {
 
-// Ways as tables, in the form of core/io/results/result_csv.h.
+// Paths as tables, in the format of core/io/results/result_csv.h.
 
 /**
- * The order, one row per iceberg in visiting order, UAV after UAV:
- * `sequence,iceberg,name,leg_m,arrival_s,latitude_deg,longitude_deg,east_m,north_m,sigma_now_m2,`
- * `sigma_at_arrival_m2,uav,chance_in_view`. A leg is measured over ground. Icebergs of a cluster
- * share number, place and time.
+ * Returns the order with one row per iceberg in visiting order, UAV after UAV:
+ * `sequence,iceberg,name,leg_m,arrival_s,latitude_deg,longitude_deg,east_m,north_m,`
+ * `sigma_now_m2,sigma_at_arrival_m2,uav,chance_in_view`. A leg is measured over ground. Icebergs of
+ * a cluster share number, place and time.
  */
 [[nodiscard]] std::string planCsv(const ExportContent& content);
 
-/** The path or track as the trajectory of a flight is written: by time, then by UAV. */
+/** Writes the path or track in the format of a flight's trajectory: by time, then by UAV. */
 void writeTrackCsv(const ExportContent& content, const TextSink& put);
 
 } // namespace berg

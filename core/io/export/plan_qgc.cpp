@@ -17,21 +17,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What the readers insist on, beyond the documented format: QGroundControl wants all of `mission`,
-// `geoFence` and `rallyPoints`, seven params and a boolean `autoContinue`; MAVSDK wants versions 2,
-// 2 and 2 and a home of three values; Mission Planner reads speeds and all numbers of kinds into
+// The readers require more than the documented format: QGroundControl requires all of `mission`,
+// `geoFence` and `rallyPoints`, seven params and a boolean `autoContinue`; MAVSDK requires versions
+// 2, 2 and 2 and a home of three values; Mission Planner reads speeds and all enumerations into
 // integers (22.0 fails) and params into plain doubles (null fails).
 
-/** MAV_AUTOPILOT_ARDUPILOTMEGA: limits and loiter of the items are those of ArduPlane. */
+/** MAV_AUTOPILOT_ARDUPILOTMEGA, because limits and loiter of the items are those of ArduPlane. */
 constexpr int kArduPilot = 3;
 /** MAV_TYPE_FIXED_WING. */
 constexpr int kFixedWing = 1;
-/** Altitudes above home, for the plan and for each item. */
+/** Altitudes are above home, for the plan and for each item. */
 constexpr int kRelativeAltitude = 1;
-/** Speeds are read into 32-bit integers; a cruise speed of 0 would make every flight endless. */
+/** Speeds are read into 32-bit integers; a cruise speed of 0 would make flights endless. */
 constexpr double kLargestSpeed_mps = 1e6;
 
-/** Whole numbers without a decimal point: 22 is read as integer and as double, 22.0 is not. */
+/**
+ * Writes whole numbers without a decimal point: 22 is read as integer and as double, 22.0 is not.
+ */
 Json number(double value)
 {
     if (std::abs(value) < 1e15 && value == std::floor(value))
@@ -54,7 +56,7 @@ Json jsonItem(const MavItem& item, std::size_t id)
     params.push_back(number(item.altitude_m));
     json["params"] = std::move(params);
     json["autoContinue"] = true;
-    if (item.frame != MavFrame::Mission) { // all three or none of them
+    if (item.frame != MavFrame::Mission) { // readers need all three members or none
         json["AltitudeMode"] = kRelativeAltitude;
         json["Altitude"] = number(item.altitude_m);
         json["AMSLAltAboveTerrain"] = number(item.altitude_m); // home is at sea level
@@ -97,7 +99,7 @@ Json jsonPolygon(const ExportContent& content, const std::vector<Point>& corners
     return polygon;
 }
 
-/** Polygons have no heights: those that are closed at the altitude of the UAV. */
+/** Adds the areas that are closed at the altitude of the UAV, as polygons have no heights. */
 Json jsonFence(const ExportContent& content)
 {
     Json polygons = Json::array();
@@ -113,7 +115,7 @@ Json jsonFence(const ExportContent& content)
     return json;
 }
 
-/** Home, at the altitude of the mission: where ArduPilot goes when it gives up. */
+/** Rally point at home and the altitude of the mission, to which ArduPilot returns on failsafe. */
 Json jsonRally(const MavMission& mission)
 {
     Json json;

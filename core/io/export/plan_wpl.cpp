@@ -10,7 +10,10 @@ namespace {
 
 constexpr int kDegreeDecimals = 9;
 
-/** index, current, frame, command, p1 .. p4, latitude, longitude, altitude, autocontinue. */
+/**
+ * Appends a row: index, current, frame, command, p1 .. p4, latitude, longitude, altitude,
+ * autocontinue.
+ */
 void addRow(std::string& text, std::size_t index, const MavItem& item)
 {
     text += std::to_string(index) + (index == 0 ? "\t1\t" : "\t0\t");

@@ -5,9 +5,9 @@
 namespace berg {
 
 /**
- * `QGC WPL 110` waypoint text of the only UAV of the content, in the ArduPilot dialect: row 0 is
- * home, 12 columns separated by one tab, LF, '.' decimals in any locale, nine decimals for degrees.
- * No comments and no blank lines, which QGroundControl rejects.
+ * Returns the `QGC WPL 110` waypoint text of the content's only UAV, in the ArduPilot dialect: row
+ * 0 is home, 12 columns separated by one tab, LF, '.' decimals in any locale, nine decimals for
+ * degrees. It has no comments or blank lines, which QGroundControl rejects. Throws as `mavMission`.
  */
 [[nodiscard]] std::string wplText(const ExportContent& content);
 

@@ -9,10 +9,10 @@
 namespace berg {
 
 /**
- * The fewest of the points that the method of Ramer, Douglas and Peucker keeps, the first and the
- * last among them: no other is farther than `tolerance_m` from the line through those kept. When
- * those would be more than `most`, only some `most` + 1 of them. Cost: n log n as a rule, at worst
- * n for each that is kept.
+ * Thins a path by the method of Ramer, Douglas and Peucker. Returns the kept points including the
+ * first and the last, so that no other point is farther than `tolerance_m` from the line through
+ * them. If more than `most` would be kept, returns `most` + 1 of them. Cost: usually n log n, at
+ * worst n for each kept point.
  */
 [[nodiscard]] std::vector<TimedPoint> thinnedPath(std::span<const TimedPoint> path,
                                                   double tolerance_m, std::size_t most = SIZE_MAX);

@@ -1,7 +1,7 @@
 #include "core/io/export/track_points.h"
 
 #include "core/base/error.h"
-#include "core/io/text/spool.h"
+#include "core/io/text/file_backed_buffer.h"
 
 #include <array>
 #include <cstring>
@@ -31,7 +31,7 @@ TrackPoint pointOf(const Numbers& numbers)
 
 } // namespace
 
-TrackPoints::TrackPoints() : m_spool(std::make_shared<Spool>()) {}
+TrackPoints::TrackPoints() : m_buffer(std::make_shared<FileBackedBuffer>()) {}
 
 TrackPoints::TrackPoints(const std::vector<TrackPoint>& points) : TrackPoints()
 {
@@ -41,11 +41,11 @@ TrackPoints::TrackPoints(const std::vector<TrackPoint>& points) : TrackPoints()
 
 void TrackPoints::append(const TrackPoint& point)
 {
-    require(m_spool.use_count() == 1, "TrackPoints::append: others read them");
+    require(m_buffer.use_count() == 1, "TrackPoints::append: others read them");
     const Numbers numbers = numbersOf(point);
     std::array<char, sizeof numbers> bytes{};
     std::memcpy(bytes.data(), numbers.data(), bytes.size());
-    m_spool->append({bytes.data(), bytes.size()});
+    m_buffer->append({bytes.data(), bytes.size()});
     if (m_size++ == 0)
         m_front = point;
     m_back = point;
@@ -53,7 +53,7 @@ void TrackPoints::append(const TrackPoint& point)
 
 void TrackPoints::clear()
 {
-    m_spool->clear();
+    m_buffer->clear();
     m_size = 0;
 }
 
@@ -71,7 +71,7 @@ std::vector<TrackPoint> TrackPoints::all() const
     return points;
 }
 
-TrackPoints::Iterator::Iterator(const TrackPoints& points) : m_spool(points.m_spool)
+TrackPoints::Iterator::Iterator(const TrackPoints& points) : m_buffer(points.m_buffer)
 {
     read();
 }
@@ -86,7 +86,7 @@ TrackPoints::Iterator& TrackPoints::Iterator::operator++()
 void TrackPoints::Iterator::read()
 {
     std::array<char, kReadAtOnce * sizeof(Numbers)> bytes{};
-    const std::size_t got = m_spool->read(m_next, bytes);
+    const std::size_t got = m_buffer->read(m_next, bytes);
     m_next += got;
     m_at = 0;
     m_read.clear();

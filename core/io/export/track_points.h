@@ -10,11 +10,11 @@
 
 namespace berg {
 
-class Spool;
+class FileBackedBuffer;
 
 /**
- * Where a UAV was or is to be, by time. Of a long flight most of it is in a temporary file, so that
- * memory does not grow with it; copies share it. Throws as `Spool`.
+ * Positions of a UAV by time. Most of a long flight is in a temporary file, so that memory does not
+ * grow with it; copies share the file. Throws as `FileBackedBuffer`.
  */
 class TrackPoints
 {
@@ -24,28 +24,32 @@ public:
     TrackPoints();
     TrackPoints(const std::vector<TrackPoint>& points); // NOLINT(google-explicit-constructor)
 
-    /** Not while there are copies. */
+    /** Adds a point. Throws `std::logic_error` if there are copies of this object. */
     void append(const TrackPoint& point);
+    /**
+     * Removes all points. There must be no copies of this object, whose points are lost as well.
+     */
     void clear();
 
     [[nodiscard]] bool empty() const { return m_size == 0; }
     [[nodiscard]] std::size_t size() const { return m_size; }
-    /** There must be one. */
+    /** Returns the first point; the track must not be empty. */
     [[nodiscard]] const TrackPoint& front() const { return m_front; }
+    /** Returns the last point; the track must not be empty. */
     [[nodiscard]] const TrackPoint& back() const { return m_back; }
     [[nodiscard]] Iterator begin() const;
     [[nodiscard]] static std::default_sentinel_t end() { return {}; }
-    /** All of them in memory. */
+    /** Returns all points in memory. */
     [[nodiscard]] std::vector<TrackPoint> all() const;
 
 private:
-    std::shared_ptr<Spool> m_spool;
+    std::shared_ptr<FileBackedBuffer> m_buffer;
     std::size_t m_size = 0;
     TrackPoint m_front;
     TrackPoint m_back;
 };
 
-/** Reads some hundred points at a time. */
+/** Input iterator that reads some hundred points at a time. */
 class TrackPoints::Iterator
 {
 public:
@@ -62,8 +66,8 @@ public:
 private:
     void read();
 
-    std::shared_ptr<const Spool> m_spool;
-    std::size_t m_next = 0; ///< to be read
+    std::shared_ptr<const FileBackedBuffer> m_buffer;
+    std::size_t m_next = 0; ///< position of the next read in the buffer, bytes
     std::vector<TrackPoint> m_read;
     std::size_t m_at = 0;
 };

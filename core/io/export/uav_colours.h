@@ -6,6 +6,7 @@
 
 namespace berg {
 
+/** A colour of 8 bits per channel. */
 struct Rgb
 {
     std::uint8_t red = 0;
@@ -13,7 +14,10 @@ struct Rgb
     std::uint8_t blue = 0;
 };
 
-/** Colour of UAV `row` in files: the palette of Okabe and Ito, told apart by all eyes, in turn. */
+/**
+ * Returns the colour of UAV `row` in files: the palette of Okabe and Ito, distinguishable with
+ * colour blindness, used cyclically.
+ */
 [[nodiscard]] constexpr Rgb uavColour(std::size_t row)
 {
     constexpr std::array<Rgb, 6> kColours{{{0, 114, 178},

@@ -8,43 +8,51 @@
 
 namespace berg {
 
-// Pieces of the XML that exports are made of. Texts go through `htmlText`, so that any name may
-// stand in them.
+// Pieces of the XML of exports. Texts are escaped by `htmlText`, so any name is allowed in them.
 
-/** `<name>text</name>`, the text escaped. */
+/** Returns `<name>text</name>` with the text escaped. */
 [[nodiscard]] std::string xmlElement(std::string_view name, std::string_view text);
 
-/** Latitude and longitude in [-180, 180) with nine decimals at most, never with an exponent. */
+/**
+ * Latitude and longitude in [-180, 180) as texts with at most nine decimals, without an exponent.
+ */
 struct XmlPlace
 {
     std::string latitude;
     std::string longitude;
 };
+/** Returns the texts of a place, rounded by `roundedPlace`. */
 [[nodiscard]] XmlPlace placeText(const LatLon& place);
 
-/** ISO 8601 of an instant of the content; empty when it has no start. */
+/** Returns the ISO 8601 text of an instant of the content; empty if it has no start time. */
 [[nodiscard]] std::string timeText(const ExportContent& content, double time_s);
 
-/** What is known of an iceberg, for people: "berg-1: sigma 5.0 m2, ...". English. */
+/**
+ * Returns the data of an iceberg as an English text for people, such as "berg-1: tracked, sigma 5.0
+ * m2, radius 20 m, drift east 0.10 m/s, north 0.00 m/s". The text is not escaped for XML.
+ */
 [[nodiscard]] std::string aboutText(const ExportContent& content, const ExportIceberg& iceberg);
 
-/** A value for programs, for which the format has no element of its own. */
+/** Value for programs for which the format has no element of its own. */
 struct XmlData
 {
     std::string_view name;
     std::string value;
 };
 
-// What imports read back. Velocities are true east and north.
+// Values that imports read back. Velocities are true east and north.
 
-/** `appears_in_s`: from the time of the iceberg on, for those to come. */
+/**
+ * Returns the data of an iceberg; `appears_in_s` counts from the time of the export, for icebergs
+ * not yet there.
+ */
 [[nodiscard]] std::vector<XmlData> dataOf(const ExportContent& content,
                                           const ExportIceberg& iceberg);
-/** Of a UAV as its way begins. */
+/** Returns the data of a UAV at the start of its path. */
 [[nodiscard]] std::vector<XmlData> dataOf(const ExportContent& content, const ExportUav& uav);
-/** Of the asset; there must be one. */
+/** Returns the data of the asset, which the content must have. */
 [[nodiscard]] std::vector<XmlData> assetData(const ExportContent& content);
-/** Heights of a no-fly area. */
+/** Returns name and heights of a no-fly area. */
 [[nodiscard]] std::vector<XmlData> dataOf(const NoFlyArea& area);
 
 } // namespace berg

@@ -7,19 +7,19 @@
 namespace berg {
 namespace {
 
-constexpr double kLeader_px = 16;        // between the plot or a line and a name in the margin
-constexpr double kMostShare = 0.34;      // of the width, for names in the margin
-constexpr double kMostShareAtEnd = 0.2;  // the same of many lines
-constexpr double kFarthestAtEnd_px = 32; // from the end of a line
+constexpr double kLeader_px = 16;        // between the plot or a line and a label in the margin
+constexpr double kMostShare = 0.34;      // of the width, for labels in the margin
+constexpr double kMostShareAtEnd = 0.2;  // of the width, for labels at the ends of many lines
+constexpr double kFarthestAtEnd_px = 32; // distance of a label from the end of its line
 constexpr double kAnywhere_px = 1e9;
 constexpr double kHeight_px = 15;
 constexpr double kFreeHeight_px = 14;
 constexpr double kStrongHeight_px = 17;
-constexpr double kGap_px = 10;   // between the end of a line and its name
-constexpr int kPlaces = 24;      // tried for a free name
-constexpr double kAlong_px = 6;  // between a line and a name along it
-constexpr int kPlacesAlong = 60; // tried for that
-constexpr double kClear_px = 3;  // round a name along a line
+constexpr double kGap_px = 10;   // between the end of a line and its label
+constexpr int kPlaces = 24;      // positions tried for a free label
+constexpr double kAlong_px = 6;  // between a line and a label along it
+constexpr int kPlacesAlong = 60; // positions tried along a line
+constexpr double kClear_px = 3;  // free space around a label along a line
 
 struct Heights
 {
@@ -27,7 +27,10 @@ struct Heights
     double bottom = 0;
 };
 
-/** Part of a line, of ascending abscissas, between two of them. */
+/**
+ * Returns the vertical extent of a line (of ascending abscissas) between two abscissas, or nullopt
+ * outside it.
+ */
 std::optional<Heights> heights(const std::vector<Pixel>& line, double from, double to)
 {
     std::optional<Heights> range;
@@ -113,7 +116,9 @@ private:
         m_out.labels.push_back(std::move(label));
     }
 
-    /** As near as possible to the ends of their lines, as many as there is room for. */
+    /**
+     * Places labels in a column, as near as possible to the ends of their lines and as many as fit.
+     */
     void placeColumn(LabelPlace place, double farthest_px)
     {
         const LabelColumn column{.top = m_out.plot.top - kHeight_px / 2,
@@ -172,7 +177,7 @@ private:
     {
         const Pixel end = endOf(label);
         for (int k = 0; k < kPlaces; ++k) {
-            // 0, 1 up, 1 down, 2 up, ... halves of a line
+            // shifts by 0, 1 up, 1 down, 2 up, ... half lines
             const int halves = (k + 1) / 2 * (k % 2 == 0 ? 1 : -1);
             const double shift_px = 0.5 * kFreeHeight_px * halves;
             const PixelRect rect = rectAt(end.x + kGap_px, end.y + shift_px,
@@ -203,8 +208,8 @@ private:
     }
 
     /**
-     * Right of the end of its line, moved up or down where another label or line is; else above the
-     * end; else across lines. Not shown where other labels leave no room.
+     * Places a label right of the end of its line, moved up or down to avoid labels and lines, or
+     * else above the end, or else across lines. It is left out if other labels leave no room.
      */
     void placeFree(const PlotLabel& label)
     {
@@ -212,7 +217,10 @@ private:
             placeRight(label, true);
     }
 
-    /** Touches no line and no other label, or only other lines. */
+    /**
+     * Whether the rectangle is clear of labels and lines; with `acrossLines` it may cross other
+     * lines.
+     */
     [[nodiscard]] bool isClear(const PixelRect& rect, const PlotLabel& label,
                                bool acrossLines) const
     {
@@ -227,7 +235,7 @@ private:
                (acrossLines ? !crosses(m_out.lines[label.line].points, rect) : !isOnLine(wide));
     }
 
-    /** Beside its line; the later in time the better. */
+    /** Places a label beside its line, preferably late in time. */
     bool placeAlong(const PlotLabel& label, const std::string& text, FigureFont font,
                     bool acrossLines)
     {
@@ -252,7 +260,10 @@ private:
         return false;
     }
 
-    /** The first one, which matters most, is rather short, small or across lines than left out. */
+    /**
+     * Places a label along its line. The first label matters most: it is shortened, made small or
+     * placed across lines before it is left out.
+     */
     void placeInside(const PlotLabel& label)
     {
         if (m_out.lines[label.line].points.size() < 2)
@@ -284,7 +295,7 @@ private:
     const FigureFonts& m_fonts;
     Drawing& m_out;
     const std::vector<PixelRect>& m_taken;
-    std::vector<std::vector<Pixel>> m_over; ///< lines over all that names keep off
+    std::vector<std::vector<Pixel>> m_over; ///< lines drawn above all content, which labels avoid
 };
 
 } // namespace

@@ -8,18 +8,18 @@
 namespace berg {
 namespace {
 
-constexpr double kTitle_px = 26;      // row of the title
-constexpr double kBareTop_px = 12;    // without titles above the plot
-constexpr double kBareBottom_px = 28; // without one below it
+constexpr double kTitle_px = 26;      // height of the title row
+constexpr double kBareTop_px = 12;    // above a plot without titles
+constexpr double kBareBottom_px = 28; // below a plot without an axis title
 constexpr double kTickGap_px = 7;     // between axis and number
-constexpr double kTextHeight_px = 16; // room of a line of text
-constexpr double kNameShare = 0.3;    // of the width, at most, for names of rows
-constexpr double kTitlesGap_px = 24;  // between those above the plot
-constexpr double kShortest = 1e-6;    // a logarithm needs something
-constexpr double kHeadroom = 0.15;    // of a power of ten
+constexpr double kTextHeight_px = 16; // height of a line of text
+constexpr double kNameShare = 0.3;    // of the width, at most, for row names
+constexpr double kTitlesGap_px = 24;  // between the titles above the plot
+constexpr double kShortest = 1e-6;    // a logarithm needs a positive value
+constexpr double kHeadroom = 0.15;    // of a power of ten, above the largest value
 constexpr double kAlmost = 1e-9;
 
-/** Numbers of an axis: `count` steps from `first` on, between its ends. */
+/** Ticks of an axis: `count` steps from `first` on, between its ends. */
 struct AxisTicks
 {
     double from = 0;
@@ -49,7 +49,7 @@ AxisTicks roundTicks(const PlotAxis& axis, int most)
 AxisTicks ticksWithin(const PlotAxis& axis, int most)
 {
     const double extent = axis.largest - axis.least;
-    if (extent <= 0) // a single value, in the middle
+    if (extent <= 0) // puts a single value in the middle
         return {axis.least - 1, axis.least + 1, axis.least, 1, 0, 2};
     NiceTicks ticks = niceTicks(extent, most);
     if (axis.isTime)
@@ -76,7 +76,7 @@ AxisTicks powerTicks(const PlotAxis& axis, double length_px)
 
 AxisTicks ticksOf(const PlotAxis& axis, double length_px)
 {
-    constexpr int kFew = 4; // or round numbers leave much of it empty
+    constexpr int kFew = 4; // with fewer, round ends would leave much of the axis empty
     int most = std::max(1, static_cast<int>(length_px / axis.spacing_px));
     if (axis.fewSpacing_px > 0)
         most = std::max(most, std::min(kFew, static_cast<int>(length_px / axis.fewSpacing_px)));
@@ -95,7 +95,7 @@ AxisTicks ticksOf(const PlotAxis& axis, double length_px)
     return {};
 }
 
-/** On the grid of the left axis. */
+/** Returns the ticks of the right axis on the grid of the left axis. */
 AxisTicks rightTicksOf(const PlotAxis& axis, const AxisTicks& left)
 {
     const int below = static_cast<int>(std::lround(-left.from / left.step));
@@ -110,10 +110,13 @@ std::string tickText(const PlotAxis& axis, const AxisTicks& ticks, int k)
     if (axis.ends == AxisEnds::Rows)
         return axis.rows.at(static_cast<std::size_t>(k));
     const double value = ticks.first + k * ticks.step;
-    return axis.text(axis.ends == AxisEnds::Powers ? std::pow(10.0, value) : value, ticks.decimals);
+    if (axis.ends == AxisEnds::Powers)
+        return axis.text(std::pow(10.0, value), ticks.decimals);
+    const NiceTicks written{.step = ticks.step / axis.inUnit};
+    return axis.text(value / axis.inUnit, axis.inUnit == 1 ? ticks.decimals : written.decimals());
 }
 
-/** What is being laid out. */
+/** A figure while it is being laid out. */
 struct FigureDraft
 {
     const Figure& figure;
@@ -122,7 +125,7 @@ struct FigureDraft
     AxisTicks xTicks{};
     AxisTicks yTicks{};
     AxisTicks rightTicks{};
-    double rightNumbers_px = 0; ///< width
+    double rightNumbers_px = 0; ///< width of the numbers of the right axis
 
     [[nodiscard]] double width_px(const std::string& text) const
     {
@@ -140,7 +143,7 @@ double titlesTop(const Figure& figure)
     return figure.title.empty() ? kFigureTop_px - kTitle_px : kFigureTop_px;
 }
 
-/** Says what the small ticks are, where there is room; returns the width taken of the first row. */
+/** Explains the small ticks where there is room. Returns the width used in the title row. */
 double placeMarkKey(FigureDraft& l)
 {
     if (l.figure.markKey.empty())
@@ -162,7 +165,7 @@ double placeMarkKey(FigureDraft& l)
     return isTitled ? key_px : 0;
 }
 
-/** Of both titles above the plot the longest alternatives that fit. */
+/** Chooses the longest alternatives of both titles that fit above the plot. */
 void chooseTitles(FigureDraft& l, double room_px)
 {
     const std::vector<std::string> none{{}};
@@ -212,7 +215,7 @@ std::vector<std::string> numbersOf(const PlotAxis& axis, const AxisTicks& ticks)
     return numbers;
 }
 
-/** The plot between what stands beside it. */
+/** Sets the plot's rectangle from the space needed around it. */
 void setPlot(FigureDraft& l)
 {
     const PlotAxis& y = l.figure.y;

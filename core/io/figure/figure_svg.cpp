@@ -8,7 +8,7 @@
 namespace berg {
 namespace {
 
-constexpr double kLetter_px = 6.6; // of 12 px letters, on average
+constexpr double kLetter_px = 6.6; // average width of a letter at 12 px
 constexpr double kBaseline_px = 4; // below the middle of a line of text
 
 std::string px(double value)
@@ -54,7 +54,7 @@ std::string pointsAttribute(const std::vector<Pixel>& points)
     return attribute("points", text);
 }
 
-/** An element that may tell something under the mouse. */
+/** SVG element, with a tooltip if `tip` is not empty. */
 std::string element(const std::string& name, const std::string& attributes, const std::string& tip)
 {
     const std::string opened = '<' + name + attributes;
@@ -113,7 +113,7 @@ std::string textSvg(const DrawnText& text)
            "</text>\n";
 }
 
-/** Characters, not bytes. */
+/** Number of characters, which may be less than the number of bytes. */
 double lengthOf(const std::string& text)
 {
     double length = 0;

@@ -5,9 +5,10 @@
 namespace berg {
 
 /**
- * The figure as SVG of `width_px` x `height_px` for a page: what is drawn has a class for its ink
- * and one for its key, the page's style sheet (`kReportStyle`) colours them, so that light, dark
- * and print are the same drawing.
+ * Returns the figure as SVG of `width_px` x `height_px` for a page. Drawn objects have a class for
+ * their ink and one for their key; the page's style sheet (`kReportStyle`) colours them, so that
+ * light, dark and print use the same drawing. Inks other than text, muted, axis, grid and policy
+ * have the class of plans; every mark is a circle.
  */
 [[nodiscard]] std::string figureSvg(const Figure& figure, double width_px, double height_px);
 

@@ -7,7 +7,8 @@
 
 namespace berg {
 
-/** Style sheet of reports and their drawings: light, dark as the reader's system, light on paper.
+/**
+ * Style sheet of reports and their charts: light or dark as the reader's system, light in print.
  */
 inline constexpr std::string_view kReportStyle = R"css(
 :root { color-scheme: light dark;
@@ -71,18 +72,21 @@ svg .hollow { fill: var(--page); stroke: var(--ink); stroke-width: 1.5; }
 }
 )css";
 
-/** What is in the head of a page. */
+/** Content of the head of a page. */
 struct ReportHead
 {
     std::string title;
     std::string program;
-    std::string language = "en"; ///< tag, for browsers
+    std::string language = "en"; ///< language tag for browsers
 };
 
-/** From the doctype to the end of the head of a page in `kReportStyle` and more. */
+/**
+ * Returns the start of a page, from the doctype to the end of its head, in `kReportStyle` followed
+ * by `style`.
+ */
 [[nodiscard]] inline std::string reportHead(const ReportHead& head, const std::string& style = {})
 {
-    // The policy lets nothing be loaded and nothing be run, whatever else the page may hold.
+    // The policy forbids loading and running anything, whatever else the page contains.
     return "<!DOCTYPE html>\n"
            "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"" +
            htmlText(head.language) +

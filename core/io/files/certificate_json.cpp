@@ -22,13 +22,13 @@ std::string matrixText(const Eigen::MatrixXd& distance_m)
     std::vector<std::string> rows;
     for (Eigen::Index i = 0; i < distance_m.rows(); ++i) {
         Eigen::VectorXd row = distance_m.row(i).transpose();
-        row(i) = 0; // may be anything
+        row(i) = 0; // the diagonal of a problem may hold anything
         rows.push_back(numbers(row));
     }
     return jsonLines(rows, 2);
 }
 
-/** Bit i is iceberg i. */
+/** Hexadecimal text of a set in which bit i is iceberg i. */
 std::string setText(const NodeSet& set)
 {
     std::array<char, 40> text{};
@@ -66,14 +66,15 @@ constexpr std::array<Named<ProofMethod>, 3> kMethodNames{{
     {ProofMethod::Relaxation, "relaxation"},
 }};
 
-/** In words, for whoever opens the file. */
+/** Sentence that states what the proof shows, for a person who opens the file. */
 std::string claimOf(const Proof& proof)
 {
-    constexpr double kOptimal = 1e-8; // rounding is left room for
+    constexpr double kOptimal = 1e-8; // leaves room for rounding
     const double gap = proof.cost > 0 ? (proof.cost - proof.bound) / proof.cost : 0.0;
     if (gap <= kOptimal)
         return "the orders are optimal";
-    // Rounded up, and for who adds the cost up otherwise: a claim is no less than the gap.
+    // The gap is rounded up and leaves room for a reader who adds the cost in another order: a
+    // claim is never below the gap.
     constexpr double kRounding = 1e-9;
     constexpr int kDigits = 3;
     const double percent = 100 * gap + kRounding;
@@ -107,7 +108,7 @@ std::string certificateJson(const Certificate& certificate)
     JsonObject object;
     object.add("format", "bergwatch-certificate");
     object.add("version", 1);
-    object.add("criterion", problem.criterion == Criterion::Latency ? "latency" : "visitation");
+    object.add("criterion", nameOf(kCriterionNames, problem.criterion));
     object.add("route", nameOf(kRouteNames, problem.route));
     object.addText("sigma", jsonArrayOf(problem.sigma_m2));
     object.addText("distance_m", jsonLines(textsOf(problem.distance_m, matrixText), 1));

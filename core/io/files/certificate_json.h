@@ -6,7 +6,10 @@
 
 namespace berg {
 
-/** The file that `tests/checker` checks; says in `claim` what it proves. */
+/**
+ * Returns the text of a certificate file, which `tests/checker` verifies; its member `claim` states
+ * what it proves.
+ */
 [[nodiscard]] std::string certificateJson(const Certificate& certificate);
 
 } // namespace berg

@@ -9,7 +9,10 @@ namespace {
 
 constexpr std::string_view kFormat = "bergwatch-icebergs";
 
-/** Adds what makes them unfit for a scenario, apart from their ids and those of UAVs. */
+/**
+ * Adds the errors that the icebergs would have in a scenario, apart from their ids and assigned
+ * UAVs.
+ */
 void addFindings(std::vector<Iceberg> icebergs, Faults& faults)
 {
     Scenario scenario;

@@ -1,9 +1,10 @@
 #include "core/io/files/problem_json.h"
 
 #include "core/io/files/scenario_parts.h"
+#include "core/io/files/tsplib.h"
 #include "core/io/text/atomic_file.h"
 #include "core/plan/solve/tuning.h"
-#include "core/scenario/advice.h"
+#include "core/scenario/scenario_warnings.h"
 
 namespace berg {
 
@@ -11,8 +12,6 @@ namespace {
 
 constexpr std::string_view kFormat = "bergwatch-problem";
 
-/** Nodes, the UAV included; a matrix of this size takes 8 MB. */
-constexpr std::size_t kMostNodes = 1000;
 constexpr Limits kProblemNumber{.low = 0, .high = kLargestProblemNumber};
 
 std::vector<double> readSigmas(ObjectReader& object)
@@ -22,9 +21,9 @@ std::vector<double> readSigmas(ObjectReader& object)
     if (list == nullptr)
         return sigma_m2;
     const std::string path = object.path("sigma");
-    if (list->empty() || list->size() > kMostNodes) {
-        object.faults().add(path,
-                            {IssueId::EntryRange, {1, countOf(kMostNodes), countOf(list->size())}});
+    if (list->empty() || list->size() > kMostProblemNodes) {
+        object.faults().add(
+            path, {IssueId::EntryRange, {1, countOf(kMostProblemNodes), countOf(list->size())}});
         return sigma_m2;
     }
     for (std::size_t i = 0; i < list->size(); ++i)
@@ -35,7 +34,7 @@ std::vector<double> readSigmas(ObjectReader& object)
     return sigma_m2;
 }
 
-/** False, with a fault noted, when `list` is no array of `size` entries. */
+/** Returns false after adding a fault if `list` is not an array of `size` entries. */
 bool hasSize(const Json& list, std::size_t size, const std::string& path, Faults& faults)
 {
     if (list.is_array() && list.size() == size)
@@ -85,15 +84,17 @@ Eigen::MatrixXd readPositions(const Json& rows, std::size_t nodes, ObjectReader&
     return euclideanDistances(position_m);
 }
 
-/** The distances of `distance_m` or `position_m`, whichever is given; exactly one must be. */
+/** Reads the distances from `distance_m` or `position_m`; exactly one of them must be given. */
 Eigen::MatrixXd readGeometry(ObjectReader& object, std::size_t nodes)
 {
     const Json* distances = object.find("distance_m");
     const Json* positions = object.find("position_m");
     if (distances != nullptr && positions != nullptr)
-        object.faults().add(object.path("position_m"), {IssueId::NotBeside, {"distance_m"}});
+        object.faults().add(object.path("position_m"),
+                            {IssueId::NotBeside, {FieldPath{"distance_m"}}});
     if (distances == nullptr && positions == nullptr)
-        object.faults().add(object.path("distance_m"), {IssueId::MissingBoth, {"position_m"}});
+        object.faults().add(object.path("distance_m"),
+                            {IssueId::MissingBoth, {FieldPath{"position_m"}}});
     if (nodes > 0 && distances != nullptr)
         return readDistances(*distances, nodes, object);
     if (nodes > 0 && positions != nullptr)
@@ -119,7 +120,7 @@ ProblemFile problemFromJson(std::string_view text, const std::string& subject,
     const std::optional<double> tau = object.optionalNumber("tau", limits::kTau);
     const std::optional<double> mu = object.optionalNumber("mu", kProblemNumber);
     if (tau && mu)
-        parsed.faults.add("tau", {IssueId::NotBeside, {"mu"}});
+        parsed.faults.add("tau", {IssueId::NotBeside, {FieldPath{"mu"}}});
     parsed.faults.throwIfAny(subject);
     if (std::optional<Issue> hint = unknownMembers({}, object.unknown()))
         file.hints.push_back(std::move(*hint));
@@ -130,15 +131,23 @@ ProblemFile problemFromJson(std::string_view text, const std::string& subject,
         file.tau = tau.value_or(1);
         file.problem.mu = tuningWeight(file.problem, *file.tau).mu;
     }
-    // All numbers are in order; the mu of tau may not be, where distances are next to nothing.
+    // Every number is within its limits by now, but the mu that results from tau may not be valid
+    // where distances are close to zero.
     if (std::vector<Issue> issues = validate(file.problem); !issues.empty())
         throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
     return file;
 }
 
+ProblemFile problemFromText(std::string_view text, const std::string& subject,
+                            const std::stop_token& stop)
+{
+    return isTsplib(text, subject) ? problemFromTsplib(text, subject, stop)
+                                   : problemFromJson(text, subject, stop);
+}
+
 ProblemFile loadProblem(const std::string& path)
 {
-    return problemFromJson(readFile(path), path);
+    return problemFromText(readFile(path), path);
 }
 
 } // namespace berg

@@ -5,8 +5,8 @@
 #include "core/io/files/scenario_parts.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/file_set.h"
-#include "core/scenario/advice.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/scenario_warnings.h"
+#include "core/scenario/text_checks.h"
 #include "core/scenario/validate.h"
 
 #include <algorithm>
@@ -112,7 +112,7 @@ MissionOptions readOptions(const Json& value, const std::string& path, Faults& f
     return options;
 }
 
-/** A time within the run, not before that of the entry before it. */
+/** Reads a time within the run that is not before the time of the previous entry. */
 double readTime(ObjectReader& object, double flownUntil_s, double before_s)
 {
     const Json* value = object.need("time_s");
@@ -175,7 +175,7 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
     });
 }
 
-/** Of the whole run, those that appear included. */
+/** Number of icebergs of the whole run, including those that appear in flight. */
 std::size_t icebergCount(const RunFile& file)
 {
     return file.scenario.icebergs.size() + static_cast<std::size_t>(std::ranges::count_if(
@@ -184,11 +184,11 @@ std::size_t icebergCount(const RunFile& file)
                                                }));
 }
 
-/** Who is reported seen or kept for a UAV must be there by then. */
-void checkNamed(const RunFile& file, Faults& faults)
+/** Checks that icebergs and UAVs named by interventions exist at that time. */
+void checkReferences(const RunFile& file, Faults& faults)
 {
     if (icebergCount(file) > kMostIcebergs)
-        return; // `checkAppearing` says so
+        return; // `checkAppearing` adds the fault
     std::vector<Iceberg> there = file.scenario.icebergs;
     std::set<std::string> removed;
     for (std::size_t i = 0; i < file.interventions.size(); ++i) {
@@ -224,11 +224,11 @@ void checkNamed(const RunFile& file, Faults& faults)
     }
 }
 
-/** Wind and asset must be such as a scenario may hold. */
+/** Checks that wind and asset of interventions would be valid in a scenario. */
 void checkSurroundings(const RunFile& file, Faults& faults)
 {
-    Scenario after;                  // without what takes time to check and does not change
-    if (!file.scenario.uavs.empty()) // the slowest one decides
+    Scenario after;                  // without parts that are slow to check and do not change
+    if (!file.scenario.uavs.empty()) // the slowest UAV decides
         after.uavs.push_back(*std::ranges::min_element(
             file.scenario.uavs, {}, [](const Uav& uav) { return uav.spec.airspeed_mps; }));
     for (std::size_t i = 0; i < file.interventions.size(); ++i) {
@@ -243,7 +243,7 @@ void checkSurroundings(const RunFile& file, Faults& faults)
     }
 }
 
-/** What a replay makes must be few enough: intervals below the usual ones are for short runs. */
+/** Checks that a replay records a limited amount: short intervals are for short runs. */
 void checkRecording(const RunFile& file, Faults& faults)
 {
     constexpr std::size_t kMostKeyframeTracks = 500'000;
@@ -265,7 +265,7 @@ void checkRecording(const RunFile& file, Faults& faults)
           kMostSampleTracks);
 }
 
-/** The icebergs of the interventions must fit to the scenario as those in it do. */
+/** Checks icebergs of interventions against the scenario like its own icebergs. */
 void checkAppearing(const RunFile& file, Faults& faults)
 {
     if (const std::size_t count = icebergCount(file); count > kMostIcebergs) {
@@ -295,7 +295,7 @@ void checkAppearing(const RunFile& file, Faults& faults)
     }
 }
 
-/** Groups of at least two icebergs, no iceberg in two of them. */
+/** Reads groups of at least two icebergs; no iceberg may be in two groups. */
 std::vector<std::vector<int>> readClusters(ObjectReader& object, const RunContext& context)
 {
     std::vector<bool> seen(context.icebergs, false);
@@ -352,7 +352,7 @@ Metrics readMetrics(const Json& value, const std::string& path, Faults& faults)
     return metrics;
 }
 
-/** Of a run whose scenario, end and interventions have no faults. */
+/** Limits for a run whose scenario, end and interventions have no faults. */
 RunContext contextOf(const RunFile& file)
 {
     const Scenario& scenario = file.scenario;
@@ -381,13 +381,13 @@ RunFile readRun(ObjectReader& run)
             run.number("flown_until_s", latest_s, Limits{.low = 0, .high = latest_s});
     if (const Json* value = run.need("metrics"))
         file.metrics = readMetrics(*value, run.path("metrics"), run.faults());
-    // What follows is checked against what came before: pointless when that is faulty.
+    // The members below are checked against those above, which is pointless if those are faulty.
     if (!run.faults().empty())
         return file;
     file.interventions = readInterventions(run, file.flownUntil_s);
     checkSurroundings(file, run.faults());
     checkAppearing(file, run.faults());
-    checkNamed(file, run.faults());
+    checkReferences(file, run.faults());
     checkRecording(file, run.faults());
     if (!run.faults().empty())
         return file;

@@ -11,22 +11,22 @@
 
 namespace berg {
 
-/** One re-planning as a run file keeps it. */
+/** One replanning as stored in a run file. */
 struct RecordedPlan
 {
     double time_s = 0;
-    int uav = 0; ///< index
-    int target = -1;
+    int uav = 0;     ///< index
+    int target = -1; ///< iceberg index, or -1 without a target
     std::vector<int> order;
-    std::vector<std::vector<int>> clusters; ///< of the order, flown to as one point each
-    std::vector<AimedLeg> legs;             ///< of a plan with aim points
+    std::vector<std::vector<int>> clusters; ///< groups that are flown to as one point
+    std::vector<AimedLeg> legs;             ///< legs with aim points, empty for plans without
     bool operator==(const RecordedPlan&) const = default;
 };
 
-/** A run: what it was flown with and enough of what happened to check a replay bit for bit. */
+/** A recorded run: its inputs, and enough of its course to check a replay bit for bit. */
 struct RunFile
 {
-    Scenario scenario; ///< as flown, command-line changes applied
+    Scenario scenario; ///< as flown, with the changes of the command line applied
     MissionOptions options;
     double flownUntil_s = 0;
     std::vector<Intervention> interventions;
@@ -37,41 +37,49 @@ struct RunFile
 };
 
 /**
- * The run flown so far. Of very long runs there are keyframes at longer intervals (`Recorder`), so
- * that the file stays readable; the last one is always kept.
+ * Returns the run flown so far. Very long runs have keyframes at longer intervals (`Recorder`), so
+ * that the file stays readable; the last keyframe is always included.
  */
 [[nodiscard]] RunFile runOf(const Mission& mission);
-/** The file in pieces: no more of it is in memory than one of them. */
+/** Passes the text of the run file to `put` piece by piece, so that only one piece is in memory. */
 void writeRun(const RunFile& run, const TextSink& put);
-/** Errors as for `scenarioFromJson`. */
+/** Reads a run file. Throws as `scenarioFromJson`. */
 [[nodiscard]] RunFile runFromJson(std::string_view text, const std::string& subject,
                                   const std::stop_token& stop = {});
-/** Findings about its scenario, and hints about members of interventions that are not known. */
+/**
+ * Returns the findings about the run's scenario and hints about unknown members of interventions.
+ */
 [[nodiscard]] std::vector<Issue> validate(const RunFile& run);
+/** Reads a run file from `path`; throws as `readFile` and `runFromJson`. */
 [[nodiscard]] RunFile loadRun(const std::string& path, const std::stop_token& stop = {});
+/** Writes a run file to `path`; throws as `FileSet::write`. */
 void saveRun(const RunFile& run, const std::string& path);
 
 /**
- * Flies the run again from its scenario and options, applying its interventions at their times,
- * until `flownUntil_s`. Cancelled, the mission returned has flown less than that. Throws as the
- * constructor of `Mission`. With a `sink`, samples are handed on to it and not kept.
+ * Flies the run again from its scenario and options until `flownUntil_s`, applying its
+ * interventions at their times. If a stop is requested, the returned mission has flown less.
+ * `onProgress` gets the simulated time in s. With a `sink`, samples are passed to it and not
+ * stored. Throws as the constructor of `Mission`, and `Error` for an intervention that cannot be
+ * applied.
  */
 [[nodiscard]] Mission replay(const RunFile& run, const std::stop_token& stop = {},
                              const std::function<void(double)>& onProgress = {},
                              SampleSink sink = {});
 
 /**
- * What of a recorded run a replay does not reproduce bit for bit: the first keyframe (with its
- * time and first differing field), the first plan and the first metric that differ; empty when
- * all are equal. A run with a time limit per solve is not bound to repeat; differences then come
- * with a warning that says so.
+ * Compares a recorded run with its replay, bit for bit. Returns the first keyframe (with its time
+ * and first differing field), the first plan and the metrics that differ, or an empty list if all
+ * are equal. If the replay dropped keyframes (`Recorder`), recorded ones at other times are not
+ * compared. A run with a time limit per solve need not repeat; its differences come with a warning
+ * that says so.
  */
 [[nodiscard]] std::vector<Issue> compareRun(const RunFile& recorded, const RunFile& replayed);
 
 /**
- * Format of a file by its `format` member: "bergwatch-scenario", "bergwatch-problem",
- * "bergwatch-run" or "bergwatch-study". Throws `Error` SyntaxError, FileTooLarge, and WrongFormat
- * for anything else.
+ * Returns the format of a file from its `format` member: "bergwatch-scenario", "bergwatch-problem",
+ * "bergwatch-run" or "bergwatch-study"; the text behind that member is not read. Throws `Error`
+ * SyntaxError, FileTooLarge, and WrongFormat for any other format or none; `Stopped` if a stop is
+ * requested.
  */
 [[nodiscard]] std::string formatOf(std::string_view text, const std::string& subject,
                                    const std::stop_token& stop = {});

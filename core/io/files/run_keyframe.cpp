@@ -21,12 +21,14 @@ constexpr std::array<Named<FlightMode>, 8> kModeNames{{
     {FlightMode::Hold, "hold"},
 }};
 
-/** What the filter's part of a track is in the simple model; left out then. */
+/** Filter numbers of a track in the simple observer model, which are then left out. */
 const std::vector<double> kPlainFilter{0, 0, 1, 0, 0};
 constexpr std::size_t kPlainTrack = 8;
 constexpr std::size_t kFilteredTrack = 13;
-/** With a velocity that is not constant: its mean, spread and time; older files end there. The
- * anchor then moves on unseen, so the time of the last sighting follows. */
+/**
+ * Length with a velocity that is not constant: its mean, spread and time follow, and then the time
+ * of the last sighting, because the anchor moves on without one. Older files lack that time.
+ */
 constexpr std::size_t kOlderFadingTrack = 17;
 constexpr std::size_t kFadingTrack = 18;
 
@@ -42,7 +44,7 @@ std::string trackText(const Track& track)
     return jsonArrayOf(numbers);
 }
 
-/** An array of exactly `Count` numbers; zeros and a fault when it is anything else. */
+/** Reads an array of exactly `Count` numbers; anything else is a fault and gives zeros. */
 template <std::size_t Count>
 std::array<double, Count> readNumbers(const Json& value, const std::string& path, Faults& faults)
 {
@@ -83,7 +85,7 @@ Track readTrack(const Json& value, const std::string& path, Faults& faults)
         faults.add(entryPath(path, 11), {IssueId::NotOneOf, {"0, 1, 2"}});
     return {.anchor_m = {n[0], n[1]},
             .anchor_s = n[2],
-            .seen_s = isOlderFading ? -1 : n[isFading ? kFadingTrack - 1 : 2], // -1: not told
+            .seen_s = isOlderFading ? -1 : n[isFading ? kFadingTrack - 1 : 2], // -1: not recorded
             .velocity_mps = {n[3], n[4]},
             .sigma_m2 = n[5],
             .q_m2ps = n[6],
@@ -112,14 +114,14 @@ std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
     makeRoom(tracks, list, object.faults());
     for (std::size_t i = 0; i < list->size(); ++i) {
         Track track = readTrack((*list)[i], entryPath(object.path("tracks"), i), object.faults());
-        if (!(track.velocityTime_s > 0)) // then the file does not tell it
+        if (!(track.velocityTime_s > 0)) // the file has no mean velocity then
             track.mean_mps = context.current_mps;
         tracks.push_back(track);
     }
     return tracks;
 }
 
-/** An index of the run's icebergs; 0 and a fault when it is none. */
+/** Reads an iceberg index of the run; anything else is a fault and gives 0. */
 int icebergOf(double number, const std::string& path, Faults& faults, const RunContext& context)
 {
     if (number >= 0 && number < static_cast<double>(context.icebergs) &&
@@ -144,7 +146,7 @@ LosGuidance readGuidance(ObjectReader& object)
     return guidance;
 }
 
-/** Icebergs of a member that may be missing. */
+/** Reads the icebergs of a member that may be missing. */
 std::vector<int> readGroup(ObjectReader& object, const char* member, const RunContext& context)
 {
     std::vector<bool> seen(context.icebergs, false);
@@ -196,7 +198,7 @@ Search readSearch(const Json& value, const std::string& path, Faults& faults,
     return search;
 }
 
-/** Turn rate and number of commands, by turns. */
+/** JSON array of the parts of a return path: turn rate and number of commands, alternating. */
 std::string returnPathText(const ReturnPath& path)
 {
     std::vector<double> numbers;
@@ -292,7 +294,7 @@ UavState readUav(ObjectReader& object, const RunContext& context)
     return uav;
 }
 
-/** The UAVs after the first one, which is in the keyframe itself: one for each of the scenario. */
+/** Reads the UAVs after the first one, whose members stand in the keyframe itself. */
 std::vector<UavState> readOtherUavs(ObjectReader& keyframe, const RunContext& context)
 {
     std::vector<UavState> uavs;
@@ -361,13 +363,13 @@ std::string legText(const AimedLeg& leg)
 AimedLeg readLeg(const Json& value, const std::string& path, Faults& faults,
                  const RunContext& context)
 {
-    constexpr std::size_t kOfHold = 8;
-    const bool isHold = value.is_array() && value.size() == kOfHold;
-    std::array<double, kOfHold> n{};
+    constexpr std::size_t kHoldNumbers = 8;
+    const bool isHold = value.is_array() && value.size() == kHoldNumbers;
+    std::array<double, kHoldNumbers> n{};
     if (isHold)
-        n = readNumbers<kOfHold>(value, path, faults);
+        n = readNumbers<kHoldNumbers>(value, path, faults);
     else
-        std::ranges::copy(readNumbers<kOfHold - 1>(value, path, faults), n.begin());
+        std::ranges::copy(readNumbers<kHoldNumbers - 1>(value, path, faults), n.begin());
     return {.iceberg = icebergOf(n[0], entryPath(path, 0), faults, context),
             .turn_rad = n[1],
             .from_m = {n[2], n[3]},

@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/run_keyframe.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,19 +16,19 @@ std::string entry(const std::string& list, std::size_t i)
     return list + '[' + std::to_string(i) + ']';
 }
 
-/** A number of a keyframe and its name. */
-using Field = std::pair<std::string, double>;
+/** Name and value of a number of a keyframe. */
+using ReplayField = std::pair<std::string, double>;
 
-/** All of a list, by their places in it. */
+/** Adds the numbers of a list, named by their index. */
 template <class Numbers>
-void addList(std::vector<Field>& fields, const std::string& name, const Numbers& numbers)
+void addList(std::vector<ReplayField>& fields, const std::string& name, const Numbers& numbers)
 {
     for (std::size_t i = 0; i < numbers.size(); ++i)
         fields.emplace_back(entry(name, i), numbers[i]);
 }
 
-/** Every number of one UAV, in the order in which differences are worth telling. */
-void addFields(std::vector<Field>& fields, const std::string& at, const UavState& uav)
+/** Adds every number of one UAV, the most instructive differences first. */
+void addFields(std::vector<ReplayField>& fields, const std::string& at, const UavState& uav)
 {
     const auto add = [&](const char* name, double value) { fields.emplace_back(at + name, value); };
     add("position_m[0]", uav.pose.position_m.x());
@@ -58,10 +58,10 @@ void addFields(std::vector<Field>& fields, const std::string& at, const UavState
     addList(fields, at + "members", uav.members);
 }
 
-/** Every number of a keyframe. */
-std::vector<Field> fieldsOf(const WorldState& state)
+/** Returns every number of a keyframe. */
+std::vector<ReplayField> fieldsOf(const WorldState& state)
 {
-    std::vector<Field> fields;
+    std::vector<ReplayField> fields;
     for (std::size_t i = 0; i < state.uavs.size(); ++i)
         addFields(fields, i == 0 ? "" : entry("other_uavs", i - 1) + '.', state.uavs[i]);
     fields.insert(fields.end(), {{"sigma_sum_m2", state.sigmaSum_m2},
@@ -77,8 +77,8 @@ std::vector<Field> fieldsOf(const WorldState& state)
     return fields;
 }
 
-/** The state without the times of last sightings that an older file does not have. */
-WorldState asFarAsTold(WorldState state, const WorldState& recorded)
+/** Returns the state without times of last sightings, where an older file has none. */
+WorldState withoutUnrecordedTimes(WorldState state, const WorldState& recorded)
 {
     for (std::size_t i = 0; i < std::min(state.tracks.size(), recorded.tracks.size()); ++i)
         if (recorded.tracks[i].seen_s < 0)
@@ -92,8 +92,9 @@ Issue differs(std::string field, IssueId id, std::vector<IssueArgument> argument
 }
 
 /**
- * A long replay keeps keyframes at intervals of its own (`Recorder`), so that of older files some
- * have none beside them. Those are not compared; a flight that differs there differs ever after.
+ * Compares keyframes. A long replay records keyframes at intervals of its own (`Recorder`), so some
+ * keyframes of older files have no counterpart and are skipped; a flight that differs there differs
+ * in all later keyframes as well.
  */
 void compareKeyframes(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
 {
@@ -114,13 +115,13 @@ void compareKeyframes(const RunFile& recorded, const RunFile& replayed, std::vec
         }
         if (*other == keyframe || (isThinned && other->step != keyframe.step))
             continue;
-        const WorldState flown = asFarAsTold(*other, keyframe);
+        const WorldState flown = withoutUnrecordedTimes(*other, keyframe);
         if (flown == keyframe)
             continue;
-        const std::vector<Field> left = fieldsOf(keyframe);
-        const std::vector<Field> right = fieldsOf(flown);
+        const std::vector<ReplayField> left = fieldsOf(keyframe);
+        const std::vector<ReplayField> right = fieldsOf(flown);
         const auto [a, b] = std::mismatch(left.begin(), left.end(), right.begin(), right.end());
-        if (a == left.end() || b == right.end()) // in the particulars of a search or a way
+        if (a == left.end() || b == right.end()) // the details of a search or path differ
             issues.push_back(differs(path, IssueId::ReplayedOther, {time_s}));
         else
             issues.push_back(differs(path + '.' + a->first, IssueId::ReplayedNumber,
@@ -203,14 +204,14 @@ Mission replay(const RunFile& run, const std::stop_token& stop,
 {
     Mission mission(run.scenario, run.options);
     if (sink)
-        mission.handSamplesOn(std::move(sink));
+        mission.streamSamplesTo(std::move(sink));
     for (std::size_t i = 0; i < run.interventions.size(); ++i) {
         if (mission.advance(run.interventions[i].time_s, stop, onProgress) ==
             AdvanceStatus::Cancelled)
             return mission;
         try {
             mission.intervene(run.interventions[i]);
-        } catch (const Error& error) { // which knows no list of them
+        } catch (const Error& error) { // the mission does not know the index of the intervention
             std::vector<Issue> issues = error.issues();
             for (Issue& issue : issues)
                 issue.field = entryPath("interventions", i) + '.' + issue.field;

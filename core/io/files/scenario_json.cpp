@@ -1,5 +1,6 @@
 #include "core/io/files/scenario_json.h"
 
+#include "core/io/files/members.h"
 #include "core/io/files/scenario_parts.h"
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/validate.h"
@@ -12,86 +13,119 @@ namespace {
 
 constexpr std::string_view kFormat = "bergwatch-scenario";
 
-constexpr std::array<Named<FovShape>, 3> kFovShapeNames{{
-    {FovShape::Body, "body"},
-    {FovShape::North, "north"},
-    {FovShape::Disk, "disk"},
-}};
-
-constexpr std::array<Named<ObserverModel>, 2> kObserverNames{{
-    {ObserverModel::Simple, "simple"},
-    {ObserverModel::Kalman, "kalman"},
-}};
-
-constexpr std::array<Named<SearchPattern>, 3> kSearchNames{{
-    {SearchPattern::None, "none"},
-    {SearchPattern::Square, "square"},
-    {SearchPattern::Sector, "sector"},
-}};
-
-template <class Io>
-void addPlanner(Io& io, Held<Io, Scenario>& scenario)
+/** Reads the members of a scenario in the layout of `Writer`. */
+struct Reader
 {
-    const PlannerSettings standard;
-    auto& planner = scenario.planner;
-    io.addChoice("policy", planner.policy, kPolicyNames);
-    io.add("tau", planner.tau);
-    io.addChoice("route", planner.route, kRouteNames, standard.route);
-    io.addChoice("backend", planner.backend, kBackendNames, standard.backend);
-    io.addChoice("formulation", planner.formulation, kFormulationNames, standard.formulation);
-    io.addOlder("latency_s", scenario.planningTime_s);
-    io.addUnless("planning_delay_s", scenario.planningTime_s, 0.0);
-    io.addOptional("reach_radius_m", scenario.reachRadius_m);
-    io.addChoice("fov_shape", scenario.fovShape, kFovShapeNames, FovShape::Body);
-    io.addUnless("clusters", scenario.clusters, false);
+    ObjectReader& object;
+
+    template <class T>
+    void fields(std::span<const Field<T>> fields, T& of)
+    {
+        readFields(object, fields, of);
+    }
+    template <class T>
+    void part(const char* name, std::span<const Field<T>> fields, T& of, std::string& extraJson,
+              bool /*isUsual*/ = false)
+    {
+        const Json* value = object.find(name);
+        if (value == nullptr)
+            return;
+        ObjectReader members(*value, object.path(name), object.faults());
+        readFields(members, fields, of);
+        extraJson = members.unknown();
+    }
+    template <class T>
+    void one(const char* name, T& held)
+    {
+        if (const Json* value = object.find(name))
+            held = readObject<T>(*value, object.path(name), object.faults());
+    }
+    template <class T>
+    void one(const char* name, std::optional<T>& held)
+    {
+        if (object.find(name) != nullptr)
+            one(name, held.emplace());
+    }
+    template <class T>
+    void list(const char* name, std::vector<T>& entries, std::size_t most, bool isNeeded)
+    {
+        const Json* list = isNeeded ? object.neededArray(name) : object.array(name);
+        const std::string path = object.path(name);
+        if (list != nullptr && list->size() > most)
+            object.faults().add(path,
+                                {IssueId::MostEntries, {countOf(most), countOf(list->size())}});
+        else
+            for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
+                entries.push_back(readObject<T>((*list)[i], entryPath(path, i), object.faults()));
+    }
+};
+
+/** Writes the members of a scenario; values equal to their default are left out. */
+struct Writer
+{
+    JsonObject& object;
+    int indent = 0;
+
+    template <class T>
+    void fields(std::span<const Field<T>> fields, const T& of)
+    {
+        writeFields(object, fields, of);
+    }
+    template <class T>
+    void part(const char* name, std::span<const Field<T>> fields, const T& of,
+              const std::string& extraJson, bool isUsual = false)
+    {
+        JsonObject members;
+        writeFields(members, fields, of);
+        members.addExtra(extraJson);
+        if (!isUsual || !extraJson.empty())
+            object.addText(name, members.inLine());
+    }
+    template <class T>
+    void one(const char* name, const T& held)
+    {
+        if (held != T())
+            object.addText(name, objectText(held));
+    }
+    template <class T>
+    void one(const char* name, const std::optional<T>& held)
+    {
+        if (held)
+            object.addText(name, objectText(*held));
+    }
+    template <class T>
+    void list(const char* name, const std::vector<T>& entries, std::size_t /*most*/, bool isNeeded)
+    {
+        if (isNeeded || !entries.empty())
+            object.addText(name, jsonLines(textsOf(entries, &objectText<T>), indent + 1));
+    }
+};
+
+/** Visits all members but `format` and `version`, in the order of the file. */
+template <class Io, class S>
+void members(Io io, S& scenario)
+{
+    const auto own = [](std::string_view first, std::string_view last) {
+        return between(fieldsOf<Scenario>(), first, last);
+    };
+    io.fields(own("name", "notes"), scenario);
+    io.part("origin", fieldsOf<LatLon>(), scenario.origin, scenario.originExtraJson);
+    io.fields(own("start_utc", "geofence"), scenario);
+    io.list("no_fly", scenario.noFly, kMostNoFlyAreas, false);
+    io.list("airspace", scenario.airspace, kMostAirspaceAreas, false);
+    io.one("operation", scenario.operation);
+    io.fields(own("separation_m", "separation_m"), scenario);
+    io.list("uavs", scenario.uavs, kMostUavs, true);
+    io.list("icebergs", scenario.icebergs, kMostIcebergs, true);
+    io.one("asset", scenario.asset);
+    io.one("weather", scenario.weather);
+    io.one("ground_station", scenario.groundStation);
+    io.part("observer", fieldsOf<ObserverSpec>(), scenario.observer, scenario.observerExtraJson,
+            scenario.observer == ObserverSpec());
+    io.part("planner", plannerFields(), scenario, scenario.plannerExtraJson);
 }
 
-template <class Io>
-void addObserver(Io& io, Held<Io, ObserverSpec>& observer)
-{
-    const ObserverSpec standard;
-    io.addChoice("model", observer.model, kObserverNames);
-    io.addUnless("position_sd_m", observer.positionSd_m, standard.positionSd_m);
-    io.addUnless("interval_s", observer.interval_s, standard.interval_s);
-    io.addUnless("detection", observer.detection, standard.detection);
-    io.addChoice("search", observer.search, kSearchNames, standard.search);
-}
-
-template <class Io>
-void addMembers(Io& io, Held<Io, Scenario>& scenario)
-{
-    const Point still = Point::Zero();
-    io.add("name", scenario.name);
-    io.addUnless("notes", scenario.notes, {});
-    io.addPart("origin", scenario.originExtraJson, false, [&scenario](auto& part) {
-        part.add("latitude_deg", scenario.origin.latitude_deg);
-        part.add("longitude_deg", scenario.origin.longitude_deg);
-    });
-    io.addUnless("start_utc", scenario.startUtc, {});
-    io.add("duration_s", scenario.duration_s);
-    io.addSeed(scenario.seed);
-    io.add("dt_s", scenario.dt_s);
-    io.add("noise", scenario.noise);
-    io.addUnless("wind_mps", scenario.wind_mps, still);
-    io.addUnless("current_mps", scenario.current_mps, still);
-    io.addCorners(scenario.area_m, false);
-    io.addUnless("geofence", scenario.geofence, false);
-    io.addList("no_fly", scenario.noFly, kMostNoFlyAreas, false);
-    io.addList("airspace", scenario.airspace, kMostAirspaceAreas, false);
-    io.addObject("operation", scenario.operation);
-    io.addUnless("separation_m", scenario.separation_m, Scenario().separation_m);
-    io.addList("uavs", scenario.uavs, kMostUavs, true);
-    io.addList("icebergs", scenario.icebergs, kMostIcebergs, true);
-    io.addObject("asset", scenario.asset);
-    io.addObject("weather", scenario.weather);
-    io.addObject("ground_station", scenario.groundStation);
-    io.addPart("observer", scenario.observerExtraJson, scenario.observer == ObserverSpec{},
-               [&scenario](auto& part) { addObserver(part, scenario.observer); });
-    io.addPart("planner", scenario.plannerExtraJson, false,
-               [&scenario](auto& part) { addPlanner(part, scenario); });
-}
-
-/** Gives entries without id the name of their row, or the next free one when that is taken. */
+/** Gives entries without an id the name of their row, or the next free name if that is taken. */
 template <class Entry>
 void nameByRow(std::vector<Entry>& entries, const Json* list, const std::string& prefix,
                std::set<std::string>& taken)
@@ -119,7 +153,7 @@ void nameUnnamed(Scenario& scenario, ObjectReader& object)
     nameByRow(scenario.icebergs, object.find("icebergs"), "berg-", taken);
 }
 
-/** Adds what is wrong for this use, except about members already known to be unreadable. */
+/** Adds errors for this use, except about members that are faulty already. */
 void addFindings(const Scenario& scenario, ObjectReader& object, ScenarioUse use)
 {
     if (!object.isObject())
@@ -137,8 +171,7 @@ Scenario readScenario(ObjectReader& object, ScenarioUse use)
 {
     Scenario scenario;
     checkFormat(object, kFormat);
-    MemberReader io(object);
-    addMembers(io, scenario);
+    members(Reader{object}, scenario);
     scenario.extraJson = object.unknown();
     nameUnnamed(scenario, object);
     addFindings(scenario, object, use);
@@ -147,12 +180,12 @@ Scenario readScenario(ObjectReader& object, ScenarioUse use)
 
 std::string scenarioText(const Scenario& scenario, int indent)
 {
-    MemberWriter io(indent);
-    io.add("format", kFormat);
-    io.add("version", 1);
-    addMembers(io, scenario);
-    io.addExtra(scenario.extraJson);
-    return io.inLines(indent);
+    JsonObject object;
+    object.add("format", kFormat);
+    object.add("version", 1);
+    members(Writer{object, indent}, scenario);
+    object.addExtra(scenario.extraJson);
+    return object.inLines(indent);
 }
 
 Scenario scenarioFromJson(std::string_view text, const std::string& subject, ScenarioUse use,

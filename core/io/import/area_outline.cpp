@@ -14,10 +14,13 @@ namespace {
 using Ring = std::vector<LatLon>;
 
 constexpr double kSamePlace_deg = 1e-8; // a millimetre
-/** Within which the line between two vertices is straight, `geographicLine` and rounding. */
+/**
+ * Distance within which the line between two vertices is straight, for `geographicLine` and
+ * rounding.
+ */
 constexpr double kCut_m = 1.1;
 constexpr double kLargestTolerance_m = 1;
-constexpr double kTolerance = 1e-5; ///< of the size: how planes about other origins bend lines
+constexpr double kTolerance = 1e-5; ///< of the size: bend in other planes
 
 bool isClose(double a_deg, double b_deg)
 {
@@ -29,7 +32,7 @@ bool onBorder(const LatLon& place)
     return isClose(std::abs(place.longitude_deg), 180);
 }
 
-/** Whether the edge was put in where a polygon was cut: along the antimeridian, or at a pole. */
+/** Whether the edge was inserted where a polygon was cut: along the antimeridian, or at a pole. */
 bool isCut(const LatLon& a, const LatLon& b)
 {
     const bool atPole =
@@ -37,7 +40,7 @@ bool isCut(const LatLon& a, const LatLon& b)
     return onBorder(a) && onBorder(b) && (atPole || isClose(a.longitude_deg, b.longitude_deg));
 }
 
-/** Each vertex once. */
+/** Returns the ring with each vertex once. */
 Ring opened(const Ring& closed)
 {
     Ring ring;
@@ -49,7 +52,7 @@ Ring opened(const Ring& closed)
     return ring;
 }
 
-/** Stretches of a ring between cuts; none when there is no cut. */
+/** Returns the stretches of a ring between cuts; none if there is no cut. */
 std::vector<Ring> stretchesOf(const Ring& ring)
 {
     std::vector<Ring> stretches;
@@ -69,14 +72,16 @@ std::vector<Ring> stretchesOf(const Ring& ring)
     return stretches;
 }
 
-/** Whether a line that ends at `end` goes on at `start`, on the other side of the antimeridian. */
+/**
+ * Whether a line that ends at `end` continues at `start`, on the other side of the antimeridian.
+ */
 bool continues(const LatLon& end, const LatLon& start)
 {
     return isClose(end.latitude_deg, start.latitude_deg) &&
            isClose(end.longitude_deg, -start.longitude_deg);
 }
 
-/** A vertex of the outline; where that was cut there are two in one place. */
+/** A vertex of the outline; at a cut there are two at one place. */
 struct OutlineVertex
 {
     LatLon place;
@@ -84,7 +89,9 @@ struct OutlineVertex
     bool endsStretch = false;
 };
 
-/** All stretches one after the other; empty when that makes no single ring. */
+/**
+ * Joins all stretches one after the other. Returns no vertices if they do not form a single ring.
+ */
 std::vector<OutlineVertex> chained(const std::vector<Ring>& stretches)
 {
     std::vector<OutlineVertex> outline;
@@ -128,7 +135,9 @@ std::vector<OutlineVertex> verticesOf(std::span<const Ring> rings)
     return outline;
 }
 
-/** Without the places where it was cut, unless there is a corner; their times are the order. */
+/**
+ * Removes the vertices at cuts unless there is a corner; the times of the points are their order.
+ */
 std::vector<TimedPoint> withoutCuts(const std::vector<OutlineVertex>& vertices,
                                     const LocalFrame& frame)
 {
@@ -146,7 +155,10 @@ std::vector<TimedPoint> withoutCuts(const std::vector<OutlineVertex>& vertices,
     return outline;
 }
 
-/** Without vertices on straight lines; begins at a vertex that is a corner for certain. */
+/**
+ * Removes vertices on straight lines, beginning at the farthest vertex, which is certainly a
+ * corner.
+ */
 std::vector<Point> thinnedRing(std::vector<TimedPoint> ring)
 {
     const Point from_m = ring.front().position_m;

@@ -1,9 +1,7 @@
 #include "core/base/error.h"
-#include "core/io/import/import_fields.h"
+#include "core/io/import/csv_layout.h"
 #include "core/io/import/import_readers.h"
-#include "core/io/text/byte_order_mark.h"
-#include "core/io/text/csv_reader.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,100 +10,22 @@ namespace berg {
 
 namespace {
 
-/** A column of the file that is read. */
-struct ReadColumn
-{
-    std::size_t index = 0;
-    FieldUse use;
-};
-
-/** How the rows of one file are read. */
-struct CsvLayout
-{
-    std::vector<ReadColumn> columns;
-    std::vector<std::pair<std::size_t, PlacePart>> parts = {}; ///< by their columns, as appended
-    std::size_t width = 0;                                     ///< cells of a whole row
-    bool header = true;
-    bool timeNeeded = true;
-    bool isMonthFirst = true; ///< by the customs of the format, where no date tells otherwise
-    /** A last look at a sighting that is otherwise in order; may be null. */
-    std::optional<IssueId> (*finish)(Sighting& sighting, const CsvRow& row) = nullptr;
-};
-
-bool isBlank(const CsvRow& row)
-{
-    return row.fault == CsvRow::Fault::None &&
-           std::all_of(row.cells.begin(), row.cells.end(),
-                       [](const std::string& cell) { return trimmed(cell).empty(); });
-}
-
 bool isNumber(const std::string& cell)
 {
     return decimalOf(trimmed(cell)).has_value();
 }
 
-/** Without what may stand above the header: the separator as spreadsheets tell it, and comments. */
-struct TableText
+/** Returns the header of a text that may be a table; it has no cells if there is none. */
+CsvRow headerOf(const TableText& table)
 {
-    std::string_view text;
-    std::size_t skipped = 0; ///< lines
-    std::optional<char> separator = {};
-
-    [[nodiscard]] CsvReader reader() const
-    {
-        return {text, separator.value_or(csvSeparator(text))};
-    }
-};
-
-/** Without the first line. */
-TableText below(const TableText& table)
-{
-    TableText rest = table;
-    const std::size_t end = std::min(rest.text.find_first_of("\r\n"), rest.text.size());
-    rest.text.remove_prefix(end);
-    rest.text.remove_prefix(rest.text.starts_with("\r\n") ? 2 : rest.text.empty() ? 0 : 1);
-    ++rest.skipped;
-    return rest;
-}
-
-TableText tableOf(std::string_view text)
-{
-    constexpr std::string_view kSeparator = "sep=";
-    TableText table{.text = withoutByteOrderMark(text)};
-    const std::string_view first =
-        trimmed(table.text.substr(0, std::min(table.text.find_first_of("\r\n"), std::size_t{16})));
-    if (first.size() == kSeparator.size() + 1 && first.starts_with(kSeparator)) {
-        table = below(table);
-        table.separator = first.back();
-    }
-    TableText header = table; // a comment may be that
-    while (table.text.starts_with('#')) {
-        header = table;
-        table = below(table);
-        while (table.text.starts_with('\n') || table.text.starts_with('\r'))
-            table = below(table);
-    }
-    CsvRow row;
-    CsvReader reader = table.reader();
-    const bool isData = !reader.next(row) || std::ranges::any_of(row.cells, isNumber);
-    return isData ? header : table;
-}
-
-/** The first row with anything in it; no cells when there is none. */
-CsvRow firstRow(std::string_view text)
-{
-    CsvReader reader = tableReader(text);
-    CsvRow row;
-    while (reader.next(row))
-        if (!isBlank(row))
-            return row;
-    return {};
+    std::vector<CsvRow> rows = topRows(table, 1);
+    return rows.empty() ? CsvRow{} : std::move(rows.front());
 }
 
 std::vector<std::string> plainHeader(std::string_view text)
 {
     std::vector<std::string> names;
-    for (const std::string& cell : firstRow(text).cells)
+    for (const std::string& cell : headerOf(tableOf(text)).cells)
         names.push_back(plainName(cell));
     return names;
 }
@@ -115,81 +35,34 @@ bool has(const std::vector<std::string>& names, std::string_view name)
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/** Whether the row can be used at all: its quotes, and as many cells as the header. */
-std::optional<IssueId> shapeFault(const CsvRow& row, std::size_t width)
-{
-    if (row.fault == CsvRow::Fault::UnclosedQuote)
-        return IssueId::UnclosedQuote;
-    if (row.fault == CsvRow::Fault::TextAfterQuote)
-        return IssueId::TextAfterQuote;
-    // Empty cells beyond the last column are what spreadsheets leave behind.
-    const bool tooWide =
-        row.cells.size() > width &&
-        std::any_of(row.cells.begin() + static_cast<std::ptrdiff_t>(width), row.cells.end(),
-                    [](const std::string& cell) { return !trimmed(cell).empty(); });
-    if (row.cells.size() < width || tooWide)
-        return IssueId::RowWidth;
-    return std::nullopt;
-}
-
-void fill(FieldTexts& texts, const CsvRow& row, const CsvLayout& layout)
-{
-    texts.clear();
-    for (const ReadColumn& column : layout.columns)
-        texts.set(column.use, row.cells[column.index]);
-    for (const auto& [index, part] : layout.parts)
-        texts.append(part, row.cells[index]);
-}
-
-/** Calls `use(row)` for each row below the header that is not blank, until it returns false. */
-template <class Use>
-void forRows(const ImportText& source, bool header, Use use)
-{
-    const TableText table = tableOf(source.text);
-    CsvReader reader = table.reader();
-    CsvRow row;
-    bool first = header;
-    while (reader.next(row)) {
-        source.budget.goOn();
-        if (isBlank(row))
-            continue;
-        row.line += table.skipped;
-        if (first)
-            first = false;
-        else if (!use(row))
-            return;
-    }
-}
-
-/** Day or month first: by the first date that can only be read one way; none: there is none. */
+/**
+ * Returns the order of day and month from the first date that can be read in only one way, or
+ * nullopt if there is none.
+ */
 std::optional<DateOrder> dateOrder(const ImportText& source, const CsvLayout& layout,
                                    bool timeApart)
 {
-    std::optional<DateOrder> told;
+    std::optional<DateOrder> order;
     FieldTexts texts;
-    forRows(source, layout.header, [&](const CsvRow& row) {
+    forRows(source, layout.above, [&](const CsvRow& row) {
         if (shapeFault(row, layout.width))
             return true;
         fill(texts, row, layout);
-        told = dateOrderOf(timeText(texts, timeApart));
-        return !told;
+        order = dateOrderOf(timeText(texts, timeApart));
+        return !order;
     });
-    return told;
-}
-
-bool reads(const std::vector<ReadColumn>& columns, SightingField field)
-{
-    return std::ranges::any_of(columns,
-                               [&](const ReadColumn& column) { return column.use.field == field; });
+    return order;
 }
 
 SightingTable readRows(const ImportText& source, const CsvLayout& layout)
 {
     SightingTable table;
-    const CsvRow header = firstRow(source.text);
-    if (layout.header)
+    const CsvRow header = headerOf(tableOf(source));
+    if (layout.above > 0) {
+        table.headerLine = header.line;
         for (const std::string& cell : header.cells)
             table.columns.push_back(cleanText(cell, kLongestName));
+    }
     std::vector<bool> used(table.columns.size(), false);
     for (const ReadColumn& column : layout.columns)
         if (column.index < table.columns.size()) {
@@ -199,24 +72,32 @@ SightingTable readRows(const ImportText& source, const CsvLayout& layout)
         }
     for (const auto& [index, part] : layout.parts)
         used[index] = true;
+    for (const std::size_t index : timeColumnsUsed(layout)) {
+        table.mapping.push_back({.field = SightingField::Time, .column = table.columns[index]});
+        used[index] = true;
+    }
     for (std::size_t i = 0; i < used.size(); ++i)
         if (!used[i] && !table.columns[i].empty())
             table.unused.push_back(table.columns[i]);
 
-    RowRules rules{.timeNeeded = layout.timeNeeded};
+    RowRules rules{.timeNeeded = layout.timeNeeded,
+                   .timeExpected = layout.timeExpected,
+                   .noted = &table.noted};
     rules.timeApart =
-        reads(layout.columns, SightingField::Date) && reads(layout.columns, SightingField::Time);
-    const std::optional<DateOrder> told =
+        layout.isDayInParts != layout.isClockInParts ||
+        (reads(layout.columns, SightingField::Date) && reads(layout.columns, SightingField::Time));
+    const std::optional<DateOrder> order =
         source.dates ? source.dates : dateOrder(source, layout, rules.timeApart);
-    const bool guesses = !told && !layout.isMonthFirst;
-    rules.order = told.value_or(DateOrder::MonthFirst);
+    const bool guesses = !order && !layout.isMonthFirst;
+    rules.order = order.value_or(DateOrder::MonthFirst);
     FieldTexts texts;
-    forRows(source, layout.header, [&](const CsvRow& row) {
+    forRows(source, layout.above, [&](const CsvRow& row) {
         std::variant<Sighting, RejectedRow> result;
         if (const std::optional<IssueId> fault = shapeFault(row, layout.width)) {
             result = RejectedRow{.line = row.line, .fault = *fault, .detail = {}};
         } else {
             fill(texts, row, layout);
+            const std::size_t notes = table.noted.count;
             result = sightingOf(texts, rules, row.line);
             if (guesses && table.guessedDate.empty())
                 if (const std::string time = timeText(texts, rules.timeApart);
@@ -228,115 +109,16 @@ SightingTable readRows(const ImportText& source, const CsvLayout& layout)
             const std::optional<IssueId> late = sighting != nullptr && layout.finish != nullptr
                                                     ? layout.finish(*sighting, row)
                                                     : std::nullopt;
-            if (late)
+            if (late) {
+                table.noted.forget(notes);
                 result = RejectedRow{
                     .line = row.line, .fault = *late, .detail = timeText(texts, rules.timeApart)};
+            }
         }
         addRow(table, std::move(result), source.budget);
         return true;
     });
     return table;
-}
-
-/** Columns of a header: for each field the one that fits best. */
-std::vector<ReadColumn> columnsOf(const std::vector<std::string>& header, ColumnNames& names)
-{
-    std::vector<ReadColumn> columns;
-    for (std::size_t i = 0; i < header.size(); ++i) {
-        const std::optional<FieldUse> use = names.of(header[i]);
-        if (!use)
-            continue;
-        const auto rival =
-            std::find_if(columns.begin(), columns.end(),
-                         [&](const ReadColumn& column) { return column.use.field == use->field; });
-        if (rival == columns.end())
-            columns.push_back({.index = i, .use = *use});
-        else if (use->rank < rival->use.rank)
-            *rival = {.index = i, .use = *use};
-    }
-    return columns;
-}
-
-/** Minutes, seconds and letters of latitudes and longitudes, in this order. */
-std::vector<std::pair<std::size_t, PlacePart>> partsOf(const std::vector<std::string>& header,
-                                                       ColumnNames& names)
-{
-    std::vector<std::pair<std::size_t, PlacePart>> parts;
-    const bool isBox = std::ranges::any_of(header, [](const std::string& name) {
-        const std::string plain = plainName(name);
-        return plain.starts_with("l") && plain.ends_with("max"); // beside them "lat_min" is another
-    });
-    for (std::size_t i = 0; i < header.size(); ++i)
-        if (const std::optional<PlacePart> part = placePartOf(header[i]);
-            part && !names.of(header[i]))
-            if (!isBox || part->kind == PlacePart::Kind::Hemisphere)
-                parts.emplace_back(i, *part);
-    std::ranges::stable_sort(parts, {}, [](const auto& part) { return part.second.kind; });
-    return parts;
-}
-
-/** Columns that say where or when, but not in a way that is understood. */
-void refuseUnclear(const std::vector<ReadColumn>& columns, const std::vector<std::string>& header,
-                   ColumnNames& names, const std::string& subject)
-{
-    std::vector<Issue> issues;
-    for (const std::string& name : header) {
-        if (names.of(name))
-            continue;
-        const auto refuse = [&](SightingField field) {
-            issues.push_back({Severity::Error,
-                              nameOf(kSightingFieldNames, field),
-                              {IssueId::ColumnUnclear, {printable(name)}}});
-        };
-        const std::string plain = plainName(name);
-        if (plain == "hem" || plain == "hemi" || plain == "hemisphere")
-            refuse(SightingField::Longitude);
-        else if (const std::optional<SightingField> time = unclearTimeOf(name);
-                 time && !reads(columns, SightingField::Time) && !reads(columns, *time))
-            refuse(*time);
-    }
-    if (!issues.empty())
-        throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
-}
-
-/** Two columns of one name: which of them holds the field, nobody can tell. */
-void refuseTwins(const std::vector<ReadColumn>& columns, const std::vector<std::string>& header,
-                 const std::string& subject)
-{
-    std::vector<Issue> issues;
-    for (const ReadColumn& column : columns)
-        for (std::size_t i = column.index + 1; i < header.size(); ++i)
-            if (plainName(header[i]) == plainName(header[column.index]))
-                issues.push_back(
-                    {Severity::Error,
-                     nameOf(kSightingFieldNames, column.use.field),
-                     {IssueId::TwinColumns,
-                      {countOf(column.index + 1), countOf(i + 1), printable(header[i])}}});
-    if (!issues.empty())
-        throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
-}
-
-/** Layout of a table with a header, of which `fields` (all: empty) are read. */
-CsvLayout layoutByName(const ImportText& source, std::initializer_list<SightingField> fields = {})
-{
-    const CsvRow header = firstRow(source.text);
-    if (header.cells.empty() || header.cells.size() > kMostColumns)
-        throw Error(ErrorCode::WrongFormat, source.budget.subject(),
-                    {IssueId::HeaderColumns, {countOf(kMostColumns)}});
-    std::vector<std::string> cells;
-    for (const std::string& cell : header.cells)
-        cells.push_back(cleanText(cell, kLongestName));
-    ColumnNames names(source.mapping);
-    CsvLayout layout{
-        .columns = columnsOf(cells, names), .parts = partsOf(cells, names), .width = cells.size()};
-    names.requireMapped(source.budget.subject());
-    refuseTwins(layout.columns, cells, source.budget.subject());
-    refuseUnclear(layout.columns, cells, names, source.budget.subject());
-    if (fields.size() > 0)
-        std::erase_if(layout.columns, [&](const ReadColumn& column) {
-            return std::find(fields.begin(), fields.end(), column.use.field) == fields.end();
-        });
-    return layout;
 }
 
 void requireField(const CsvLayout& layout, SightingField field, const std::string& subject)
@@ -355,14 +137,14 @@ void requirePlace(const CsvLayout& layout, const std::string& subject)
 
 constexpr std::size_t kIipColumns = 10;
 
-/** A row of data of the IIP, told by its numbers. */
+/** Whether the row is a data row of the IIP, judged by its numbers. */
 bool isIipRow(const CsvRow& row)
 {
     return row.cells.size() == kIipColumns && isNumber(row.cells[0]) && isNumber(row.cells[4]) &&
            isNumber(row.cells[5]) && trimmed(row.cells[0]).size() == 4;
 }
 
-/** Id of season and number; the season holds the date. */
+/** Sets the id from season and number and checks that the date is in the season. */
 std::optional<IssueId> finishIip(Sighting& sighting, const CsvRow& row)
 {
     using namespace std::chrono;
@@ -371,27 +153,32 @@ std::optional<IssueId> finishIip(Sighting& sighting, const CsvRow& row)
         return IssueId::OutOfSeason;
     const int last = static_cast<int>(*season);
     constexpr days kMargin(31);
+    if (!sighting.id.empty())
+        sighting.id = std::to_string(last) + '-' + sighting.id;
+    sighting.ids.clear(); // the id is decided
+    if (!sighting.time)
+        return std::nullopt;
     const sys_days start = sys_days(year(last - 1) / October / 1) - kMargin;
     const sys_days end = sys_days(year(last) / October / 1) + kMargin;
     if (*sighting.time < start || *sighting.time >= end)
         return IssueId::OutOfSeason;
-    if (!sighting.id.empty())
-        sighting.id = std::to_string(last) + '-' + sighting.id;
     return std::nullopt;
 }
 
 } // namespace
 
-CsvReader tableReader(std::string_view text)
+CsvReader tableReader(std::string_view text, const ReadOptions& options)
 {
-    return tableOf(text).reader();
+    if (options.headerLine)
+        return TableText{.text = fromLine(text, *options.headerLine)}.reader();
+    return tableOf(text, options.mapping).reader();
 }
 
 bool isAnyCsv(std::string_view text)
 {
     bool latitude = false;
     bool longitude = false;
-    for (const std::string& cell : firstRow(text).cells) {
+    for (const std::string& cell : headerOf(tableOf(text)).cells) {
         const std::optional<FieldUse> use = fieldOfColumn(cell);
         latitude = latitude || (use && use->field == SightingField::Latitude);
         longitude = longitude || (use && use->field == SightingField::Longitude);
@@ -403,17 +190,15 @@ SightingTable readAnyCsv(const ImportText& source)
 {
     CsvLayout layout = layoutByName(source);
     requirePlace(layout, source.budget.subject());
-    layout.timeNeeded =
-        reads(layout.columns, SightingField::Time) || reads(layout.columns, SightingField::Date);
+    layout.timeExpected = reads(layout.columns, SightingField::Time) ||
+                          reads(layout.columns, SightingField::Date) || layout.isDayInParts;
     layout.isMonthFirst = false;
-    SightingTable table = readRows(source, layout);
-    decideIdentity(table);
-    return table;
+    return readRows(source, layout);
 }
 
 bool isIip(std::string_view text)
 {
-    const CsvRow first = firstRow(text);
+    const CsvRow first = headerOf(tableOf(text));
     if (isIipRow(first))
         return true;
     const std::vector<std::string> names = plainHeader(text);
@@ -423,12 +208,12 @@ bool isIip(std::string_view text)
 SightingTable readIip(const ImportText& source)
 {
     using enum SightingField;
-    const CsvRow first = firstRow(source.text);
+    const CsvRow first = headerOf(tableOf(source));
     if (first.cells.size() != kIipColumns)
         throw Error(ErrorCode::WrongFormat, source.budget.subject(),
                     {IssueId::ColumnCount, {countOf(kIipColumns), countOf(first.cells.size())}});
     CsvLayout layout{.width = kIipColumns,
-                     .header = !isIipRow(first) && !isNumber(first.cells[0]),
+                     .above = isIipRow(first) || isNumber(first.cells[0]) ? 0U : 1U,
                      .finish = finishIip};
     constexpr std::array kByPosition = {Id, Date, Time, Latitude, Longitude};
     for (std::size_t i = 0; i < kByPosition.size(); ++i)
@@ -446,13 +231,12 @@ bool isCisBeacon(std::string_view text)
 SightingTable readCisBeacon(const ImportText& source)
 {
     using enum SightingField;
-    // Its speed and direction are differences of positions, which the estimate does better.
-    const CsvLayout layout = layoutByName(source, {Id, Time, Latitude, Longitude});
+    // Its speed and direction are differences of positions, which the estimate computes better.
+    CsvLayout layout = layoutByName(source, {Id, Time, Latitude, Longitude});
+    layout.timeNeeded = true;
     requirePlace(layout, source.budget.subject());
     requireField(layout, Time, source.budget.subject());
-    SightingTable table = readRows(source, layout);
-    decideIdentity(table);
-    return table;
+    return readRows(source, layout);
 }
 
 bool isUsnic(std::string_view text)

@@ -13,7 +13,7 @@ constexpr std::string_view kHome = "home/";
 constexpr std::string_view kUav = "uav/";
 constexpr std::string_view kNoFly = "no-fly/";
 
-/** A property as a text; some writers wrap it into an object that says its type. */
+/** Returns a property as a text; some writers wrap it in an object that states its type. */
 std::string propertyText(const Json& value)
 {
     if (value.is_string())
@@ -31,13 +31,13 @@ std::string idOf(const Json& packet)
     return textOf(memberOf(&packet, "id"));
 }
 
-/** Longitude, latitude and height, or a time before them, again and again. */
+/** Returns the list of longitude, latitude and height, or of a time before each of them. */
 const Json* degreesOf(const Json* positions)
 {
     return arrayOf(positions, "cartographicDegrees");
 }
 
-/** Gathers the sightings of one file. */
+/** Collects the sightings of one file. */
 class CzmlSightings
 {
 public:
@@ -56,6 +56,7 @@ public:
         forEachReleased(file.root.get_ref<Json::array_t&>(), m_source.budget,
                         [this](const Json& packet) { addPacket(packet); });
         m_names.requireMapped(m_source.budget.subject());
+        m_table.idCandidates = m_names.unknown();
         return std::move(m_table);
     }
 
@@ -68,7 +69,7 @@ private:
 
     void addPacket(const Json& packet)
     {
-        m_source.budget.goOn();
+        m_source.budget.throwIfStopped();
         ++m_packet;
         const std::string id = idOf(packet);
         if (id == "document")
@@ -77,7 +78,7 @@ private:
         m_data.clear();
         readProperties(memberOf(&packet, "properties"));
         setName(m_texts, textOf(memberOf(&packet, "name")));
-        m_texts.set({.field = SightingField::Id, .rank = 1001}, id);
+        m_texts.set({.field = SightingField::Id, .rank = kFeatureIdRank}, id);
         const Json* position = memberOf(&packet, "position");
         const Json* degrees = degreesOf(position);
         if (m_isOwn &&
@@ -102,7 +103,7 @@ private:
             const bool isDrift = name == "drift_east_mps" || name == "drift_north_mps";
             if (const std::optional<FieldUse> use = isDrift ? std::nullopt : m_names.of(name);
                 use && use->field != SightingField::Latitude &&
-                use->field != SightingField::Longitude) // the place is the position's
+                use->field != SightingField::Longitude) // the position determines the place
                 m_texts.set(*use, text);
             m_data[name] = std::move(text);
         }
@@ -123,7 +124,8 @@ private:
             reject(IssueId::NoPosition);
             return;
         }
-        addRow(m_table, withData(sightingIn(m_table, m_source, m_texts, m_packet, false), m_data),
+        addRow(m_table,
+               withData(m_table, sightingIn(m_table, m_source, m_texts, m_packet, false), m_data),
                m_source.budget);
     }
 
@@ -133,7 +135,7 @@ private:
         constexpr double kLongest_s = 1e9;
         const std::size_t first = m_table.sightings.size();
         for (std::size_t i = 0; i + kStep <= degrees.size(); i += kStep) {
-            m_source.budget.goOn();
+            m_source.budget.throwIfStopped();
             FieldTexts texts = m_texts;
             const Json& time = degrees[i];
             if (time.is_string())
@@ -151,7 +153,7 @@ private:
             reject(IssueId::NoPosition);
     }
 
-    /** Of an export of our own what is no iceberg. */
+    /** Reads an object of a Bergwatch export other than an iceberg. */
     void readOwn(const Json& packet, const std::string& id, const Json* degrees)
     {
         if (id == "area") {
@@ -165,10 +167,10 @@ private:
         if (degrees != nullptr && degrees->size() >= 2)
             static_cast<void>(setPlace(m_texts, (*degrees)[0], (*degrees)[1]));
         const std::string title = textOf(memberOf(&packet, "name"));
-        const OwnMark mark{.title = title,
-                           .place = placeOf(m_texts),
-                           .time = parseUtc(m_texts.text(SightingField::Time)),
-                           .data = m_data};
+        const OwnPlacemark mark{.title = title,
+                                .place = placeOf(m_texts),
+                                .time = parseUtc(m_texts.text(SightingField::Time)),
+                                .data = m_data};
         if (id == "asset")
             addOwnAsset(m_table.scene, mark);
         else
@@ -195,7 +197,7 @@ private:
     ColumnNames m_names;
     SightingTable m_table;
     TrackIds m_tracks;
-    bool m_isOwn = false; ///< an export of our own
+    bool m_isOwn = false; ///< the file is a Bergwatch export
     std::size_t m_packet = 0;
     FieldTexts m_texts;
     OwnData m_data;

@@ -3,12 +3,15 @@
 #include "core/base/angles.h"
 #include "core/base/coordinates.h"
 #include "core/base/error.h"
-#include "core/scenario/checks.h"
+#include "core/base/random.h"
+#include "core/io/import/import_quantity.h"
 #include "core/scenario/scenario.h"
+#include "core/scenario/text_checks.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 namespace berg {
@@ -16,19 +19,20 @@ namespace berg {
 namespace {
 
 constexpr double kFastest_mps = 50;
-/** Bytes of a text that are looked at: those of a track are copied for each of its points. */
+/** Bytes of a text that are read; the texts of a track are copied for each of its points. */
 constexpr std::size_t kLongestText = 500;
 
-/** What tables write where there is no value. */
+/** Whether the text is one that tables write for a missing value. */
 bool isAbsent(std::string_view text)
 {
     const std::string plain = plainName(text);
-    return plain.empty() ? text.find_first_not_of("-. ") == std::string_view::npos
-                         : plain == "na" || plain == "nan" || plain == "null" || plain == "none";
+    constexpr std::array<std::string_view, 9> kWords{
+        "na", "nan", "null", "none", "nil", "nul", "missing", "unknown", "notavailable"};
+    return plain.empty() ? text.find_first_not_of("-. ?*/_\u2013\u2014") == std::string_view::npos
+                         : std::ranges::find(kWords, plain) != kWords.end();
 }
 
-/** Degrees with the letter of a hemisphere before or behind: 62.4W is -62.4; -62.4W is nothing,
- * because sign and letter may both be meant. */
+/** Reads degrees with a hemisphere before or behind: 62.4W is -62.4; -62.4W is rejected. */
 std::optional<double> degreesOf(std::string_view text, char positive, char negative)
 {
     double sign = 1;
@@ -51,7 +55,7 @@ std::optional<double> degreesOf(std::string_view text, char positive, char negat
     return sign * *value;
 }
 
-/** Half the middle of the length of a class (FIELD-NOTES, section 4); the open class its least. */
+/** Half the mean length of a size class (FIELD-NOTES 4); for the open class half its minimum. */
 std::optional<double> radiusOfClass(std::string_view size)
 {
     struct Class
@@ -67,7 +71,7 @@ std::optional<double> radiusOfClass(std::string_view size)
     return it == kClasses.end() ? std::nullopt : std::optional(it->length_m / 2);
 }
 
-/** Digits in groups of three set apart by commas, as 1,200 is, which may be 1.2 as well. */
+/** Whether commas separate groups of three digits, as in 1,200, which may also mean 1.2. */
 bool isGrouped(std::string_view text)
 {
     const std::string_view digits = text.substr(text.starts_with('-') || text.starts_with('+'));
@@ -82,38 +86,72 @@ bool isGrouped(std::string_view text)
     return true;
 }
 
-/** Reads the numbers of a row; remembers the first that is wrong. */
+/** Notes values of one row that are left out or changed. */
+class RowNotes
+{
+public:
+    RowNotes(const RowRules& rules, std::size_t line) : m_noted(rules.noted), m_line(line) {}
+
+    void add(IssueId what, const std::string& detail) const
+    {
+        if (m_noted != nullptr)
+            m_noted->add({.line = m_line, .fault = what, .detail = cleanText(detail, 60)});
+    }
+
+private:
+    Rejections* m_noted;
+    std::size_t m_line;
+};
+
+/** Reads the optional numbers of a row and notes those that cannot be used as they are. */
 class Numbers
 {
 public:
-    explicit Numbers(const FieldTexts& texts) : m_texts(texts) {}
+    Numbers(const FieldTexts& texts, const RowNotes& notes) : m_texts(texts), m_notes(notes) {}
 
-    [[nodiscard]] std::optional<double> read(SightingField field, const Limits& limits)
+    [[nodiscard]] std::optional<double> read(SightingField field, Dimension dimension,
+                                             const Limits& limits) const
     {
         const std::string& text = m_texts.text(field);
         if (isAbsent(text))
             return std::nullopt;
-        std::optional<double> value = number(text);
-        if (value)
-            *value *= m_texts.factor(field);
-        if (value && !outOfLimits(*value, limits))
-            return value;
-        if (m_wrong.empty()) {
-            const bool isComma = !value && isGrouped(text);
-            m_wrong = isComma ? text : nameOf(kSightingFieldNames, field) + (": " + text);
-            m_fault = isComma ? IssueId::DecimalComma
-                      : value ? IssueId::NumberWrong
-                              : IssueId::NotANumber;
+        const std::optional<double> plain = number(text);
+        const std::optional<ReadQuantity> quantity =
+            plain ? std::optional(ReadQuantity{.value = *plain})
+                  : quantityOf(text, dimension,
+                               [this](std::string_view digits) { return number(digits); });
+        const auto note = [&](IssueId what) {
+            m_notes.add(what, nameOf(kSightingFieldNames, field) + ": " + text);
+        };
+        if (!quantity)
+            note(IssueId::ValueLeftOut);
+        if (!quantity || isNone(field, quantity->value))
+            return std::nullopt;
+        const double value =
+            quantity->hasUnit ? quantity->value : quantity->value * m_texts.factor(field);
+        if (outOfLimits(value, limits)) {
+            note(IssueId::NumberLeftOut);
+            return std::nullopt;
         }
-        return std::nullopt;
+        if (!quantity->isExact)
+            note(IssueId::NumberInexact);
+        return value;
     }
-    /** Field and text of the first number that was wrong, empty when none was. */
-    [[nodiscard]] const std::string& wrong() const { return m_wrong; }
-    [[nodiscard]] IssueId fault() const { return m_fault; }
 
 private:
-    /** What a comma among digits means is told by the place of the row; by nothing, it is wrong. */
-    [[nodiscard]] std::optional<double> number(const std::string& text) const
+    /** Whether the number stands for a missing value, as in AIS. */
+    [[nodiscard]] bool isNone(SightingField field, double value) const
+    {
+        if (standsForNone(value))
+            return true;
+        if (field == SightingField::Speed)
+            return value == 102.3 || value == 1023;
+        return field == SightingField::Direction &&
+               (value == 511 || value == 3600 || (value == 360 && m_texts.isAis(field)));
+    }
+
+    /** Reads a number; the place of the row must show what a comma among digits means. */
+    [[nodiscard]] std::optional<double> number(std::string_view text) const
     {
         if (!isGrouped(text))
             return decimalOf(text);
@@ -123,20 +161,32 @@ private:
             return decimalOf(text);
         if (place.find('.') == std::string::npos)
             return std::nullopt;
-        std::string digits = text;
+        std::string digits(text);
         std::erase(digits, ',');
         return decimalOf(digits);
     }
 
     const FieldTexts& m_texts;
-    std::string m_wrong;
-    IssueId m_fault = IssueId::NumberWrong;
+    const RowNotes& m_notes;
 };
 
-/** Of angles in degrees and minutes, as they are written at sea; none: they cannot be read. */
+bool isLongId(std::string_view text)
+{
+    return cleanText(text, kLongestId + 1).size() > kLongestId;
+}
+
+/** Returns the id that fits best; notes one that had to be shortened. */
+std::string idOf(const FieldTexts& texts, const RowNotes& notes)
+{
+    if (const std::string& text = texts.text(SightingField::Id); isLongId(text))
+        notes.add(IssueId::IdShortened, text);
+    return texts.ids().empty() ? std::string() : texts.ids().front().text;
+}
+
+/** Reads angles in degrees and minutes, as navigators write them, or returns nullopt. */
 std::optional<LatLon> writtenPlace(const std::string& latitude, const std::string& longitude)
 {
-    // A latitude in the column of longitudes is a mistake, whatever its letter says.
+    // A latitude in the column of longitudes is an error, whatever its letter is.
     if (latitude.find_first_of("EWVewv") != std::string::npos ||
         longitude.find_first_of("NSns") != std::string::npos)
         return std::nullopt;
@@ -149,10 +199,13 @@ std::optional<IssueId> readPlace(const FieldTexts& texts, LatLon& place)
 {
     const std::string& latitude = texts.text(SightingField::Latitude);
     const std::string& longitude = texts.text(SightingField::Longitude);
-    if (latitude.empty() || longitude.empty())
+    if (isAbsent(latitude) || isAbsent(longitude))
         return IssueId::NoPosition;
     const std::optional<double> north_deg = degreesOf(latitude, 'N', 'S');
     const std::optional<double> east_deg = degreesOf(longitude, 'E', 'W');
+    const bool isAisNone = north_deg == 91 && east_deg == 181;
+    if (isAisNone || standsForNone(north_deg.value_or(0)) || standsForNone(east_deg.value_or(0)))
+        return IssueId::NoPosition;
     if (!north_deg || !east_deg)
         if (const std::optional<LatLon> written = writtenPlace(latitude, longitude)) {
             place = *written;
@@ -165,6 +218,16 @@ std::optional<IssueId> readPlace(const FieldTexts& texts, LatLon& place)
     place = {.latitude_deg = *north_deg,
              .longitude_deg = *east_deg >= 180 ? *east_deg - 360 : *east_deg};
     return std::nullopt;
+}
+
+/** Text such as " +02:00", to be appended to a time. */
+std::string offsetText(std::chrono::minutes offset)
+{
+    const auto count = std::abs(offset.count());
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), " %c%02d:%02d", offset.count() < 0 ? '-' : '+',
+                  static_cast<int>(count / 60), static_cast<int>(count % 60));
+    return text.data();
 }
 
 bool saysGrounded(std::string_view remarks)
@@ -190,7 +253,7 @@ std::string cleanText(std::string_view given, std::size_t most)
     if (text.size() > 1 && text[0] == '\'' && kFormulaStarts.find(text[1]) != std::string::npos)
         text.remove_prefix(1); // `csvField`
     std::string clean;
-    for (const char c : text.substr(0, most + 1)) // one more tells whether it is cut
+    for (const char c : text.substr(0, most + 1)) // one more, to detect that it is cut
         clean += static_cast<unsigned char>(c) < 0x20U || c == 0x7F ? ' ' : c;
     std::size_t end = std::min(clean.size(), most);
     while (end > 0 && end < clean.size() &&
@@ -201,6 +264,19 @@ std::string cleanText(std::string_view given, std::size_t most)
         for (char& c : clean)
             c = static_cast<unsigned char>(c) >= 0x80U ? '?' : c;
     return clean;
+}
+
+std::string shortened(std::string_view text, std::size_t most)
+{
+    constexpr std::size_t kDigits = 8;
+    std::string number(kDigits, '0');
+    constexpr std::size_t kMostHashed = 4096; // a long text may be repeated for each point
+    std::uint64_t hash = stableHash(text.substr(0, kMostHashed));
+    for (char& digit : number) {
+        digit = "0123456789abcdef"[hash % 16];
+        hash /= 16;
+    }
+    return cleanText(text, most - kDigits - 1) + ' ' + number;
 }
 
 std::optional<double> decimalOf(std::string_view text)
@@ -227,18 +303,34 @@ void FieldTexts::clear()
         entry.text.clear();
         entry.factor = 1;
         entry.rank = 0;
+        entry.isAis = false;
     }
+    m_ids.clear();
 }
 
 void FieldTexts::set(const FieldUse& use, std::string_view text)
 {
     Entry& entry = m_entries[static_cast<std::size_t>(use.field)];
     const std::string_view value = trimmed(text);
+    if (use.field == SightingField::Id && !isAbsent(value))
+        addId(use.rank, value);
     if (value.empty() || (!entry.text.empty() && entry.rank <= use.rank))
         return;
     entry.text.assign(value.substr(0, kLongestText));
+    if (use.offset)
+        entry.text = withZone(entry.text, *use.offset);
+    entry.isAis = use.isAis;
     entry.factor = use.factor;
     entry.rank = use.rank;
+}
+
+void FieldTexts::addId(std::size_t rank, std::string_view text)
+{
+    const auto at = std::ranges::lower_bound(m_ids, rank, {}, &IdText::rank);
+    if (at == m_ids.end() || at->rank != rank)
+        m_ids.insert(at, {.rank = rank,
+                          .text = isLongId(text) ? shortened(text, kLongestId)
+                                                 : cleanText(text, kLongestId)});
 }
 
 void FieldTexts::append(const PlacePart& part, std::string_view text)
@@ -249,11 +341,19 @@ void FieldTexts::append(const PlacePart& part, std::string_view text)
         return;
     if (part.kind == PlacePart::Kind::Hemisphere)
         value = value.substr(0, 1);
-    else if (whole.ends_with(".0") || whole.ends_with(",0")) // of whole degrees or minutes
+    else if (whole.ends_with(".0") || whole.ends_with(",0")) // written for whole degrees or minutes
         whole.resize(whole.size() - 2);
     whole.append(1, ' ').append(value.substr(0, kLongestText));
     if (part.kind != PlacePart::Kind::Hemisphere)
         std::ranges::replace(whole, ',', '.');
+}
+
+std::string withZone(const std::string& time, std::chrono::minutes offset)
+{
+    const std::string zoned = time + offsetText(offset);
+    const bool isTime = parseSightingTime(zoned, DateOrder::MonthFirst) ||
+                        parseSightingTime(zoned, DateOrder::DayFirst) || parseTimeOfDay(zoned);
+    return isTime ? zoned : time;
 }
 
 std::string timeText(const FieldTexts& texts, bool timeApart)
@@ -284,30 +384,33 @@ std::variant<Sighting, RejectedRow> sightingOf(const FieldTexts& texts, const Ro
                         texts.text(*fault == IssueId::LatitudeWrong ? SightingField::Latitude
                                                                     : SightingField::Longitude));
     }
+    const RowNotes notes(rules, line);
     const std::string time = timeText(texts, rules.timeApart);
-    if (!isAbsent(time)) {
+    const bool hasTime = !isAbsent(time);
+    if (hasTime)
         sighting.time = parseSightingTime(time, rules.order);
-        if (!sighting.time)
-            return rejected(IssueId::TimeUnreadable, time);
-    } else if (rules.timeNeeded) {
-        return rejected(IssueId::NoTime);
-    }
-    sighting.id = cleanText(texts.text(SightingField::Id), kLongestId + 1);
-    if (sighting.id.size() > kLongestId)
-        return rejected(IssueId::IdTooLong, sighting.id);
+    if (!sighting.time && rules.timeNeeded)
+        return hasTime ? rejected(IssueId::TimeUnreadable, time) : rejected(IssueId::NoTime);
+    if (!sighting.time && hasTime)
+        notes.add(IssueId::TimeLeftOut, time);
+    else if (!sighting.time && rules.timeExpected)
+        notes.add(IssueId::TimeNotGiven, {});
+    sighting.id = idOf(texts, notes);
     sighting.name = cleanText(texts.text(SightingField::Name), kLongestName);
+    sighting.ids = texts.ids();
 
-    Numbers numbers(texts);
-    sighting.speed_mps = numbers.read(SightingField::Speed, {.low = 0, .high = kFastest_mps});
-    sighting.direction_deg = numbers.read(SightingField::Direction, {.low = -360, .high = 360});
-    sighting.sigma_m2 = numbers.read(SightingField::Sigma, limits::kSigma_m2);
-    sighting.q_m2ps = numbers.read(SightingField::Growth, limits::kGrowth_m2ps);
+    using enum Dimension;
+    const Numbers numbers(texts, notes);
+    sighting.speed_mps =
+        numbers.read(SightingField::Speed, Speed, {.low = 0, .high = kFastest_mps});
+    sighting.direction_deg =
+        numbers.read(SightingField::Direction, Angle, {.low = -360, .high = 360});
+    sighting.sigma_m2 = numbers.read(SightingField::Sigma, Area, limits::kSigma_m2);
+    sighting.q_m2ps = numbers.read(SightingField::Growth, Growth, limits::kGrowth_m2ps);
     const Limits length_m = limits::kLength_m;
-    const auto length = numbers.read(SightingField::Length, length_m);
-    const auto area = numbers.read(SightingField::Area, {.low = 0, .high = 1e12});
-    sighting.radius_m = numbers.read(SightingField::Radius, length_m);
-    if (!numbers.wrong().empty())
-        return rejected(numbers.fault(), numbers.wrong());
+    const auto length = numbers.read(SightingField::Length, Length, length_m);
+    const auto area = numbers.read(SightingField::Area, Area, {.low = 0, .high = 1e12});
+    sighting.radius_m = numbers.read(SightingField::Radius, Length, length_m);
     if (!sighting.radius_m && length)
         sighting.radius_m = *length / 2;
     if (!sighting.radius_m && area)
@@ -315,6 +418,9 @@ std::variant<Sighting, RejectedRow> sightingOf(const FieldTexts& texts, const Ro
     if (!sighting.radius_m)
         sighting.radius_m = radiusOfClass(texts.text(SightingField::SizeClass));
     sighting.grounded = saysGrounded(texts.text(SightingField::Remarks));
+    if (const auto source = sourceInWords(texts.text(SightingField::Source));
+        source && !sighting.sigma_m2)
+        sighting.sigma_m2 = errorOf(*source).sigma_m2();
     return sighting;
 }
 
@@ -323,19 +429,21 @@ std::variant<Sighting, RejectedRow> sightingIn(SightingTable& table, const Impor
                                                bool timeNeeded)
 {
     const std::string time = timeText(texts, false);
-    if (!table.toldDates)
-        table.toldDates = dateOrderOf(time);
+    if (!table.shownOrder)
+        table.shownOrder = dateOrderOf(time);
     if (table.guessedDate.empty() && hasTwoReadings(time)) {
         table.guessedDate = cleanText(time, 60);
         table.guessedLine = line;
     }
-    return sightingOf(
-        texts, {.order = source.dates.value_or(DateOrder::MonthFirst), .timeNeeded = timeNeeded},
-        line);
+    return sightingOf(texts,
+                      {.order = source.dates.value_or(DateOrder::MonthFirst),
+                       .timeNeeded = timeNeeded,
+                       .noted = &table.noted},
+                      line);
 }
 
-std::variant<Sighting, RejectedRow> withDrift(std::variant<Sighting, RejectedRow> row,
-                                              const DriftTexts& drift)
+std::variant<Sighting, RejectedRow>
+withDrift(SightingTable& table, std::variant<Sighting, RejectedRow> row, const DriftTexts& drift)
 {
     auto* const sighting = std::get_if<Sighting>(&row);
     if (sighting == nullptr || (drift.east.empty() && drift.north.empty()))
@@ -346,31 +454,39 @@ std::variant<Sighting, RejectedRow> withDrift(std::variant<Sighting, RejectedRow
     };
     const std::optional<double> east_mps = component(drift.east);
     const std::optional<double> north_mps = component(drift.north);
-    if (!east_mps || !north_mps)
-        return RejectedRow{.line = sighting->line,
-                           .fault = IssueId::NumberWrong,
-                           .detail = cleanText(east_mps ? drift.north : drift.east, 60)};
-    sighting->drift_mps = Point(*east_mps, *north_mps);
+    const RowNotes notes({.noted = &table.noted}, sighting->line);
+    if (east_mps && north_mps)
+        sighting->drift_mps = Point(*east_mps, *north_mps);
+    else
+        notes.add(IssueId::NumberWrong, east_mps ? drift.north : drift.east);
     return row;
 }
 
 void addRow(SightingTable& table, std::variant<Sighting, RejectedRow> row, ReadBudget& budget)
 {
-    constexpr std::size_t kAfterwards = 120; // to choose, to place and to follow it
+    constexpr std::size_t kAfterwards = 120; // bytes to select, place and track it later
     auto* const sighting = std::get_if<Sighting>(&row);
     if (sighting == nullptr) {
         budget.takeRow(0);
         table.rejected.add(std::get<RejectedRow>(std::move(row)));
         return;
     }
+    std::size_t candidates = 0;
+    for (const IdText& id : sighting->ids)
+        candidates += sizeof(IdText) + id.text.capacity();
     budget.takeRow(sizeof(Sighting) + kAfterwards + sighting->id.capacity() +
-                   sighting->name.capacity());
+                   sighting->name.capacity() + candidates);
     table.sightings.push_back(std::move(*sighting));
 }
 
 void TrackIds::give(SightingTable& table, std::size_t first)
 {
-    if (first >= table.sightings.size() || !table.sightings[first].id.empty())
+    if (first >= table.sightings.size())
+        return;
+    ++m_tracks;
+    for (std::size_t i = first; i < table.sightings.size(); ++i)
+        table.sightings[i].track = m_tracks;
+    if (!table.sightings[first].id.empty())
         return;
     const std::optional<UtcTime>& time = table.sightings[first].time;
     std::string id = time ? "track " + utcText(*time, 0) : "track";
@@ -378,24 +494,6 @@ void TrackIds::give(SightingTable& table, std::size_t first)
         id += ' ' + std::to_string(number);
     for (std::size_t i = first; i < table.sightings.size(); ++i)
         table.sightings[i].id = id;
-}
-
-void decideIdentity(SightingTable& table)
-{
-    std::deque<Sighting>& rows = table.sightings;
-    const bool isNamed = std::ranges::all_of(rows, [](const Sighting& row) {
-        return row.id.empty() && !row.name.empty() && row.name.size() <= kLongestId;
-    });
-    if (isNamed && std::ranges::any_of(
-                       rows, [&](const Sighting& row) { return row.name != rows.front().name; }))
-        for (Sighting& row : rows)
-            row.id = std::exchange(row.name, {});
-    const bool unnamed = std::all_of(rows.begin(), rows.end(), [](const Sighting& row) {
-        return row.id.empty() && row.time.has_value();
-    });
-    table.oneIceberg = unnamed && std::any_of(rows.begin(), rows.end(), [&](const Sighting& row) {
-                           return *row.time != *rows.front().time;
-                       });
 }
 
 } // namespace berg

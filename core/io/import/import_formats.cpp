@@ -2,11 +2,17 @@
 
 #include "core/base/error.h"
 #include "core/base/find_by_id.h"
+#include "core/io/import/import_clock.h"
 #include "core/io/import/import_fields.h"
+#include "core/io/import/import_identity.h"
 #include "core/io/import/import_readers.h"
+#include "core/io/import/import_xml.h"
+#include "core/io/import/shared_ids.h"
+#include "core/io/import/table_text.h"
 #include "core/io/text/json_reader.h"
+#include "core/io/text/text_encoding.h"
 #include "core/io/text/zip_file.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <algorithm>
 
@@ -15,33 +21,34 @@ namespace berg {
 namespace {
 
 constexpr std::array kFormats{
-    ImportFormat{"kml", "Google Earth and other map programs", true, kGps_m, isKml, readKml},
-    ImportFormat{"kmz", "the same, packed", true, kGps_m, isZip, readKml},
-    ImportFormat{"czml", "Cesium: places and tracks", true, kGps_m, isCzml, readCzml},
-    ImportFormat{"gpx", "satellite navigation: waypoints, routes and tracks", false, kGps_m, isGpx,
-                 readGpx},
-    ImportFormat{"plan", "QGroundControl: the places of a mission", false, kGps_m, isPlan,
-                 readPlan},
-    ImportFormat{"wpl", "ArduPilot: the places of a mission (QGC WPL)", false, kGps_m, isWpl,
-                 readWpl},
-    ImportFormat{"metno", "MET Norway and Copernicus: icebergs seen by radar", true, kRadar_m,
-                 isMetno, readGeoJson},
-    ImportFormat{"geojson", "QGIS and other map programs: points and tracks", true, kGps_m,
-                 isGeoJson, readGeoJson},
-    ImportFormat{"iip", "International Ice Patrol sightings (NSIDC G00807)", false, kAircraft_m,
-                 isIip, readIip},
-    ImportFormat{"cis-beacon", "Canadian Ice Service beacons", true, kArgos_m, isCisBeacon,
-                 readCisBeacon},
-    ImportFormat{"usnic", "US National Ice Center, Antarctic icebergs", true, kAircraft_m, isUsnic,
-                 readUsnic},
-    ImportFormat{"csv", "any table with a header", true, kGps_m, isAnyCsv, readAnyCsv}};
+    ImportFormat{"kml", "Google Earth and other map programs", true, {}, isKml, readKml},
+    ImportFormat{"kmz", "KML in a zip archive", true, {}, isZip, readKml},
+    ImportFormat{"czml", "Cesium: places and tracks", true, {}, isCzml, readCzml},
+    ImportFormat{"gpx", "GPS devices: waypoints, routes and tracks", false, {}, isGpx, readGpx},
+    ImportFormat{"plan", "QGroundControl: places of a mission", false, {}, isPlan, readPlan},
+    ImportFormat{"wpl", "ArduPilot: places of a mission (QGC WPL)", false, {}, isWpl, readWpl},
+    ImportFormat{"metno", "MET Norway and Copernicus: icebergs seen by radar", true,
+                 SightingSource::Satellite, isMetno, readGeoJson},
+    ImportFormat{"geojson",
+                 "QGIS and other map programs: points and tracks",
+                 true,
+                 {},
+                 isGeoJson,
+                 readGeoJson},
+    ImportFormat{"iip", "International Ice Patrol sightings (NSIDC G00807)", false,
+                 SightingSource::Aircraft, isIip, readIip},
+    ImportFormat{"cis-beacon", "Canadian Ice Service beacons", true, SightingSource::ArgosBeacon,
+                 isCisBeacon, readCisBeacon},
+    ImportFormat{"usnic", "US National Ice Center, Antarctic icebergs", true,
+                 SightingSource::Aircraft, isUsnic, readUsnic},
+    ImportFormat{"csv", "any table with a header", true, {}, isAnyCsv, readAnyCsv}};
 
 std::string formatIds()
 {
     return joined(kFormats, ", ", &ImportFormat::id);
 }
 
-/** What is not text is told apart as far as it helps the user. */
+/** Throws if the bytes are not text, with a reason that helps the user. */
 void requireText(std::string_view bytes, const std::string& subject)
 {
     const auto fail = [&](IssueId reason) {
@@ -49,26 +56,8 @@ void requireText(std::string_view bytes, const std::string& subject)
     };
     if (trimmed(bytes).empty())
         fail(IssueId::FileEmpty);
-    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-        fail(IssueId::Utf16);
     if (bytes.find('\0') != std::string_view::npos)
         fail(IssueId::NotText);
-}
-
-std::string utf8FromLatin1(std::string_view bytes)
-{
-    std::string text;
-    text.reserve(bytes.size() + bytes.size() / 8);
-    for (const char c : bytes) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x80U) {
-            text += c;
-        } else {
-            text += static_cast<char>(0xC0U | (byte >> 6U));
-            text += static_cast<char>(0x80U | (byte & 0x3FU));
-        }
-    }
-    return text;
 }
 
 const ImportFormat& chosenFormat(std::string_view text, const ReadOptions& options,
@@ -81,33 +70,33 @@ const ImportFormat& chosenFormat(std::string_view text, const ReadOptions& optio
         throw Error(ErrorCode::Unsupported, subject,
                     {IssueId::NoImportFormat, {printable(options.format), formatIds()}});
     }
-    // Whoever names columns says that it is a table, unless it is plainly something else.
+    // A mapping of columns means that the file is a table, unless it clearly has another format.
     const auto it = std::find_if(kFormats.begin(), kFormats.end(), [&](const ImportFormat& format) {
         return format.matches(text) && (format.namedColumns || options.mapping.empty());
     });
     if (it != kFormats.end())
         return *it;
-    if (!options.mapping.empty())
+    if (!options.mapping.empty() || options.headerLine)
         return *findImportFormat("csv");
     if (trimmed(text).starts_with('{'))
-        (void)parseJson(text, budget); // what is broken says where
+        (void)parseJson(text, budget); // throws with the place of the error
     throw Error(ErrorCode::WrongFormat, subject, {IssueId::UnknownFormat, {formatIds()}});
 }
 
-/** Reasons of the first rejected rows, for a file without a usable one. */
+/** Returns the reasons of the first rejected rows, for a file without a usable one. */
 std::vector<Issue> issuesOf(const Rejections& rejected)
 {
-    constexpr std::size_t kMostTold = 20;
+    constexpr std::size_t kMostListed = 20;
     std::vector<Issue> issues;
     for (const RejectedRow& row : rejected.first) {
-        if (issues.size() == kMostTold)
+        if (issues.size() == kMostListed)
             break;
         issues.push_back({Severity::Error, placeOf(rejected, row.line), reasonOf(row)});
     }
     return issues;
 }
 
-/** Where the place is that of a geometry, no property can be. */
+/** Throws if a property is mapped to the place in a format whose geometry determines it. */
 void requireFreePlaces(const ImportFormat& format, const ColumnMapping& mapping,
                        const std::string& subject)
 {
@@ -124,40 +113,47 @@ void requireFreePlaces(const ImportFormat& format, const ColumnMapping& mapping,
 SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, ReadBudget& budget)
 {
     const std::string& subject = budget.subject();
-    if (isZip(bytes)) {
-        const bool isAny = options.format == "auto" || options.format == "kmz";
-        ReadOptions inside = options;
-        inside.format = isAny ? "kml" : options.format;
-        const std::string text = unzipped(bytes, ".kml", budget);
-        if (isZip(text)) // some archives hold themselves
-            throw Error(ErrorCode::WrongFormat, subject, {IssueId::ArchiveInArchive});
-        SightingTable table = sightingsOf(text, inside, budget);
-        table.format = isAny ? "kmz" : table.format;
-        return table;
+    const bool isPacked = isZip(bytes);
+    if (isPacked && options.format != "auto" && options.format != "kmz" && options.format != "kml")
+        throw Error(ErrorCode::WrongFormat, subject,
+                    {IssueId::ArchiveWithout, {'.' + options.format}});
+    const std::string decoded = isPacked ? std::string() : textOfXml(bytes, subject);
+    std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
+    std::optional<std::size_t> linesAbove;
+    if (options.headerLine) {
+        text = fromLine(text, *options.headerLine);
+        linesAbove = *options.headerLine - 1;
+        if (trimmed(text).empty())
+            throw Error(ErrorCode::InvalidInput, subject,
+                        {IssueId::NoSuchLine, {countOf(*options.headerLine)}});
     }
-    std::string decoded = textOfBytes(bytes, subject);
-    if (isKml(bytes) || isGpx(bytes)) // which say themselves what they are written in
-        decoded.clear();
-    const std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
     const ImportFormat& format = chosenFormat(text, options, budget);
     if (!format.namedColumns && !options.mapping.empty())
         throw Error(ErrorCode::InvalidInput, subject,
                     {IssueId::ColumnsFixed, {std::string(format.id)}});
     requireFreePlaces(format, options.mapping, subject);
     const ReadBudget before = budget;
-    ImportText source{
-        .text = text, .budget = budget, .mapping = options.mapping, .dates = options.dates};
+    ImportText source{.text = text,
+                      .budget = budget,
+                      .mapping = options.mapping,
+                      .dates = options.dates,
+                      .linesAbove = linesAbove};
     SightingTable table = format.read(source);
-    if (!source.dates && table.toldDates == DateOrder::DayFirst) { // told too late for the first
+    if (!source.dates && table.shownOrder == DateOrder::DayFirst) { // rows were read before
         table = {};
         budget = before;
         source.dates = DateOrder::DayFirst;
         table = format.read(source);
     }
-    if (source.dates || table.toldDates)
+    if (source.dates || table.shownOrder)
         table.guessedDate.clear();
     table.format = format.id;
-    table.positionSd_m = format.positionSd_m;
+    table.noted.place = table.rejected.place;
+    correctTimes(table);
+    if (format.source)
+        table.positionSd_m = errorOf(*format.source).sd_m;
+    decideIdentity(table, options);
+    separateSharedIds(table, budget);
     return table;
 }
 
@@ -165,8 +161,15 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
 
 std::string textOfBytes(std::string_view bytes, const std::string& subject)
 {
+    if (isUtf16(bytes)) {
+        std::optional<std::string> text = utf8FromUtf16(bytes);
+        if (!text)
+            throw Error(ErrorCode::WrongFormat, subject, {IssueId::Utf16});
+        requireText(*text, subject);
+        return std::move(*text);
+    }
     requireText(bytes, subject);
-    return isUtf8(bytes) ? std::string() : utf8FromLatin1(bytes);
+    return isUtf8(bytes) ? std::string() : utf8FromWindows(bytes);
 }
 
 std::span<const ImportFormat> importFormats()

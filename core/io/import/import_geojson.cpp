@@ -1,12 +1,16 @@
-#include "core/base/find_by_id.h"
+#include "core/base/error.h"
+#include "core/io/import/feature_ids.h"
+#include "core/io/import/geojson_places.h"
+#include "core/io/import/geojson_scene.h"
 #include "core/io/import/import_fields.h"
 #include "core/io/import/import_readers.h"
 #include "core/io/import/json_members.h"
 #include "core/io/text/json_writer.h"
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace berg {
 
@@ -17,7 +21,7 @@ std::string typeOf(const Json* object)
     return textOf(memberOf(object, "type"));
 }
 
-/** A value as a cell of a table would have it. */
+/** Returns a value in the form of a table cell. */
 std::string cellText(const Json& value)
 {
     if (value.is_string())
@@ -25,40 +29,7 @@ std::string cellText(const Json& value)
     return value.is_number() ? jsonText(value) : std::string();
 }
 
-/** Longitude and latitude of a position; false when it is none. */
-bool setPlace(FieldTexts& texts, const Json& position)
-{
-    if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
-        !position[1].is_number())
-        return false;
-    texts.set(SightingField::Longitude, jsonText(position[0]));
-    texts.set(SightingField::Latitude, jsonText(position[1]));
-    return true;
-}
-
-/** Middle of the corners of the outer ring, the one that closes it left out; null without one. */
-Json middleOf(const Json& rings)
-{
-    if (!rings.is_array() || rings.empty() || !rings[0].is_array() || rings[0].size() < 4)
-        return nullptr;
-    const std::size_t corners = rings[0].size() - 1;
-    double longitude_deg = 0;
-    double latitude_deg = 0;
-    for (std::size_t i = 0; i < corners; ++i) {
-        const Json& corner = rings[0][i];
-        if (!corner.is_array() || corner.size() < 2 || !corner[0].is_number() ||
-            !corner[1].is_number())
-            return nullptr;
-        // Counted from the first corner, the shorter way round: rings cross the antimeridian.
-        const double first_deg = rings[0][0][0].get<double>();
-        const double east_deg = std::remainder(corner[0].get<double>() - first_deg, 360.0);
-        longitude_deg += (first_deg + east_deg) / static_cast<double>(corners);
-        latitude_deg += corner[1].get<double>() / static_cast<double>(corners);
-    }
-    return Json::array({std::remainder(longitude_deg, 360.0), latitude_deg});
-}
-
-/** Times of the corners of a line; null without. */
+/** Returns the times of the corners of a line, or null if there are none. */
 const Json* timesOf(const Json* properties)
 {
     const Json* perCorner = memberOf(properties, "coordinateProperties");
@@ -69,7 +40,7 @@ const Json* timesOf(const Json* properties)
     return nullptr;
 }
 
-/** Of an export of our own; empty texts without it. */
+/** Returns the drift in a Bergwatch export; the texts are empty without it. */
 DriftTexts driftOf(const Json* properties)
 {
     const Json* drift = memberOf(properties, "drift_mps");
@@ -78,7 +49,7 @@ DriftTexts driftOf(const Json* properties)
     return {.east = cellText((*drift)[0]), .north = cellText((*drift)[1])};
 }
 
-/** Seconds from the time of an iceberg of such an export until it appears. */
+/** Returns the seconds from the time of an iceberg of a Bergwatch export until it appears. */
 std::optional<double> appearsIn_s(const Json* properties)
 {
     const std::optional<double> appears_s = numberAt(properties, "appears_s");
@@ -86,183 +57,177 @@ std::optional<double> appearsIn_s(const Json* properties)
     return appears_s && time_s ? std::optional(*appears_s - *time_s) : std::nullopt;
 }
 
-/** The features of a collection, or the one that the file is. */
+bool isCollection(const Json& object)
+{
+    return typeOf(&object) == "FeatureCollection" && arrayOf(&object, "features") != nullptr;
+}
+
+/** Returns the features of a collection or a list, or the single one that the file is. */
 std::span<Json> featuresOf(Json& root)
 {
-    if (typeOf(&root) != "FeatureCollection" || arrayOf(&root, "features") == nullptr)
+    if (root.is_array())
+        return root.get_ref<Json::array_t&>();
+    if (!isCollection(root))
         return {&root, 1};
     return root.find("features")->get_ref<Json::array_t&>();
 }
 
-std::string nameAt(const Json* properties, const char* name, std::size_t most)
+/** Parts of a feature's geometry and their coordinate system. */
+struct PlacedFeature
 {
-    return cleanText(textOf(memberOf(properties, name)), most);
-}
+    const Json* properties = nullptr;
+    const GeoJsonSystem& system;
+    GeometryParts parts;
+};
 
-std::optional<LatLon> pointOf(const Json& feature)
-{
-    return placeOf(memberOf(memberOf(&feature, "geometry"), "coordinates"),
-                   AxisOrder::LongitudeFirst);
-}
-
-void addUav(FileScene& scene, const Json& feature, const Json* properties)
-{
-    SceneUav* uav = scene.addUav();
-    if (uav == nullptr)
-        return;
-    uav->id = nameAt(properties, "id", kLongestId);
-    uav->name = nameAt(properties, "name", kLongestName);
-    uav->start = pointOf(feature);
-    uav->home = uav->start;
-    uav->heading_deg = numberAt(properties, "heading_deg");
-    uav->airspeed_mps = numberAt(properties, "airspeed_mps");
-    uav->altitude_m = numberAt(properties, "altitude_m");
-}
-
-void addHome(FileScene& scene, const Json& feature, const Json* properties)
-{
-    SceneUav* uav = findById(scene.uavs, nameAt(properties, "uav", kLongestId));
-    const std::optional<LatLon> home = pointOf(feature);
-    if (uav != nullptr && home)
-        uav->home = home;
-}
-
-/** Exterior ring of the rings of a polygon; false when it is none. */
-bool addPolygon(FileScene& scene, SceneArea& area, const Json& rings)
-{
-    if (!rings.is_array() || rings.empty())
-        return false;
-    std::optional<std::vector<LatLon>> exterior =
-        placesOf(&rings.front(), AxisOrder::LongitudeFirst);
-    if (!exterior)
-        return false;
-    area.rings.push_back(std::move(*exterior));
-    for (std::size_t i = 1; i < rings.size(); ++i)
-        addFinding(scene.findings, SceneNote::AreaHoles);
-    return true;
-}
-
-void addArea(FileScene& scene, const Json& feature, const Json* properties)
-{
-    const Json* geometry = memberOf(&feature, "geometry");
-    const Json* coordinates = arrayOf(geometry, "coordinates");
-    const std::string type = textOf(memberOf(geometry, "type"));
-    const Json* geofence = memberOf(properties, "geofence");
-    SceneArea area{.rings = {},
-                   .geofence = geofence != nullptr && *geofence == true,
-                   .isNoFly = kindOf(properties) == "no-fly",
-                   .name = nameAt(properties, "name", kLongestName),
-                   .floor_m = numberAt(properties, "floor_m"),
-                   .ceiling_m = numberAt(properties, "ceiling_m")};
-    bool isRead = coordinates != nullptr && !coordinates->empty();
-    if (isRead && type == "Polygon")
-        isRead = addPolygon(scene, area, *coordinates);
-    else if (isRead && type == "MultiPolygon")
-        isRead = std::all_of(coordinates->begin(), coordinates->end(),
-                             [&](const Json& rings) { return addPolygon(scene, area, rings); });
-    else
-        isRead = false;
-    if (isRead)
-        scene.addArea(std::move(area));
-    else
-        addFinding(scene.findings, SceneNote::AreaUnreadable);
-}
-
-void addAsset(FileScene& scene, const Json& feature, const Json* properties)
-{
-    const std::optional<LatLon> place = pointOf(feature);
-    if (!place) {
-        addFinding(scene.findings, SceneNote::NumberWrong, "asset");
-        return;
-    }
-    SceneAsset asset{.name = nameAt(properties, "name", kLongestName),
-                     .place = *place,
-                     .time = parseUtc(textOf(memberOf(properties, "time"))),
-                     .range_m = numberAt(properties, "range_m"),
-                     .standoff_m = numberAt(properties, "standoff_m"),
-                     .standoffCeiling_m = numberAt(properties, "standoff_ceiling_m")};
-    const Json* velocity = arrayOf(properties, "velocity_mps");
-    if (velocity != nullptr && velocity->size() == 2 && (*velocity)[0].is_number() &&
-        (*velocity)[1].is_number())
-        asset.velocity_mps = Point((*velocity)[0].get<double>(), (*velocity)[1].get<double>());
-    scene.addAsset(std::move(asset));
-}
-
-/** Adds what a feature of ours says; plans, visits and tracks are passed over. */
-void addSceneFeature(FileScene& scene, const Json& feature)
-{
-    const Json* properties = memberOf(&feature, "properties");
-    const std::string kind = kindOf(properties);
-    if (isOwnGeoJson(properties))
-        addUav(scene, feature, properties);
-    else if (kind == "home")
-        addHome(scene, feature, properties);
-    else if (kind == "area" || kind == "no-fly")
-        addArea(scene, feature, properties);
-    else if (kind == "asset")
-        addAsset(scene, feature, properties);
-}
-
-/** Gathers the sightings of one file. */
+/** Collects the sightings of one file. */
 class GeoJsonSightings
 {
 public:
-    explicit GeoJsonSightings(const ImportText& source) : m_source(source), m_names(source.mapping)
+    explicit GeoJsonSightings(const ImportText& source)
+        : m_source(source), m_names(source.mapping), m_featureIds(source.budget)
     {
     }
 
     SightingTable take()
     {
         m_table.rejected.place = "feature";
-        ParsedJson file = parseJson(m_source.text, m_source.budget);
-        const std::span<Json> features = featuresOf(file.root);
-        for (const Json& feature : features) {
-            const std::string type = typeOf(memberOf(&feature, "geometry"));
-            m_isRoute = m_isRoute && type != "Point" && type != "Polygon";
-            m_isOwn = m_isOwn || isOwnGeoJson(memberOf(&feature, "properties"));
-        }
-        forEachReleased(features, m_source.budget, [this](const Json& one) { addFeature(one); });
+        m_table.noted.place = "feature";
+        const std::vector<std::string_view> texts = jsonTextsOf(m_source.text);
+        if (texts.size() == 1)
+            readWhole(texts.front());
+        else
+            readSequence(texts);
+        m_featureIds.finish(m_table);
         m_names.requireMapped(m_source.budget.subject());
+        m_table.idCandidates = m_names.unknown();
         return std::move(m_table);
     }
 
 private:
-    void reject(IssueId fault, const std::string& detail = {})
+    void readWhole(std::string_view text)
     {
-        addRow(m_table,
-               RejectedRow{.line = m_feature, .fault = fault, .detail = cleanText(detail, 60)},
-               m_source.budget);
+        ParsedJson file = parseJson(text, m_source.budget);
+        survey(file.root);
+        const GeoJsonSystem system = systemOf(file.root, {}, m_source.budget.subject());
+        forEachReleased(featuresOf(file.root), m_source.budget,
+                        [&](const Json& one) { addObject(one, system); });
     }
 
-    void addFeature(const Json& feature)
+    /** Reads a sequence of texts; a broken one is rejected and does not affect the others. */
+    void readSequence(const std::vector<std::string_view>& texts)
     {
-        m_source.budget.goOn();
+        ReadBudget ahead = m_source.budget;
+        for (const std::string_view text : texts)
+            withParsed(text, ahead, [this](const Json& root) { survey(root); });
+        for (const std::string_view text : texts)
+            if (!withParsed(text, m_source.budget,
+                            [this](const Json& root) { addObject(root, {}); })) {
+                ++m_feature;
+                reject(IssueId::FeatureBroken, std::string(text.substr(0, 200)));
+            }
+    }
+
+    /**
+     * Calls `use` with the tree of a text and then frees its memory. Returns false if the text is
+     * broken.
+     */
+    template <class Use>
+    static bool withParsed(std::string_view text, ReadBudget& budget, Use use)
+    {
+        const std::size_t before = budget.memory();
+        std::optional<ParsedJson> file;
+        try {
+            file.emplace(parseJson(text, budget));
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::SyntaxError)
+                throw;
+            budget.release(budget.memory() - before);
+            return false;
+        }
+        const std::size_t tree = budget.memory() - before;
+        use(std::as_const(file->root));
+        budget.release(tree);
+        return true;
+    }
+
+    /** Determines properties of the file as a whole. */
+    void survey(const Json& object)
+    {
+        m_source.budget.throwIfStopped();
+        if (object.is_array() || isCollection(object)) {
+            for (const Json& one : object.is_array() ? object : *memberOf(&object, "features"))
+                survey(one);
+            return;
+        }
+        const bool isBare = typeOf(&object) != "Feature";
+        m_isRoute = m_isRoute && !hasPlaces(isBare ? &object : memberOf(&object, "geometry"));
+        m_isOwn = m_isOwn || isOwnGeoJson(memberOf(&object, "properties"));
+    }
+
+    void reject(IssueId fault, const std::string& detail = {})
+    {
+        reject({.fault = fault, .detail = cleanText(detail, 60)});
+    }
+    void reject(RejectedRow row)
+    {
+        row.line = m_feature;
+        addRow(m_table, std::move(row), m_source.budget);
+    }
+    void note(IssueId what) { m_table.noted.add({.line = m_feature, .fault = what, .detail = {}}); }
+
+    /** Adds a feature, or each feature of a collection or list. */
+    void addObject(const Json& object, const GeoJsonSystem& outer)
+    {
+        const GeoJsonSystem system = systemOf(object, outer, m_source.budget.subject());
+        if (!object.is_array() && !isCollection(object)) {
+            addFeature(object, system);
+            return;
+        }
+        for (const Json& one : object.is_array() ? object : *memberOf(&object, "features"))
+            addObject(one, system);
+    }
+
+    void addFeature(const Json& feature, const GeoJsonSystem& system)
+    {
+        m_source.budget.throwIfStopped();
         ++m_feature;
         const bool bare = typeOf(&feature) != "Feature";
         const Json* geometry = bare ? &feature : memberOf(&feature, "geometry");
         const Json* properties = bare ? nullptr : memberOf(&feature, "properties");
-        const Json* coordinates = memberOf(geometry, "coordinates");
-        const std::string type = typeOf(geometry);
         if (m_isOwn && !kindOf(properties).empty() && kindOf(properties) != "iceberg") {
             addSceneFeature(m_table.scene, feature);
             return;
         }
         FieldTexts texts;
         readProperties(properties, texts);
-        if (const Json* id = bare ? nullptr : memberOf(&feature, "id"))
-            texts.set({.field = SightingField::Id, .rank = 1000}, cellText(*id));
-        if (coordinates == nullptr)
+        const bool isProperty = !texts.text(SightingField::Id).empty();
+        const Json* id = bare ? nullptr : memberOf(&feature, "id");
+        if (id != nullptr)
+            texts.set({.field = SightingField::Id, .rank = kFeatureIdRank}, cellText(*id));
+        const std::size_t first = m_table.sightings.size();
+        addPlaces(texts,
+                  {.properties = properties, .system = system, .parts = partsOf(geometry, system)});
+        m_featureIds.add(m_table, first, id == nullptr ? std::string() : cellText(*id), isProperty);
+    }
+
+    void addPlaces(const FieldTexts& texts, const PlacedFeature& feature)
+    {
+        const GeometryParts& parts = feature.parts;
+        const Json* times = timesOf(feature.properties);
+        if (!parts.lines.empty() && times != nullptr)
+            addTrack(texts, feature, *times);
+        else if (!parts.points.empty())
+            addPoints(texts, feature, parts.points, times);
+        else if (!parts.areas.empty())
+            addAreas(texts, feature);
+        else if (m_isRoute && !parts.lines.empty())
+            addRoute(feature);
+        else if (parts.broken == 0)
+            reject(IssueId::NotAPoint, parts.lines.empty() ? parts.other : "LineString");
+        for (std::size_t i = 0; i < parts.broken; ++i)
             reject(IssueId::NoPosition);
-        else if (type == "Point")
-            addPoint(texts, *coordinates, properties);
-        else if (type == "Polygon")
-            addPoint(texts, middleOf(*coordinates), properties);
-        else if (const Json* times = timesOf(properties); times && type == "LineString")
-            addCorners(texts, *coordinates, times);
-        else if (m_isRoute && type == "LineString")
-            addCorners({}, *coordinates, nullptr);
-        else
-            reject(IssueId::NotAPoint, type);
+        noteOtherParts(parts, times != nullptr);
     }
 
     void readProperties(const Json* properties, FieldTexts& texts)
@@ -271,21 +236,59 @@ private:
             return;
         for (const auto& [name, value] : properties->items()) {
             const std::optional<FieldUse> use = m_names.of(name);
-            // The place is the geometry's.
+            // The geometry determines the place.
             if (use && use->field != SightingField::Latitude &&
                 use->field != SightingField::Longitude)
                 texts.set(*use, cellText(value));
         }
     }
 
-    void addPoint(FieldTexts& texts, const Json& position, const Json* properties)
+    /** Notes the parts of a collection that are not used. */
+    void noteOtherParts(const GeometryParts& parts, bool hasTimes)
     {
-        if (!setPlace(texts, position)) {
-            reject(IssueId::NoPosition);
+        const bool hasLines = !parts.lines.empty();
+        const bool hasPoints = !parts.points.empty();
+        const bool hasAreas = !parts.areas.empty();
+        if (hasLines && hasTimes && (hasPoints || hasAreas))
+            note(IssueId::TrackAlone);
+        else if (hasPoints && (hasLines || hasAreas))
+            note(IssueId::PointsAlone);
+        else if (hasLines && hasAreas)
+            note(IssueId::AreasAlone);
+    }
+
+    /** Adds points: with a time each they are a track, otherwise an iceberg each. */
+    void addPoints(const FieldTexts& common, const PlacedFeature& feature,
+                   const std::vector<Point>& points, const Json* times)
+    {
+        const std::size_t first = m_table.sightings.size();
+        const bool isTrack = times != nullptr && times->size() == points.size();
+        const bool areSeveral = points.size() > 1 && !isTrack;
+        if (areSeveral)
+            note(IssueId::SeveralPlaces);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const std::size_t before = m_table.sightings.size();
+            FieldTexts texts = common;
+            if (isTrack)
+                texts.set(SightingField::Time, cellText((*times)[i]));
+            addPoint(texts, feature, points[i]);
+            if (areSeveral && m_table.sightings.size() > before)
+                m_table.sightings.back().part = static_cast<std::uint32_t>(i) + 1;
+        }
+        if (isTrack) {
+            m_tracks.give(m_table, first);
+        }
+    }
+
+    void addPoint(FieldTexts& texts, const PlacedFeature& feature, const Point& point)
+    {
+        if (std::optional<RejectedRow> fault = setPlace(texts, point, feature.system)) {
+            reject(std::move(*fault));
             return;
         }
-        std::variant<Sighting, RejectedRow> row =
-            withDrift(sightingIn(m_table, m_source, texts, m_feature, false), driftOf(properties));
+        const Json* properties = feature.properties;
+        std::variant<Sighting, RejectedRow> row = withDrift(
+            m_table, sightingIn(m_table, m_source, texts, m_feature, false), driftOf(properties));
         if (auto* const sighting = std::get_if<Sighting>(&row)) {
             sighting->appearsIn_s = appearsIn_s(properties);
             sighting->change =
@@ -294,30 +297,78 @@ private:
         addRow(m_table, std::move(row), m_source.budget);
     }
 
-    void addCorners(const FieldTexts& common, const Json& corners, const Json* times)
+    void addAreas(const FieldTexts& texts, const PlacedFeature& feature)
+    {
+        for (const AreaRings& area : feature.parts.areas)
+            for (const Point& corner : area.front()) {
+                FieldTexts unused; // only checks the corner, as the centroid of coordinates in
+                                   // metres could pass for a longitude
+                if (std::optional<RejectedRow> fault = setPlace(unused, corner, feature.system)) {
+                    reject(std::move(*fault));
+                    return;
+                }
+            }
+        const double turn = feature.system.unprojected ? 0 : kTurn_deg;
+        addPoints(texts, feature, centroidsOf(feature.parts.areas, turn), nullptr);
+    }
+
+    /** Adds corners of lines with a time for each, in one list or in one list per line. */
+    void addTrack(const FieldTexts& common, const PlacedFeature& feature, const Json& times)
     {
         const std::size_t first = m_table.sightings.size();
-        for (std::size_t i = 0; corners.is_array() && i < corners.size(); ++i) {
-            m_source.budget.goOn();
-            FieldTexts texts = common;
-            const bool placed = setPlace(texts, corners[i]);
-            if (times != nullptr && i < times->size())
-                texts.set(SightingField::Time, cellText((*times)[i]));
-            if (placed)
-                addRow(m_table, sightingIn(m_table, m_source, texts, m_feature, times != nullptr),
-                       m_source.budget);
-            else
-                reject(IssueId::NoPosition);
+        const bool areApart = !times.empty() && times.front().is_array();
+        std::size_t line = 0;
+        std::size_t before = 0; // number of corners of the previous lines
+        bool isLeft = false;
+        for (const Json* corners : feature.parts.lines) {
+            const bool isTimed = !areApart || line < times.size();
+            const Json& own = listOf(areApart && isTimed ? times[line] : times);
+            std::size_t at = areApart ? 0 : before;
+            for (const Json& corner : listOf(*corners)) {
+                FieldTexts texts = common;
+                if (isTimed && at < own.size())
+                    texts.set(SightingField::Time, cellText(own[at]));
+                ++at;
+                addCorner(texts, feature, corner, true);
+            }
+            isLeft = isLeft || (areApart && isTimed && at < own.size());
+            ++line;
+            before += listOf(*corners).size();
         }
-        if (times != nullptr)
-            m_tracks.give(m_table, first);
+        if (isLeft || (areApart ? times.size() > line : times.size() > before))
+            note(IssueId::TimesLeft);
+        m_tracks.give(m_table, first);
+    }
+
+    void addRoute(const PlacedFeature& feature)
+    {
+        for (const Json* corners : feature.parts.lines)
+            for (const Json& corner : listOf(*corners)) {
+                FieldTexts texts;
+                addCorner(texts, feature, corner, false);
+            }
+    }
+
+    void addCorner(FieldTexts& texts, const PlacedFeature& feature, const Json& corner,
+                   bool timeNeeded)
+    {
+        m_source.budget.throwIfStopped();
+        const std::optional<Point> position = positionOf(corner);
+        if (!position)
+            reject(IssueId::NoPosition);
+        else if (std::optional<RejectedRow> fault = setPlace(texts, *position, feature.system))
+            reject(std::move(*fault));
+        else
+            addRow(m_table, sightingIn(m_table, m_source, texts, m_feature, timeNeeded),
+                   m_source.budget);
     }
 
     const ImportText& m_source;
     ColumnNames m_names;
     SightingTable m_table;
     TrackIds m_tracks;
-    bool m_isOwn = false;  ///< an export of our own
+    FeatureIds m_featureIds;
+    bool m_isOwn = false;  ///< the file is a Bergwatch export
     bool m_isRoute = true; ///< no feature has a place of its own
     std::size_t m_feature = 0;
 };

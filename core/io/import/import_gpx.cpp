@@ -5,7 +5,7 @@ namespace berg {
 
 namespace {
 
-/** Gathers the sightings of a GPX file, point by point. */
+/** Collects the sightings of a GPX file, point by point. */
 class GpxSightings
 {
 public:
@@ -83,15 +83,18 @@ private:
             readOwn(point);
             return;
         }
-        // The time of a place to go to says nothing of when it was seen.
+        // The time of a route point does not say when an iceberg was seen.
         if (point.name == "rtept")
             m_texts.drop(SightingField::Time);
         setName(m_texts, isTrack ? m_track : m_name);
-        addRow(m_table, withData(sightingOf(m_texts, {.timeNeeded = isTrack}, point.line), m_data),
+        const RowRules rules{.timeNeeded = isTrack, .noted = &m_table.noted};
+        addRow(m_table, withData(m_table, sightingOf(m_texts, rules, point.line), m_data),
                m_source.budget);
     }
 
-    /** Of an export of our own what is no iceberg; routes and tracks say nothing more. */
+    /**
+     * Reads an object of a Bergwatch export other than an iceberg; routes and tracks add nothing.
+     */
     void readOwn(const XmlElement& point)
     {
         if (point.name == "wpt" && m_type == "home")
@@ -104,11 +107,11 @@ private:
     }
 
     const ImportText& m_source;
-    bool m_isOwn = false; ///< an export of our own
+    bool m_isOwn = false; ///< the file is a Bergwatch export
     SightingTable m_table;
     TrackIds m_tracks;
-    std::string m_track;     ///< name of the one that is open
-    std::size_t m_first = 0; ///< sighting of it
+    std::string m_track;     ///< name of the open track
+    std::size_t m_first = 0; ///< index of the first sighting of the open track
     FieldTexts m_texts;
     std::string m_name;
     std::string m_type;

@@ -1,6 +1,7 @@
 #include "core/io/import/import_icebergs.h"
 
 #include "core/base/angles.h"
+#include "core/land/land_data.h"
 #include "core/scenario/validate.h"
 
 #include <algorithm>
@@ -11,36 +12,39 @@ namespace berg {
 
 namespace {
 
-// So many parts of 1 are velocities and q rounded to.
+// Velocities and q are rounded to this fraction of 1.
 constexpr double kEstimatedParts = 1e5;
-constexpr double kGivenParts = 1e7; ///< an export read back is the same in another plane
+constexpr double kGivenParts = 1e7; ///< fine enough for exports read in another plane
 
-/** Speed and direction as true east and north. */
+/** Returns speed and direction as true east and north. */
 Point driftOf(double speed_mps, double direction_deg)
 {
     const double direction_rad = radFromDeg(direction_deg);
     return speed_mps * Point(std::sin(direction_rad), std::cos(direction_rad));
 }
 
-/** Gathers what is found about one iceberg. */
+/** Builds the entry of one iceberg. */
 class Entry
 {
 public:
-    Entry(const SightedIceberg& sighted, const Iceberg* known, const IcebergSetting& setting)
-        : m_sighted(sighted), m_known(known), m_setting(setting)
+    Entry(const SightedIceberg& sighted, const Iceberg* known, const IcebergInputs& inputs)
+        : m_sighted(sighted), m_known(known), m_inputs(inputs)
     {
         m_report.id = sighted.id;
         m_report.sightings = sighted.sightings.size();
         if (known != nullptr)
             m_iceberg = *known;
         else
-            m_iceberg = {.id = sighted.id, .q_m2ps = setting.options.q_m2ps};
-        const double sd_m = setting.options.positionSd_m.value_or(0);
+            m_iceberg = {.id = sighted.id, .q_m2ps = inputs.options.q_m2ps};
+        const double sd_m = inputs.options.positionSd_m.value_or(0);
         for (const PlacedSighting& placed : sighted.sightings)
             if (placed.fix.time_s <= 0) {
                 m_past.push_back(placed.fix);
                 if (!placed.sighting->sigma_m2)
                     m_past.back().variance_m2 = sd_m * sd_m;
+                m_past.back().drift_mps = statedDrift(*placed.sighting);
+                m_past.back().driftVariance_m2ps2 =
+                    inputs.options.statedDriftSd_mps * inputs.options.statedDriftSd_mps;
                 m_pastSightings.push_back(&placed);
             }
     }
@@ -64,21 +68,21 @@ private:
 
     void build()
     {
-        TrackRules rules = m_setting.options.track;
-        rules.mean_mps = m_setting.current_mps;
+        TrackRules rules = m_inputs.options.track;
+        rules.mean_mps = m_inputs.current_mps;
         rules.drift.q_m2ps = m_iceberg.q_m2ps;
         m_estimate = estimateTrack(m_past, rules);
         m_last = m_pastSightings[m_estimate.last];
         m_report.used = m_estimate.used;
-        m_report.age_s = 0.0 - m_last->fix.time_s; // not -0
-        // A sighting without time is of now whatever is known.
+        m_report.age_s = 0.0 - m_last->fix.time_s; // avoids -0
+        // A sighting without time counts as present, whatever the scenario has.
         if (m_known != nullptr && m_last->timeKnown &&
             m_report.age_s > m_known->observed_s + kTimeRounding_s) {
             m_report.outcome = ImportOutcome::Unchanged;
             note(ImportNote::Older);
             return;
         }
-        if (!m_last->timeKnown && m_setting.hasStart)
+        if (!m_last->timeKnown && m_inputs.hasStart)
             note(ImportNote::TimeUnknown);
         if (m_estimate.repeated > 0)
             note(ImportNote::Repeated);
@@ -86,12 +90,14 @@ private:
             note(ImportNote::Jumped);
         setMotion();
         setRest();
-        carryOn();
+        moveToStart();
         if (!onPlane(m_iceberg.position_m)) {
             leaveOut(ImportNote::DriftedAway);
             return;
         }
-        if (m_setting.options.withTracks)
+        if (!m_last->sighting->drift_mps) // Bergwatch exports repeat what a scenario had
+            noteDoubts();
+        if (m_inputs.options.withTracks)
             attachTrack();
         if (m_known == nullptr)
             m_report.outcome = ImportOutcome::Added;
@@ -103,32 +109,36 @@ private:
     void setMotion()
     {
         const Sighting& last = *m_last->sighting;
-        const std::optional<Point> given_mps = givenDrift();
         const bool aground = last.grounded || m_estimate.stationary;
+        const bool isStatedAlone = m_estimate.stated && !m_estimate.fit;
         if (aground) {
             note(ImportNote::Stationary);
             m_iceberg.q_m2ps = 0;
             setDrift(Point::Zero(), kGivenParts);
             setChange(0, {});
-        } else if (given_mps) {
+            setSource(m_estimate.stationary ? VelocitySource::Fixes : VelocitySource::File,
+                      m_report.age_s);
+        } else if (last.drift_mps) {
             note(ImportNote::VelocityGiven);
-            setDrift(*given_mps, kGivenParts);
+            setDrift(inPlane(*last.drift_mps, last.place), kGivenParts);
             if (last.change)
                 take(*last.change);
-            else if (!last.drift_mps) // a speed and a direction, which nobody says are exact
-                setChange(drift().velocitySpread_mps, drift());
+            setSource(VelocitySource::File, m_report.age_s);
+        } else if (isStatedAlone) {
+            const Fix& stating = m_past[*m_estimate.stated];
+            note(ImportNote::VelocityGiven);
+            setDrift(*stating.drift_mps, kGivenParts);
+            setChange(std::min(m_inputs.options.statedDriftSd_mps, drift().velocitySpread_mps),
+                      drift());
+            setSource(VelocitySource::File, 0.0 - stating.time_s);
         } else if (m_estimate.velocity_mps) {
-            m_clamped = m_estimate.velocityClamped;
-            setDrift(*m_estimate.velocity_mps, kEstimatedParts);
-            m_isFitted = m_estimate.fit.has_value();
-            if (m_isFitted)
-                setChange(std::sqrt(m_estimate.fit->variances.velocity_m2ps2), drift());
+            setFitted();
         } else {
             note(ImportNote::VelocityUnknown);
             if (m_known == nullptr)
                 setChange(drift().velocitySpread_mps, drift());
             else
-                forget();
+                fadeKnownVelocity();
         }
         if (m_clamped)
             note(ImportNote::VelocityClamped);
@@ -142,35 +152,56 @@ private:
         }
     }
 
-    /** Over ground, as the last sighting tells it. */
-    [[nodiscard]] std::optional<Point> givenDrift() const
+    void setFitted()
     {
-        const Sighting& last = *m_last->sighting;
-        if (last.drift_mps)
-            return inPlane(*last.drift_mps);
-        if (last.speed_mps && *last.speed_mps == 0)
+        m_clamped = m_estimate.velocityClamped;
+        setDrift(*m_estimate.velocity_mps, kEstimatedParts);
+        m_isFitted = m_estimate.fit.has_value();
+        if (m_isFitted)
+            setChange(std::sqrt(m_estimate.fit->variances.velocity_m2ps2), drift());
+        const bool isBoth = m_isFitted && m_estimate.fit->stated == DriftUse::Combined;
+        setSource(isBoth ? VelocitySource::Both : VelocitySource::Fixes, m_report.age_s);
+        if (m_isFitted && m_estimate.fit->stated == DriftUse::Contradicted)
+            note(ImportNote::Contradicted);
+    }
+
+    void setSource(VelocitySource from, double age_s)
+    {
+        m_report.velocityFrom = from;
+        m_report.velocityAge_s = age_s;
+    }
+
+    /**
+     * Returns the drift over ground, in the plane, of a speed and direction that a sighting states.
+     */
+    [[nodiscard]] std::optional<Point> statedDrift(const Sighting& sighting) const
+    {
+        if (sighting.speed_mps && *sighting.speed_mps == 0)
             return Point(Point::Zero());
-        if (last.speed_mps && last.direction_deg)
-            return inPlane(driftOf(*last.speed_mps, *last.direction_deg));
+        if (sighting.speed_mps && sighting.direction_deg)
+            return inPlane(driftOf(*sighting.speed_mps, *sighting.direction_deg), sighting.place);
         return std::nullopt;
     }
 
-    [[nodiscard]] Point inPlane(const Point& drift_mps) const
+    [[nodiscard]] Point inPlane(const Point& drift_mps, const LatLon& place) const
     {
-        return turned(drift_mps, m_setting.frame.trueNorth_rad(m_last->sighting->place));
+        return turned(drift_mps, m_inputs.frame.trueNorth_rad(place));
     }
 
-    /** `total_mps` over ground; the scenario adds its current to the iceberg's own velocity. */
+    /**
+     * Sets the velocity from a drift over ground; the scenario adds its current to the iceberg's
+     * own velocity.
+     */
     void setDrift(const Point& total_mps, double parts)
     {
-        const Point exact_mps = total_mps - m_setting.current_mps;
+        const Point exact_mps = total_mps - m_inputs.current_mps;
         const Point own_mps = (exact_mps * parts).array().round() / parts;
         m_iceberg.velocity_mps =
             own_mps.cwiseMax(-kLargestVelocity_mps).cwiseMin(kLargestVelocity_mps);
         m_clamped = m_clamped || m_iceberg.velocity_mps != own_mps;
     }
 
-    [[nodiscard]] const DriftProcess& drift() const { return m_setting.options.track.drift; }
+    [[nodiscard]] const DriftProcess& drift() const { return m_inputs.options.track.drift; }
 
     void setChange(double sd_mps, const DriftProcess& process)
     {
@@ -180,21 +211,24 @@ private:
         m_iceberg.velocityTime_s = process.velocitySpread_mps > 0 ? process.velocityTime_s : 0;
     }
 
-    void take(const SightedChange& change)
+    void take(const SightedDriftChange& change)
     {
         m_iceberg.velocitySd_mps = change.velocitySd_mps;
         m_iceberg.velocitySpread_mps = change.velocitySpread_mps;
         m_iceberg.velocityTime_s = change.velocityTime_s;
     }
 
-    /** Later than what the scenario has of it. */
-    [[nodiscard]] bool isNews() const
+    /** Whether the sighting is later than the observation in the scenario. */
+    [[nodiscard]] bool isNewer() const
     {
         return m_known == nullptr || m_report.age_s + kTimeRounding_s < m_known->observed_s;
     }
 
-    /** Of one that is there already what was known of its velocity, at the new sighting. */
-    void forget()
+    /**
+     * Sets the velocity error of an iceberg of the scenario to the value it has at the new
+     * sighting.
+     */
+    void fadeKnownVelocity()
     {
         const Track then =
             initialTrack({.velocitySd_mps = m_known->velocitySd_mps,
@@ -205,15 +239,19 @@ private:
         m_iceberg.velocitySd_mps = std::sqrt(then.velocity_m2ps2);
     }
 
-    /** From the last sighting to t = 0: the velocity above the current fades meanwhile. */
-    void carryOn()
+    /**
+     * Moves the iceberg from the last sighting to t = 0; the velocity relative to the current fades
+     * meanwhile.
+     */
+    void moveToStart()
     {
-        // Of one that is there already the velocity is that of t = 0.
-        const bool isPresent = m_known != nullptr && !m_estimate.velocity_mps && !givenDrift();
+        // The velocity of an iceberg of the scenario is already that of t = 0.
+        const bool isPresent =
+            m_known != nullptr && m_report.velocityFrom == VelocitySource::Nothing;
         const double time_s = isPresent ? 0 : m_iceberg.velocityTime_s;
         const double carried_s = carriedFor_s(time_s, m_report.age_s);
         const Point from_m = m_isFitted ? m_estimate.fit->position_m : m_last->fix.position_m;
-        m_iceberg.position_m = toCentimetre(from_m + m_setting.current_mps * m_report.age_s +
+        m_iceberg.position_m = toCentimetre(from_m + m_inputs.current_mps * m_report.age_s +
                                             m_iceberg.velocity_mps * carried_s);
         if (time_s > 0)
             m_iceberg.velocity_mps =
@@ -223,16 +261,28 @@ private:
                 kGivenParts;
         constexpr double kSamePlace_m = 1;
         const bool isOther =
-            isNews() || (m_iceberg.position_m - m_known->position_m).norm() > kSamePlace_m;
+            isNewer() || (m_iceberg.position_m - m_known->position_m).norm() > kSamePlace_m;
         if (isOther || m_last->sighting->sigma_m2)
             m_iceberg.sigma0_m2 = m_past[m_estimate.last].variance_m2;
         if (!m_isFitted || !isOther)
             return;
-        // A scenario has no covariance of the two: what it adds by t = 0 goes into the variance.
+        // A scenario has no covariance of position and velocity, so its effect until t = 0 is added
+        // to the variance.
         const DriftVariances& known = m_estimate.fit->variances;
         m_iceberg.sigma0_m2 = std::min(
             kLargestSigma_m2,
             std::round((known.position_m2 + 2 * known.mixed_m2ps * carried_s) * 100) / 100);
+    }
+
+    void noteDoubts()
+    {
+        const Point drift_mps = m_iceberg.velocity_mps + m_inputs.current_mps;
+        if (m_report.velocityFrom != VelocitySource::Nothing &&
+            drift_mps.norm() > kDoubtfulSpeed_mps)
+            note(ImportNote::TooFast);
+        if (isOnLand(m_last->sighting->place) ||
+            isOnLand(m_inputs.frame.toGeographic(m_iceberg.position_m)))
+            note(ImportNote::OnLand);
     }
 
     void setRest()
@@ -242,7 +292,7 @@ private:
         if (last.appearsIn_s)
             m_iceberg.appears_s =
                 std::clamp(*last.appearsIn_s - m_report.age_s, 0.0, kLargestTime_s);
-        // Name and size need not be told at each sighting: the latest word counts.
+        // A sighting need not repeat name and size; the latest value is used.
         double radiusFrom_s = -std::numeric_limits<double>::infinity();
         for (const PlacedSighting* placed : m_pastSightings) {
             if (m_iceberg.name.empty())
@@ -261,7 +311,7 @@ private:
             if (placed.timeKnown && std::abs(placed.fix.time_s) <= kLargestTime_s)
                 fixes.push_back(placed.fix);
         RecordedTrack whole;
-        for (const std::size_t i : consistentFixes(fixes, m_setting.options.track).indices) {
+        for (const std::size_t i : consistentFixes(fixes, m_inputs.options.track).indices) {
             whole.time_s.push_back(fixes[i].time_s);
             whole.position_m.push_back(fixes[i].position_m);
         }
@@ -275,7 +325,7 @@ private:
                 track.time_s.push_back(whole.time_s[i]);
                 track.position_m.push_back(toCentimetre(whole.position_m[i]));
             }
-        double tolerance_m = m_setting.options.tolerance_m;
+        double tolerance_m = m_inputs.options.tolerance_m;
         m_iceberg.track = thinned(track, tolerance_m);
         while (m_iceberg.track.time_s.size() > kMostTrackPoints)
             m_iceberg.track = thinned(track, tolerance_m = 2 * std::max(1.0, tolerance_m));
@@ -286,15 +336,15 @@ private:
 
     const SightedIceberg& m_sighted;
     const Iceberg* m_known;
-    const IcebergSetting& m_setting;
+    const IcebergInputs& m_inputs;
     Iceberg m_iceberg;
     ImportedIceberg m_report;
-    std::vector<Fix> m_past; ///< at or before t = 0
+    std::vector<Fix> m_past; ///< fixes at or before t = 0
     std::vector<const PlacedSighting*> m_pastSightings;
     TrackEstimate m_estimate;
     const PlacedSighting* m_last = nullptr;
     bool m_clamped = false;
-    bool m_isFitted = false; ///< position and velocity are those of `fitDrift`
+    bool m_isFitted = false; ///< whether position and velocity are those of `fitDrift`
 };
 
 } // namespace
@@ -310,9 +360,9 @@ Point toCentimetre(const Point& position_m)
 }
 
 IcebergEntry entryOf(const SightedIceberg& sighted, const Iceberg* known,
-                     const IcebergSetting& setting)
+                     const IcebergInputs& inputs)
 {
-    return Entry(sighted, known, setting).take();
+    return Entry(sighted, known, inputs).take();
 }
 
 } // namespace berg

@@ -1,15 +1,15 @@
 #pragma once
 
-// Private to core/io: from the sightings of one iceberg to its entry in the scenario.
+// Private to core/io: converts the sightings of one iceberg to its entry in the scenario.
 
 #include "core/io/import/import_scenario.h"
 
 namespace berg {
 
-/** Whether a scenario may hold it. */
+/** Returns true if the position is finite and within the plane of a scenario. */
 [[nodiscard]] bool onPlane(const Point& position_m);
 
-/** To a centimetre: the noise of further digits would only be hard to read. */
+/** Rounds to a centimetre, because further digits are noise that is hard to read. */
 [[nodiscard]] Point toCentimetre(const Point& position_m);
 
 /** A sighting in the scenario's plane. */
@@ -17,36 +17,37 @@ struct PlacedSighting
 {
     const Sighting* sighting = nullptr;
     Fix fix;               ///< its time in seconds from t = 0
-    bool timeKnown = true; ///< otherwise taken as of t = 0
+    bool timeKnown = true; ///< whether the file gives a time; if not, t = 0 is assumed
 };
 
-/** All that was sighted of one iceberg, in the order of the file. */
+/** All sightings of one iceberg, in the order of the file. */
 struct SightedIceberg
 {
     std::string id;
     std::vector<PlacedSighting> sightings;
 };
 
-/** What the entry is made with. */
-struct IcebergSetting
+/** Inputs shared by all icebergs of an import. */
+struct IcebergInputs
 {
     const ImportOptions& options;
     const LocalFrame& frame;
     Point current_mps = Point::Zero();
-    bool hasStart = false; ///< t = 0 is an instant
+    bool hasStart = false; ///< t = 0 is a known instant
 };
 
-/**
- * Entry of an iceberg sighted at least once: `known` (the one of this id in the scenario, null for
- * a new one) brought up to date. `outcome` is Added, Updated, Unchanged or LeftOut; the entry
- * counts unless it is LeftOut.
- */
+/** Scenario entry of an iceberg, and the report about it. */
 struct IcebergEntry
 {
     Iceberg iceberg;
     ImportedIceberg report;
 };
+/**
+ * Returns the entry of an iceberg with at least one sighting: `known` (the scenario's iceberg with
+ * this id, null for a new one) with the sightings applied. `report.outcome` is Added, Updated,
+ * Unchanged or LeftOut; the entry is valid unless it is LeftOut.
+ */
 [[nodiscard]] IcebergEntry entryOf(const SightedIceberg& sighted, const Iceberg* known,
-                                   const IcebergSetting& setting);
+                                   const IcebergInputs& inputs);
 
 } // namespace berg

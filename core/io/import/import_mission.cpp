@@ -12,7 +12,7 @@ namespace {
 
 // Numbers of the MAVLink common message set.
 
-/** NAV commands to fly to a place, and the waypoints that users may define. */
+/** NAV commands to fly to a place, and waypoints that users may define. */
 constexpr std::array<std::int64_t, 11> kPlaceCommands{16 /* WAYPOINT */,
                                                       17 /* LOITER_UNLIM */,
                                                       18 /* LOITER_TURNS */,
@@ -24,12 +24,14 @@ constexpr std::array<std::int64_t, 11> kPlaceCommands{16 /* WAYPOINT */,
                                                       31002,
                                                       31003,
                                                       31004};
-/** Latitude and longitude, above whatever level and as whatever kind of number. */
+/** Frames with latitude and longitude, whatever their altitude reference and number type. */
 constexpr std::array<std::int64_t, 6> kGlobalFrames{0, 3, 5, 6, 10, 11};
-/** Those of them whose altitudes are above mean sea level, not above home or ground. */
+/** Frames whose altitudes are above mean sea level, not above home or ground. */
 constexpr std::array<std::int64_t, 2> kSeaLevelFrames{0, 5};
 constexpr std::int64_t kChangeSpeed = 178;
-/** What the speed of such a change is: through the air or, without wind the same, over ground. */
+/**
+ * Types of speed in a speed change: through the air, or over ground, which is equal without wind.
+ */
 constexpr std::array<double, 2> kFlightSpeeds{0, 1};
 
 template <class Value, std::size_t Size>

@@ -1,99 +1,32 @@
-#include "core/base/angles.h"
-#include "core/base/error.h"
 #include "core/io/import/import_airspace.h"
 #include "core/io/import/import_fields.h"
+#include "core/io/import/openair_shape.h"
+#include "core/io/import/openair_values.h"
 #include "core/io/text/byte_order_mark.h"
+#include "core/io/text/text_lines.h"
 #include "core/io/text/utc_time.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <array>
+#include <memory>
 #include <utility>
 
 namespace berg {
 
 namespace {
 
-constexpr double kFoot_m = 0.3048;
-constexpr double kMile_m = 1852;
-constexpr double kLevel_m = 100 * kFoot_m;
-constexpr double kArcStep_rad = 5 * kPi / 180;
-constexpr double kLargestRadius_m = 2e6; // more is a mistake
+/** Records that do not affect where or when an area is. */
+constexpr std::array<std::string_view, 10> kOtherTags{"AF", "AG", "AI", "AX", "AT",
+                                                      "SP", "SB", "SA", "AE", "AR"};
+constexpr std::array<std::string_view, 5> kShapeTags{"DP", "DC", "DA", "DB", "DY"};
 
-char upper(char c)
+template <std::size_t Size>
+bool isTagOf(const std::array<std::string_view, Size>& tags, std::string_view tag)
 {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    return std::ranges::find(tags, tag) != tags.end();
 }
 
-std::string inCapitals(std::string_view text)
-{
-    std::string capitals(text);
-    std::ranges::transform(capitals, capitals.begin(), upper);
-    return capitals;
-}
-
-void skipBlanks(std::string_view& text)
-{
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
-        text.remove_prefix(1);
-}
-
-/** Takes a number without sign from the front. */
-std::optional<double> takeNumber(std::string_view& text)
-{
-    double value = 0;
-    if (text.empty() || text.front() == '-' || text.front() == '+')
-        return std::nullopt;
-    const auto [end, error] =
-        std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
-    if (error != std::errc() || !std::isfinite(value))
-        return std::nullopt;
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    return value;
-}
-
-/** Takes "dd:mm:ss H", "dd:mm.mmm H" or "dd.ddd H" with H one of two letters. */
-std::optional<double> takeAngle_deg(std::string_view& text, char positive, char negative)
-{
-    double angle_deg = 0;
-    for (const double part : {1.0, 60.0, 3600.0}) {
-        skipBlanks(text);
-        const std::optional<double> number = takeNumber(text);
-        if (!number || (part > 1 && *number >= 60))
-            return std::nullopt;
-        angle_deg += *number / part;
-        skipBlanks(text);
-        if (text.empty() || text.front() != ':')
-            break;
-        text.remove_prefix(1);
-    }
-    const char letter = text.empty() ? '\0' : upper(text.front());
-    if (letter != positive && letter != negative)
-        return std::nullopt;
-    text.remove_prefix(1);
-    return letter == positive ? angle_deg : -angle_deg;
-}
-
-std::optional<LatLon> takePlace(std::string_view& text)
-{
-    const std::optional<double> latitude_deg = takeAngle_deg(text, 'N', 'S');
-    const std::optional<double> longitude_deg = takeAngle_deg(text, 'E', 'W');
-    if (!latitude_deg || !longitude_deg || *longitude_deg > 180)
-        return std::nullopt;
-    return scenePlace(*latitude_deg, *longitude_deg);
-}
-
-bool takeComma(std::string_view& text)
-{
-    skipBlanks(text);
-    if (text.empty() || text.front() != ',')
-        return false;
-    text.remove_prefix(1);
-    skipBlanks(text);
-    return true;
-}
-
-/** "2026-05-01T12:00Z/2026-05-01T14:00Z". Of several the whole span; empty: not understood. */
+/** Reads "2026-05-01T12:00Z/2026-05-01T14:00Z"; returns nullopt for anything else. */
 std::optional<std::pair<std::string, std::string>> timesOf(std::string_view text)
 {
     const std::size_t slash = text.find('/');
@@ -105,7 +38,39 @@ std::optional<std::pair<std::string, std::string>> timesOf(std::string_view text
                                                : std::nullopt;
 }
 
-/** Reads one text line by line. */
+/** Whether a part of the line is a place, so that the outline may lack it. */
+bool mayHoldPlace(const std::string& line)
+{
+    constexpr std::string_view kDigits = "0123456789";
+    for (std::size_t at = line.find_first_of(kDigits); at != std::string::npos;
+         at = line.find_first_of(kDigits, line.find_first_not_of(kDigits, at)))
+        if (openAirPlace(line.substr(at)))
+            return true;
+    return false;
+}
+
+/** An area while its lines are read. */
+struct AreaReading
+{
+    explicit AreaReading(ReadBudget& budget) : shape(budget) {}
+
+    FileAirspace area;
+    OpenAirShape shape;
+    bool hasName = false;
+    bool hasFloor = false;
+    bool hasCeiling = false;
+    bool hasColours = false;
+    bool isRejected = false;
+    bool isAlways = false; ///< a time of the area was not understood
+
+    /** Whether only its class or only its name was read. */
+    [[nodiscard]] bool isBare() const
+    {
+        return shape.isEmpty() && !isRejected && !hasFloor && !hasCeiling;
+    }
+};
+
+/** Reads a text line by line. */
 class OpenAirReading
 {
 public:
@@ -114,273 +79,254 @@ public:
     AirspaceTable take()
     {
         while (!m_rest.empty()) {
-            m_budget.goOn();
-            const std::size_t end = m_rest.find('\n');
-            const std::string_view line = trimmed(m_rest.substr(0, end));
-            m_rest = end == std::string_view::npos ? std::string_view() : m_rest.substr(end + 1);
+            m_budget.throwIfStopped();
+            const std::string_view line = takeLine(m_rest);
             ++m_line;
-            if (line.size() > 2 && line.front() != '*')
-                readLine(line);
+            const OpenAirLine record = openAirLine(line);
+            if (!record.tag.empty())
+                readRecord(record, line);
         }
         finish();
         return std::move(m_table);
     }
 
 private:
-    void readLine(std::string_view line)
+    void readRecord(const OpenAirLine& record, std::string_view line)
     {
-        const std::size_t blank = line.find_first_of(" \t");
-        const std::string tag = inCapitals(line.substr(0, blank));
-        const std::string_view value =
-            blank == std::string_view::npos ? std::string_view() : trimmed(line.substr(blank));
-        if (tag == "AC") {
-            finish();
-            m_area = FileAirspace{.kind = cleanText(value, kLongestId), .line = m_line};
-            return;
-        }
-        if (!m_area)
-            return;
-        if (tag == "AN")
-            m_area->name = cleanText(value, kLongestName);
-        else if (tag == "AY" && inCapitals(value) != "UNCLASSIFIED")
-            m_area->kind = cleanText(value, kLongestId);
-        else if (tag == "AL")
-            m_area->floor_m = std::min(airspaceHeight_m(value).value_or(0), kLargestLength_m);
-        else if (tag == "AH")
-            setCeiling(value);
-        else if (tag == "AA")
-            addTimes(value);
-        else if (tag == "V")
-            readVariable(value);
-        else if (tag == "DP" || tag == "DC" || tag == "DA" || tag == "DB")
-            readShape(tag, value);
+        const std::string& tag = record.tag;
+        if (tag == "AC")
+            readClass(record.value);
+        else if (tag == "AN")
+            readName(record.value);
+        else if (tag.starts_with("TO") || tag.starts_with("TC"))
+            beginTerrain();
+        else if (m_reading)
+            readOfArea(record, line);
+        else if (isTagOf(kShapeTags, tag) && !m_isTerrain)
+            rejectStray(line);
     }
 
-    /** From the first to the last of all; always where one of them is not understood. */
+    /** Begins an area, unless the current one has only its name yet. */
+    void readClass(const std::string& value)
+    {
+        const bool isOfPresent = m_reading && m_reading->hasName && !m_hasClass && !m_mayName &&
+                                 m_reading->isBare() && !m_reading->hasColours;
+        if (!isOfPresent)
+            begin();
+        m_hasClass = true;
+        m_reading->area.kind = cleanText(value, kLongestId);
+    }
+
+    /** Begins an area, unless the current one has no name and no outline yet. */
+    void readName(const std::string& value)
+    {
+        if (!m_reading || m_reading->hasName || !m_reading->shape.isEmpty())
+            begin();
+        m_reading->hasName = true;
+        m_reading->area.name = cleanText(value, kLongestName);
+    }
+
+    void begin()
+    {
+        finish();
+        m_isTerrain = false;
+        m_reading = std::make_unique<AreaReading>(m_budget);
+        m_reading->area.line = m_line;
+    }
+
+    /** Ends the area, because lakes and the like have outlines of their own. */
+    void beginTerrain()
+    {
+        finish();
+        m_isTerrain = true;
+    }
+
+    void readOfArea(const OpenAirLine& record, std::string_view line)
+    {
+        const std::string& tag = record.tag;
+        FileAirspace& area = m_reading->area;
+        if (tag == "AY") {
+            const std::string type = cleanText(record.value, kLongestId);
+            area.kind = type.empty() || openAirLine(type).tag == "UNCLASSIFIED" ? area.kind : type;
+        } else if (tag == "AL")
+            setFloor(record.value);
+        else if (tag == "AH")
+            setCeiling(record.value);
+        else if (tag == "AA")
+            addTimes(record.value);
+        else if (tag == "V")
+            rejectUnless(m_reading->shape.setVariable(record.value), tag + ' ' + record.value);
+        else if (isTagOf(kShapeTags, tag))
+            rejectUnless(m_reading->shape.add(tag, record.value), tag + ' ' + record.value);
+        else if (isTagOf(kOtherTags, tag))
+            m_reading->hasColours = m_reading->hasColours || tag == "SP" || tag == "SB";
+        else if (tag.starts_with('D') || tag.starts_with("AC") || mayHoldPlace(std::string(line)))
+            rejectUnless(false, std::string(line));
+        else
+            note(m_line, IssueId::AirspaceLine, cleanText(line, 60));
+    }
+
+    /** Sets a floor; of several the lowest is used, as is the highest ceiling. */
+    void setFloor(const std::string& value)
+    {
+        FileAirspace& area = m_reading->area;
+        const std::optional<double> height_m = airspaceHeight_m(value, HeightLimit::Floor);
+        const double floor_m = std::min(height_m.value_or(0), kLargestLength_m);
+        area.floor_m = m_reading->hasFloor ? std::min(area.floor_m, floor_m) : floor_m;
+        m_reading->hasFloor = true;
+        if (!height_m)
+            note(m_line, IssueId::AirspaceFloor, titled(area, "AL " + value));
+    }
+
+    void setCeiling(const std::string& value)
+    {
+        FileAirspace& area = m_reading->area;
+        const std::optional<double> height_m = airspaceHeight_m(value, HeightLimit::Ceiling);
+        const bool isOpen =
+            !height_m || *height_m > kLargestLength_m || (m_reading->hasCeiling && !area.ceiling_m);
+        area.ceiling_m =
+            isOpen ? std::nullopt : std::optional(std::max(*height_m, area.ceiling_m.value_or(0)));
+        m_reading->hasCeiling = true;
+        if (!height_m)
+            note(m_line, IssueId::AirspaceCeiling, titled(area, "AH " + value));
+    }
+
+    /** Extends the times of the area. If one is not understood, the area is always in force. */
     void addTimes(std::string_view value)
     {
-        const auto times = timesOf(value);
-        m_isAlways = m_isAlways || !times;
-        if (m_isAlways) {
-            m_area->fromUtc.clear();
-            m_area->untilUtc.clear();
+        FileAirspace& area = m_reading->area;
+        const auto times = timesOf(value.substr(0, value.find(';'))); // a comment follows
+        m_reading->isAlways = m_reading->isAlways || !times;
+        if (m_reading->isAlways) {
+            area.fromUtc.clear();
+            area.untilUtc.clear();
             return;
         }
         const auto& [from, until] = *times;
         const auto isBefore = [](const std::string& a, const std::string& b) {
             return parseUtc(a) < parseUtc(b);
         };
-        m_area->fromUtc =
-            m_area->fromUtc.empty() ? from : std::min(m_area->fromUtc, from, isBefore);
-        m_area->untilUtc = std::max(m_area->untilUtc, until, isBefore);
+        area.fromUtc = area.fromUtc.empty() ? from : std::min(area.fromUtc, from, isBefore);
+        area.untilUtc = std::max(area.untilUtc, until, isBefore);
     }
 
-    void setCeiling(std::string_view value)
+    static std::string titled(const FileAirspace& area, const std::string& text)
     {
-        const std::optional<double> height_m = airspaceHeight_m(value);
-        m_area->ceiling_m = height_m && *height_m <= kLargestLength_m ? height_m : std::nullopt;
+        const std::string name = area.name.empty() ? area.kind : area.name;
+        const std::string between = name.empty() || text.empty() ? "" : ": ";
+        return cleanText(name + between + text, 120);
     }
 
-    void readVariable(std::string_view value)
+    void note(std::size_t line, IssueId fault, std::string detail)
     {
-        const std::size_t equals = value.find('=');
-        if (equals == std::string_view::npos)
+        m_table.noted.add({.line = line, .fault = fault, .detail = std::move(detail)});
+    }
+
+    /** Rejects the area unless the record was read; reports this once. */
+    void rejectUnless(bool isRead, const std::string& text)
+    {
+        if (isRead || m_reading->isRejected)
             return;
-        const std::string name = inCapitals(trimmed(value.substr(0, equals)));
-        std::string_view rest = trimmed(value.substr(equals + 1));
-        if (name == "X") {
-            m_centre = takePlace(rest);
-            if (!m_centre)
-                reject(value);
-        } else if (name == "D") {
-            m_isClockwise = !rest.starts_with('-');
-        }
+        m_reading->isRejected = true;
+        m_table.rejected.add({.line = m_line,
+                              .fault = IssueId::AirspaceUnreadable,
+                              .detail = titled(m_reading->area, text)});
     }
 
-    void readShape(const std::string& tag, std::string_view value)
+    /** Reports once that an outline belongs to no area. */
+    void rejectStray(std::string_view line)
     {
-        std::string_view rest = value;
-        bool isRead = false;
-        if (tag == "DP") {
-            const std::optional<LatLon> place = takePlace(rest);
-            isRead = place.has_value();
-            if (place)
-                add(*place);
-        } else if (m_centre) {
-            isRead = tag == "DC" ? addCircle(rest) : tag == "DA" ? addAngles(rest) : addArc(rest);
-        }
-        if (!isRead)
-            reject(value);
-    }
-
-    bool addCircle(std::string_view rest)
-    {
-        const std::optional<double> radius = takeNumber(rest);
-        return radius && addTurn({.radius_m = *radius * kMile_m, .bearing_rad = 0},
-                                 {.radius_m = *radius * kMile_m, .bearing_rad = 2 * kPi});
-    }
-
-    /** Radius and two bearings from the centre. */
-    bool addAngles(std::string_view rest)
-    {
-        const std::optional<double> radius = takeNumber(rest);
-        if (!radius || !takeComma(rest))
-            return false;
-        const std::optional<double> from_deg = takeNumber(rest);
-        if (!from_deg || !takeComma(rest))
-            return false;
-        const std::optional<double> to_deg = takeNumber(rest);
-        return to_deg && *from_deg <= 360 && *to_deg <= 360 &&
-               addBetween({.radius_m = *radius * kMile_m, .bearing_rad = radFromDeg(*from_deg)},
-                          {.radius_m = *radius * kMile_m, .bearing_rad = radFromDeg(*to_deg)});
-    }
-
-    /** Between two places, about the centre. */
-    bool addArc(std::string_view rest)
-    {
-        const std::optional<LatLon> from = takePlace(rest);
-        if (!from || !takeComma(rest))
-            return false;
-        const std::optional<LatLon> to = takePlace(rest);
-        if (!to)
-            return false;
-        add(*from);
-        const bool isRead = addBetween(rayTo(*from), rayTo(*to));
-        add(*to);
-        return isRead;
-    }
-
-    /** A place about the centre. */
-    struct Ray
-    {
-        double radius_m = 0;
-        double bearing_rad = 0; ///< clockwise from north
-    };
-
-    [[nodiscard]] Ray rayTo(const LatLon& place) const
-    {
-        const Point away_m = LocalFrame(*m_centre).toPlane(place);
-        return {.radius_m = away_m.norm(), .bearing_rad = std::atan2(away_m.x(), away_m.y())};
-    }
-
-    bool addBetween(const Ray& from, Ray to)
-    {
-        const double turn_rad = to.bearing_rad - from.bearing_rad;
-        const double turns = turn_rad / (2 * kPi);
-        const double part = turns - std::floor(turns); // 0: the whole circle
-        to.bearing_rad = from.bearing_rad + 2 * kPi *
-                                                (!m_isClockwise ? part - 1
-                                                 : part > 0     ? part
-                                                                : 1);
-        return addTurn(from, to);
-    }
-
-    bool addTurn(const Ray& from, const Ray& to)
-    {
-        if (!(from.radius_m <= kLargestRadius_m && to.radius_m <= kLargestRadius_m))
-            return false;
-        const LocalFrame about(*m_centre);
-        const double turn_rad = to.bearing_rad - from.bearing_rad;
-        const int steps =
-            std::max(1, static_cast<int>(std::ceil(std::abs(turn_rad) / kArcStep_rad)));
-        for (int step = 0; step <= steps; ++step) {
-            const double part = static_cast<double>(step) / steps;
-            const double radius_m = std::lerp(from.radius_m, to.radius_m, part);
-            const double bearing_rad = from.bearing_rad + part * turn_rad;
-            add(about.toGeographic(
-                {radius_m * std::sin(bearing_rad), radius_m * std::cos(bearing_rad)}));
-        }
-        return true;
-    }
-
-    void add(const LatLon& place)
-    {
-        m_budget.take(3 * sizeof place); // while the ring moves to twice the room
-        m_ring.push_back(place);
-    }
-
-    /** Told once of an area. */
-    void reject(std::string_view text)
-    {
-        if (m_isRejected)
-            return;
-        m_isRejected = true;
+        m_isTerrain = true;
         m_table.rejected.add(
-            {.line = m_line, .fault = IssueId::AirspaceUnreadable, .detail = cleanText(text, 60)});
+            {.line = m_line, .fault = IssueId::AirspaceStray, .detail = cleanText(line, 60)});
     }
 
     void finish()
     {
-        if (m_area && m_ring.empty() && !m_isRejected) {
-            m_isRejected = true;
-            m_table.rejected.add({.line = m_area->line,
-                                  .fault = IssueId::AirspaceUnreadable,
-                                  .detail = cleanText(m_area->name, 60)});
+        if (m_reading)
+            store(*m_reading);
+        m_reading.reset();
+        m_hasClass = false;
+    }
+
+    void store(AreaReading& reading)
+    {
+        FileAirspace& area = reading.area;
+        const bool isBare = reading.isBare();
+        if (isBare && reading.hasColours && !reading.hasName)
+            return; // the colours of a class
+        if (isBare && !m_hasClass && m_mayName) {
+            nameLast(area.name);
+            return;
         }
-        if (m_area && !m_isRejected) {
-            m_budget.takeRow(sizeof(FileAirspace) + m_area->name.size() + m_area->kind.size());
-            m_area->rings.push_back(std::move(m_ring));
-            m_table.areas.push_back(std::move(*m_area));
+        m_mayName = false;
+        if (reading.isRejected)
+            return;
+        if (reading.shape.isEmpty()) {
+            m_table.rejected.add(
+                {.line = area.line, .fault = IssueId::AirspaceBare, .detail = titled(area, {})});
+            return;
         }
-        m_area.reset();
-        m_ring.clear();
-        m_centre.reset();
-        m_isClockwise = true;
-        m_isRejected = false;
-        m_isAlways = false;
+        noteMissing(reading);
+        for (std::vector<LatLon>& outline : reading.shape.outlines()) {
+            m_budget.takeRow(sizeof area + area.name.size() + area.kind.size() +
+                             outline.size() * sizeof(LatLon));
+            m_table.areas.push_back(area);
+            m_table.areas.back().rings.push_back(std::move(outline));
+        }
+        m_mayName = !reading.hasName;
+    }
+
+    /** Names the last area, if the name follows its outline. */
+    void nameLast(const std::string& name)
+    {
+        const std::size_t line = m_table.areas.back().line;
+        for (auto it = m_table.areas.rbegin(); it != m_table.areas.rend() && it->line == line; ++it)
+            it->name = name;
+        m_mayName = false;
+    }
+
+    void noteMissing(const AreaReading& reading)
+    {
+        const FileAirspace& area = reading.area;
+        if (area.kind.empty())
+            note(area.line, IssueId::AirspaceNoClass, titled(area, {}));
+        if (!reading.hasFloor)
+            note(area.line, IssueId::AirspaceFloor, titled(area, "AL"));
+        if (!reading.hasCeiling)
+            note(area.line, IssueId::AirspaceCeiling, titled(area, "AH"));
     }
 
     std::string_view m_rest;
     ReadBudget& m_budget;
     std::size_t m_line = 0;
     AirspaceTable m_table;
-    std::optional<FileAirspace> m_area;
-    std::vector<LatLon> m_ring;
-    std::optional<LatLon> m_centre;
-    bool m_isClockwise = true;
-    bool m_isRejected = false;
-    bool m_isAlways = false; ///< a time of the area was not understood
+    std::unique_ptr<AreaReading> m_reading; ///< null if no area has begun
+    bool m_hasClass = false;                ///< the area has its class
+    bool m_isTerrain = false;               ///< outlines are those of terrain, not airspace
+    bool m_mayName = false; ///< the last area has no name, so the following one may be its name
 };
 
 } // namespace
 
-std::optional<double> airspaceHeight_m(std::string_view given)
-{
-    const std::string capitals = inCapitals(trimmed(given));
-    std::string_view text = capitals;
-    for (const std::string_view ground : {"GND", "SFC", "MSL"})
-        if (text == ground)
-            return 0;
-    if (text.starts_with("UNL"))
-        return HUGE_VAL;
-    if (text.starts_with("FL")) {
-        text.remove_prefix(2);
-        skipBlanks(text);
-        const std::optional<double> level = takeNumber(text);
-        return level ? std::optional(*level * kLevel_m) : std::nullopt;
-    }
-    const std::optional<double> number = takeNumber(text);
-    if (!number)
-        return std::nullopt;
-    if (text.starts_with(',') || text.starts_with('E')) // "3,500", "1E+15"
-        return std::nullopt;
-    skipBlanks(text);
-    const bool isMetres = text.starts_with('M') && !text.starts_with("MSL");
-    return *number * (isMetres ? 1 : kFoot_m);
-}
-
 bool isOpenAir(std::string_view text)
 {
     text = withoutByteOrderMark(text);
+    bool isFirst = true;
+    bool hasArea = false;
     while (!text.empty()) {
-        const std::size_t end = text.find('\n');
-        const std::string_view line = trimmed(text.substr(0, end));
-        if (!line.empty() && line.front() != '*')
-            return line.size() > 3 && inCapitals(line.substr(0, 2)) == "AC" &&
-                   (line[2] == ' ' || line[2] == '\t');
-        if (end == std::string_view::npos)
-            break;
-        text.remove_prefix(end + 1);
+        const std::string tag = openAirLine(takeLine(text)).tag;
+        if (tag.empty())
+            continue;
+        const bool isArea = tag == "AC" || tag == "AN";
+        const bool isKnown = isArea || isTagOf(kOtherTags, tag) || tag == "V" || tag == "AY" ||
+                             tag == "AL" || tag == "AH";
+        if (isFirst && !isKnown)
+            return false;
+        isFirst = false;
+        hasArea = hasArea || isArea;
+        if (hasArea && (isTagOf(kShapeTags, tag) || tag == "AL" || tag == "AH"))
+            return true;
     }
     return false;
 }

@@ -1,10 +1,14 @@
+#include "core/base/angles.h"
 #include "core/base/error.h"
 #include "core/io/import/import_mission.h"
 #include "core/io/import/import_readers.h"
 #include "core/io/import/json_members.h"
 #include "core/io/text/json_writer.h"
+#include "core/scenario/text_checks.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace berg {
 
@@ -12,9 +16,12 @@ namespace {
 
 constexpr WholeLimits kMavNumbers{.low = 0, .high = 65535};
 constexpr std::size_t kParams = 7;
-constexpr std::size_t kLatitude = 4; ///< of the params; longitude and altitude follow
+constexpr std::size_t kLatitude = 4; ///< index among the params; longitude and altitude follow
+constexpr std::int64_t kVtolTakeOff = 84;
+constexpr std::int64_t kVtolTransition = 3000;
+constexpr std::string_view kToFixedWing = "4"; ///< first param of such a transition
 
-/** A number as its text; empty for null, which stands for none. */
+/** Returns a number as its text; empty for null, which means none. */
 std::string memberText(const Json& value, const std::string& path, Faults& faults)
 {
     if (value.is_null())
@@ -22,31 +29,73 @@ std::string memberText(const Json& value, const std::string& path, Faults& fault
     return numberOf(value, path, faults) ? jsonText(value) : std::string();
 }
 
-/** Whether what is inside is where to fly; that is so unless the file says otherwise. */
+/** Whether the shape is an inclusion, which is the default. */
 bool isInclusion(const Json& shape)
 {
     const Json* inclusion = memberOf(&shape, "inclusion");
     return inclusion == nullptr || *inclusion != false;
 }
 
-/** What of the fence a scenario can hold, one polygon to stay inside of and those to stay out of,
- * and what it cannot. */
+/** Whether MAV_TYPE `type` is a type that only hovers. */
+bool isMultirotor(double type)
+{
+    constexpr std::array<double, 8> kTypes{
+        2 /* QUADROTOR */,  3 /* COAXIAL */,    4 /* HELICOPTER */,   13 /* HEXAROTOR */,
+        14 /* OCTOROTOR */, 15 /* TRICOPTER */, 29 /* DODECAROTOR */, 35 /* DECAROTOR */};
+    return std::ranges::find(kTypes, type) != kTypes.end();
+}
+
+/** Whether MAV_TYPE `type` takes off as a multirotor and may continue as an aircraft. */
+bool isVtol(double type)
+{
+    return type >= 19 && type <= 25;
+}
+
+/**
+ * Returns a polygon for a circle of the fence: inside an inclusion, outside an exclusion. Returns
+ * nullopt for a faulty circle.
+ */
+std::optional<std::vector<LatLon>> circleOf(const Json* circle, bool isInside)
+{
+    constexpr int kCorners = 36;
+    const std::optional<LatLon> centre =
+        placeOf(memberOf(circle, "center"), AxisOrder::LatitudeFirst);
+    const std::optional<double> radius_m = numberAt(circle, "radius");
+    if (!centre || !radius_m || outOfLimits(*radius_m, limits::kLength_m) || *radius_m <= 0)
+        return std::nullopt;
+    const LocalFrame frame(*centre);
+    std::vector<LatLon> corners;
+    for (int i = 0; i < kCorners; ++i)
+        corners.push_back(frame.toGeographic(turned(
+            {*radius_m / (isInside ? 1 : std::cos(kPi / kCorners)), 0}, 2 * kPi * i / kCorners)));
+    return corners;
+}
+
+/** Adds an inclusion or exclusion; it becomes a finding if it has no corners. */
+void addFenceArea(FileScene& scene, std::optional<std::vector<LatLon>> corners, bool isInside)
+{
+    if (corners && !corners->empty())
+        scene.addArea({.rings = {std::move(*corners)}, .geofence = isInside, .isNoFly = !isInside});
+    else
+        addFinding(scene.findings, SceneNote::AreaUnreadable);
+}
+
+/**
+ * Reads the parts of the fence that a scenario can hold: one inclusion, and exclusions. A fence of
+ * version 1 is a single polygon.
+ */
 void readFence(const Json* fence, FileScene& scene)
 {
+    if (const Json* polygon = arrayOf(fence, "polygon"); polygon && !polygon->empty())
+        addFenceArea(scene, placesOf(polygon, AxisOrder::LatitudeFirst), true);
     if (const Json* polygons = arrayOf(fence, "polygons"))
-        for (const Json& polygon : *polygons) {
-            std::optional<std::vector<LatLon>> corners =
-                placesOf(memberOf(&polygon, "polygon"), AxisOrder::LatitudeFirst);
-            const bool isInside = isInclusion(polygon);
-            if (corners && !corners->empty())
-                scene.addArea(
-                    {.rings = {std::move(*corners)}, .geofence = isInside, .isNoFly = !isInside});
-            else
-                addFinding(scene.findings, SceneNote::AreaUnreadable);
-        }
+        for (const Json& polygon : *polygons)
+            addFenceArea(scene, placesOf(memberOf(&polygon, "polygon"), AxisOrder::LatitudeFirst),
+                         isInclusion(polygon));
     if (const Json* circles = arrayOf(fence, "circles"))
-        for (std::size_t i = 0; i < circles->size(); ++i)
-            addFinding(scene.findings, SceneNote::FenceCircles);
+        for (const Json& circle : *circles)
+            addFenceArea(scene, circleOf(memberOf(&circle, "circle"), isInclusion(circle)),
+                         isInclusion(circle));
 }
 
 /** Reads the mission of one file. */
@@ -63,16 +112,27 @@ public:
     SightingTable take()
     {
         ObjectReader root(m_file.root, {}, m_file.faults);
-        requirePlan(root);
-        readFence(root.find("geoFence"), m_places.scene());
-        m_rally = arrayOf(root.find("rallyPoints"), "points");
-        if (const Json* mission = root.need("mission"))
-            readMission(*mission);
+        if (isBareMission(root)) {
+            readMission(m_file.root, {});
+        } else {
+            requirePlan(root);
+            readFence(root.find("geoFence"), m_places.scene());
+            m_rally = arrayOf(root.find("rallyPoints"), "points");
+            if (const Json* mission = root.need("mission"))
+                readMission(*mission, "mission");
+        }
         m_file.faults.throwIfAny(m_subject);
         return m_places.take();
     }
 
 private:
+    /** Whether the file dates from before plans, when a mission was a file of its own. */
+    static bool isBareMission(ObjectReader& root)
+    {
+        const Json* type = root.find("fileType");
+        return type == nullptr ? root.find("MAV_AUTOPILOT") != nullptr : *type == "Mission";
+    }
+
     void requirePlan(ObjectReader& root)
     {
         const Json* type = root.find("fileType");
@@ -85,9 +145,9 @@ private:
                         {{Severity::Error, "version", {IssueId::UnknownVersion, {version, 1}}}});
     }
 
-    void readMission(const Json& value)
+    void readMission(const Json& value, const std::string& path)
     {
-        ObjectReader mission(value, "mission", m_file.faults);
+        ObjectReader mission(value, path, m_file.faults);
         if (mission.find("plannedHomePosition") != nullptr)
             readHome(mission);
         readRally();
@@ -95,12 +155,23 @@ private:
         if (items == nullptr)
             return;
         for (std::size_t i = 0; i < items->size(); ++i)
-            readItem((*items)[i], i);
-        if (const Json* cruise = mission.find("cruiseSpeed"); cruise && cruise->is_number())
-            m_places.setCruise(cruise->get<double>());
+            readItem((*items)[i], memberPath(path, "items[" + std::to_string(i) + ']'), i + 1);
+        if (const std::optional<double> speed_mps = numberAt(&value, speedName(value)))
+            m_places.setCruise(*speed_mps);
     }
 
-    /** A single rally point is where to land; of several it depends on where the UAV is. */
+    /** Returns the member with the speed that QGroundControl plans with. */
+    [[nodiscard]] const char* speedName(const Json& mission) const
+    {
+        const double type = numberAt(&mission, "vehicleType").value_or(0);
+        const bool hovers = isMultirotor(type) || (isVtol(type) && !m_hasTransition);
+        return hovers && memberOf(&mission, "hoverSpeed") != nullptr ? "hoverSpeed" : "cruiseSpeed";
+    }
+
+    /**
+     * Sets the landing place to a single rally point; of several, it would depend on where the UAV
+     * is.
+     */
     void readRally()
     {
         const std::size_t count = m_rally == nullptr ? 0 : m_rally->size();
@@ -115,7 +186,9 @@ private:
 
     void readHome(ObjectReader& mission)
     {
-        const Json* home = mission.array("plannedHomePosition");
+        const Json* given = mission.find("plannedHomePosition");
+        const Json* item = memberOf(given, "coordinate"); // form of version 1
+        const Json* home = item != nullptr ? item : mission.array("plannedHomePosition");
         if (home == nullptr)
             return;
         const std::string path = mission.path("plannedHomePosition");
@@ -129,38 +202,69 @@ private:
                                               : std::string()});
     }
 
-    void readItem(const Json& value, std::size_t index)
+    void readItem(const Json& value, const std::string& path, std::size_t line)
     {
-        ObjectReader item(value, "mission.items[" + std::to_string(index) + "]", m_file.faults);
+        ObjectReader item(value, path, m_file.faults);
         if (!item.isObject())
             return;
         const std::string type = item.text("type");
-        if (type == "SimpleItem")
-            readSimple(item, index + 1);
-        else if (type == "ComplexItem")
-            readComplex(item, index + 1);
+        if (type == "SimpleItem" || type == "missionItem")
+            readSimple(item, line);
+        else if (type == "ComplexItem" || type == "complexItem")
+            readComplex(item, line);
         else
             m_file.faults.add(item.path("type"), {IssueId::NotOneOf, {"SimpleItem, ComplexItem"}});
     }
 
+    /**
+     * Returns the seven numbers of an item. Items of older versions have four, or each by its name,
+     * and a place.
+     */
+    std::optional<std::array<std::string, kParams>> paramsOf(ObjectReader& item)
+    {
+        std::array<std::string, kParams> texts;
+        const Json* place = item.find("coordinate");
+        const std::size_t ownParams = place == nullptr ? kParams : kLatitude;
+        const auto take = [&](const Json* list, const char* name, std::size_t first,
+                              std::size_t count) {
+            const std::string path = item.path(name);
+            if (!list->is_array() || list->size() != count) {
+                m_file.faults.add(path, {IssueId::EntryCount, {countOf(count), entriesOf(*list)}});
+                return false;
+            }
+            for (std::size_t i = 0; i < count; ++i)
+                texts[first + i] =
+                    memberText((*list)[i], path + '[' + std::to_string(i) + ']', m_file.faults);
+            return true;
+        };
+        if (place != nullptr && !take(place, "coordinate", kLatitude, kParams - kLatitude))
+            return std::nullopt;
+        if (place != nullptr && item.find("params") == nullptr) {
+            for (std::size_t i = 0; i < ownParams; ++i) {
+                const std::string name = "param" + std::to_string(i + 1);
+                if (const Json* param = item.find(name.c_str()))
+                    texts[i] = memberText(*param, item.path(name), m_file.faults);
+            }
+            return texts;
+        }
+        const Json* params = item.need("params");
+        return params != nullptr && take(params, "params", 0, ownParams) ? std::optional(texts)
+                                                                         : std::nullopt;
+    }
+
     void readSimple(ObjectReader& item, std::size_t line)
     {
-        const Json* command = item.need("command");
+        const Json* number = item.need("command");
         const Json* frame = item.need("frame");
-        const Json* params = item.need("params");
-        if (command == nullptr || frame == nullptr || params == nullptr)
+        const std::optional<std::array<std::string, kParams>> params = paramsOf(item);
+        if (number == nullptr || frame == nullptr || !params)
             return;
-        const std::string path = item.path("params");
-        if (!params->is_array() || params->size() != kParams) {
-            m_file.faults.add(path, {IssueId::EntryCount, {countOf(kParams), entriesOf(*params)}});
-            return;
-        }
-        std::array<std::string, kParams> texts;
-        for (std::size_t i = 0; i < kParams; ++i)
-            texts[i] =
-                memberText((*params)[i], path + '[' + std::to_string(i) + ']', m_file.faults);
+        const std::array<std::string, kParams>& texts = *params;
+        const std::int64_t command = item.whole("command", 0, kMavNumbers);
+        m_hasTransition = m_hasTransition || command == kVtolTakeOff ||
+                          (command == kVtolTransition && texts[0] == kToFixedWing);
         m_places.add({.line = line,
-                      .command = item.whole("command", 0, kMavNumbers),
+                      .command = command,
                       .frame = item.whole("frame", 0, kMavNumbers),
                       .param1 = texts[0],
                       .param2 = texts[1],
@@ -169,7 +273,9 @@ private:
                       .altitude = texts[kLatitude + 2]});
     }
 
-    /** A pattern over an area or a line is no place; where to land is none of an iceberg. */
+    /**
+     * Rejects patterns over an area or a line, which are not places; landing patterns are ignored.
+     */
     void readComplex(ObjectReader& item, std::size_t line)
     {
         const std::string kind = item.text("complexItemType");
@@ -179,7 +285,8 @@ private:
 
     const std::string& m_subject;
     ParsedJson m_file;
-    const Json* m_rally = nullptr; ///< null: no rally points
+    const Json* m_rally = nullptr; ///< null if there are no rally points
+    bool m_hasTransition = false;  ///< whether a VTOL flies as an aircraft
     MissionPlaces m_places;
 };
 
@@ -192,8 +299,11 @@ SightingTable readPlan(const ImportText& source)
 
 bool isPlan(std::string_view text)
 {
-    return isJsonObject(text) && text.find("\"fileType\"") != std::string_view::npos &&
-           text.find("\"groundStation\"") != std::string_view::npos;
+    const auto holds = [&](std::string_view name) {
+        return text.find(name) != std::string_view::npos;
+    };
+    return isJsonObject(text) && holds("\"groundStation\"") &&
+           (holds("\"fileType\"") || (holds("\"MAV_AUTOPILOT\"") && holds("\"items\"")));
 }
 
 } // namespace berg

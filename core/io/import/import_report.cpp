@@ -1,3 +1,4 @@
+#include "core/io/import/import_airspace.h"
 #include "core/io/import/import_scenario.h"
 #include "core/io/text/json_writer.h"
 
@@ -27,6 +28,9 @@ std::string icebergText(const ImportedIceberg& imported, const Iceberg* iceberg)
     if (iceberg != nullptr) {
         object.add("velocity_mps", iceberg->velocity_mps);
         object.add("velocity_sd_mps", iceberg->velocitySd_mps);
+        object.add("velocity_from", nameOf(kVelocitySourceNames, imported.velocityFrom));
+        if (imported.velocityFrom != VelocitySource::Nothing)
+            object.add("velocity_age_s", imported.velocityAge_s);
         object.add("sd_m", std::sqrt(initialSigma_m2(*iceberg)));
         object.add("q_m2ps", iceberg->q_m2ps);
     }
@@ -42,7 +46,7 @@ std::string findingText(const SceneFinding& finding)
     return object.inLine();
 }
 
-std::string rejectedText(const RejectedRow& row)
+std::string rowText(const RejectedRow& row)
 {
     JsonObject object;
     object.add("line", row.line); // or feature, packet: `Rejections::place`
@@ -60,6 +64,11 @@ std::string originText(const LatLon& origin)
 
 } // namespace
 
+std::string rowsJson(const Rejections& rows)
+{
+    return jsonLines(textsOf(rows.first, rowText), 1);
+}
+
 std::string importJson(const SightingTable& table, const ImportResult& result)
 {
     std::map<std::string, const Iceberg*> byId;
@@ -76,12 +85,14 @@ std::string importJson(const SightingTable& table, const ImportResult& result)
     object.add("format", table.format);
     object.add("sightings", table.sightings.size());
     object.add("rejected", result.rejected.count);
+    object.add("noted", result.noted.count);
     object.add("outside_area", result.outsideArea);
     object.add("outside_time", result.outsideTime);
     object.add("added", result.added);
     object.add("updated", result.updated);
     object.add("unchanged", result.unchanged);
     object.add("left_out", result.leftOut);
+    object.add("needs_consent", needsConsent(result));
     if (result.at)
         object.add("start_utc", result.scenario.startUtc);
     else
@@ -90,7 +101,24 @@ std::string importJson(const SightingTable& table, const ImportResult& result)
     object.addText("unused_columns", jsonArrayOf(table.unused));
     object.addText("scene", jsonLines(textsOf(result.scene, findingText), 1));
     object.addText("icebergs", jsonLines(icebergs, 1));
-    object.addText("rejected_rows", jsonLines(textsOf(result.rejected.first, rejectedText), 1));
+    object.addText("rejected_rows", rowsJson(result.rejected));
+    object.addText("noted_rows", rowsJson(result.noted));
+    object.addText("outside_rows", rowsJson(result.outside));
+    return object.inLines(0) + '\n';
+}
+
+std::string airspaceJson(const AirspaceResult& result)
+{
+    JsonObject object;
+    object.add("added", result.added);
+    object.add("known", result.known);
+    object.add("far", result.far);
+    object.add("too_many", result.tooMany);
+    object.add("rejected", result.rejected.count);
+    object.add("noted", result.noted.count);
+    object.addText("not_needed_areas", rowsJson(result.notNeeded));
+    object.addText("rejected_rows", rowsJson(result.rejected));
+    object.addText("noted_rows", rowsJson(result.noted));
     return object.inLines(0) + '\n';
 }
 

@@ -4,9 +4,10 @@
 #include "core/base/stopped.h"
 #include "core/base/translate_noop.h"
 #include "core/io/import/import_icebergs.h"
+#include "core/io/import/import_origin.h"
+#include "core/io/import/import_scene_merge.h"
 #include "core/io/import/import_selection.h"
-#include "core/io/import/import_setting.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 #include "core/scenario/validate.h"
 
 #include <algorithm>
@@ -24,6 +25,19 @@ bool holdsPlaces(const Scenario& scenario)
            !scenario.noFly.empty();
 }
 
+/**
+ * Whether the location of the scenario is fixed, by its objects or by an origin from which the
+ * sightings around `centre` are within reach.
+ */
+bool isPlaced(const Scenario& scenario, const LatLon& centre)
+{
+    if (holdsPlaces(scenario))
+        return true;
+    const Point centre_m = LocalFrame(scenario.origin).toPlane(centre);
+    return scenario.origin != Scenario().origin &&
+           centre_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m;
+}
+
 void checkOptions(const Scenario& base, const ImportOptions& options)
 {
     std::vector<Issue> issues;
@@ -32,6 +46,7 @@ void checkOptions(const Scenario& base, const ImportOptions& options)
             issues.push_back({Severity::Error, field, std::move(*fault)});
     };
     check("position error", options.positionSd_m.value_or(0), limits::kLength_m);
+    check("drift error", options.statedDriftSd_mps, limits::kSpeed_mps);
     check("drift variation", options.track.drift.velocitySpread_mps, limits::kSpeed_mps);
     check("drift time", options.track.drift.velocityTime_s, limits::kTime_s);
     check("q", options.q_m2ps, limits::kGrowth_m2ps);
@@ -44,7 +59,7 @@ void checkOptions(const Scenario& base, const ImportOptions& options)
         check("area: east", options.area->east_deg, {.low = -180, .high = 360});
     }
     if (options.since && options.until && *options.since > *options.until)
-        issues.push_back({Severity::Error, "until", {IssueId::BeforeOther, {"since"}}});
+        issues.push_back({Severity::Error, "until", {IssueId::BeforeOther, {FieldPath{"since"}}}});
     if (options.moveOrigin.value_or(false) && holdsPlaces(base))
         issues.push_back({Severity::Error, "origin", {IssueId::OriginHeld}});
     if (!issues.empty())
@@ -59,11 +74,12 @@ void moveBy(Point& position_m, const Point& path_m, const std::string& who)
                     {{Severity::Error, "at", {IssueId::OffPlane, {printable(who)}}}});
 }
 
-/** Carries what is in the scenario on to a start `later_s` later. */
+/** Moves the objects of the scenario to a start `later_s` later. */
 void moveStart(Scenario& scenario, double later_s)
 {
     for (Iceberg& iceberg : scenario.icebergs) {
-        // Backwards as far as forwards: what the velocity was before is not known either.
+        // The distance backwards equals that forwards, because the earlier velocity is not known
+        // either.
         const double carried_s =
             std::copysign(carriedFor_s(iceberg.velocityTime_s, std::abs(later_s)), later_s);
         moveBy(iceberg.position_m,
@@ -80,8 +96,7 @@ void moveStart(Scenario& scenario, double later_s)
                scenario.asset->name);
 }
 
-/** So many new icebergs as the scenario has room for stay, those sighted last; others are left out.
- */
+/** Leaves out new icebergs for which the scenario has no room; those sighted last stay. */
 void makeRoom(std::vector<IcebergEntry>& entries, std::size_t there)
 {
     std::vector<IcebergEntry*> added;
@@ -105,10 +120,10 @@ std::vector<IcebergEntry> entriesOf(const std::vector<SightedIceberg>& icebergs,
                                     const std::stop_token& stop)
 {
     const LocalFrame frame(scenario.origin);
-    const IcebergSetting setting{.options = options,
-                                 .frame = frame,
-                                 .current_mps = scenario.current_mps,
-                                 .hasStart = !scenario.startUtc.empty()};
+    const IcebergInputs inputs{.options = options,
+                               .frame = frame,
+                               .current_mps = scenario.current_mps,
+                               .hasStart = !scenario.startUtc.empty()};
     std::map<std::string, const Iceberg*, std::less<>> known;
     for (const Iceberg& iceberg : scenario.icebergs)
         known.emplace(iceberg.id, &iceberg);
@@ -119,7 +134,7 @@ std::vector<IcebergEntry> entriesOf(const std::vector<SightedIceberg>& icebergs,
     for (const SightedIceberg& iceberg : icebergs) {
         throwIfStopped(stop);
         const auto it = known.find(iceberg.id);
-        entries.push_back(entryOf(iceberg, it == known.end() ? nullptr : it->second, setting));
+        entries.push_back(entryOf(iceberg, it == known.end() ? nullptr : it->second, inputs));
         if (aircraft.contains(iceberg.id)) {
             entries.back().report.outcome = ImportOutcome::LeftOut;
             entries.back().report.notes = {ImportNote::IdTaken};
@@ -129,7 +144,7 @@ std::vector<IcebergEntry> entriesOf(const std::vector<SightedIceberg>& icebergs,
     return entries;
 }
 
-/** What the file says beside its icebergs. */
+/** Applies the objects of the file other than icebergs. */
 void addScene(const FileScene& scene, const std::vector<SightedIceberg>& icebergs, bool inUse,
               ImportResult& result)
 {
@@ -142,11 +157,11 @@ void addScene(const FileScene& scene, const std::vector<SightedIceberg>& iceberg
     std::set<std::string, std::less<>> ids;
     for (const SightedIceberg& iceberg : icebergs)
         ids.insert(iceberg.id);
-    takeScene(scene, ids, result);
+    applyScene(scene, ids, result);
 }
 
 /** Puts the entries into the scenario and counts them. */
-void takeIn(std::vector<IcebergEntry> entries, ImportResult& result)
+void applyEntries(std::vector<IcebergEntry> entries, ImportResult& result)
 {
     std::map<std::string, std::size_t, std::less<>> rows;
     for (std::size_t i = 0; i < result.scenario.icebergs.size(); ++i)
@@ -183,30 +198,48 @@ void takeIn(std::vector<IcebergEntry> entries, ImportResult& result)
 
 std::string importNoteText(ImportNote note)
 {
-    static constexpr std::array<Named<ImportNote>, 16> kTexts{{
-        {ImportNote::VelocityUnknown, QT_TRANSLATE_NOOP("CommandLine", "velocity unknown")},
+    static constexpr std::array<Named<ImportNote>, 19> kTexts{{
+        {ImportNote::VelocityUnknown, QT_TRANSLATE_NOOP("IssueText", "velocity unknown")},
         {ImportNote::TimeUnknown,
-         QT_TRANSLATE_NOOP("CommandLine", "no time: counts as seen at the start")},
-        {ImportNote::VelocityGiven, QT_TRANSLATE_NOOP("CommandLine", "velocity from the file")},
+         QT_TRANSLATE_NOOP("IssueText", "no time: counts as seen at the start")},
+        {ImportNote::VelocityGiven, QT_TRANSLATE_NOOP("IssueText", "velocity from the file")},
         {ImportNote::VelocityClamped,
-         QT_TRANSLATE_NOOP("CommandLine", "velocity limited to 5 m/s per axis")},
-        {ImportNote::GrowthEstimated, QT_TRANSLATE_NOOP("CommandLine", "q estimated")},
-        {ImportNote::GrowthClamped, QT_TRANSLATE_NOOP("CommandLine", "q limited to 1e6 m2/s")},
-        {ImportNote::Stationary, QT_TRANSLATE_NOOP("CommandLine", "stationary")},
-        {ImportNote::Repeated, QT_TRANSLATE_NOOP("CommandLine", "sightings of one time")},
+         QT_TRANSLATE_NOOP("IssueText", "velocity limited to 5 m/s per axis")},
+        {ImportNote::GrowthEstimated, QT_TRANSLATE_NOOP("IssueText", "q estimated")},
+        {ImportNote::GrowthClamped, QT_TRANSLATE_NOOP("IssueText", "q limited to 10⁶ m²/s")},
+        {ImportNote::Stationary, QT_TRANSLATE_NOOP("IssueText", "stationary")},
+        {ImportNote::Repeated, QT_TRANSLATE_NOOP("IssueText", "several sightings at one time")},
         {ImportNote::Jumped,
-         QT_TRANSLATE_NOOP("CommandLine", "sightings at impossible places not used")},
-        {ImportNote::TrackAttached, QT_TRANSLATE_NOOP("CommandLine", "recorded track attached")},
+         QT_TRANSLATE_NOOP("IssueText", "sightings at impossible places not used")},
+        {ImportNote::TrackAttached, QT_TRANSLATE_NOOP("IssueText", "recorded track attached")},
         {ImportNote::NoTrack,
-         QT_TRANSLATE_NOOP("CommandLine", "no track: not sighted after the start")},
-        {ImportNote::Older, QT_TRANSLATE_NOOP("CommandLine", "older than what the scenario has")},
-        {ImportNote::SeenLater, QT_TRANSLATE_NOOP("CommandLine", "sighted only after the start")},
+         QT_TRANSLATE_NOOP("IssueText", "no track: not sighted after the start")},
+        {ImportNote::Older, QT_TRANSLATE_NOOP("IssueText", "older than what the scenario has")},
+        {ImportNote::SeenLater, QT_TRANSLATE_NOOP("IssueText", "sighted only after the start")},
         {ImportNote::DriftedAway,
-         QT_TRANSLATE_NOOP("CommandLine", "more than 1000 km from the origin at the start")},
-        {ImportNote::TooMany, QT_TRANSLATE_NOOP("CommandLine", "the scenario is full")},
-        {ImportNote::IdTaken, QT_TRANSLATE_NOOP("CommandLine", "an aircraft has this id")},
+         QT_TRANSLATE_NOOP("IssueText", "more than 1000 km from the origin at the start")},
+        {ImportNote::TooMany, QT_TRANSLATE_NOOP("IssueText", "the scenario is full")},
+        {ImportNote::IdTaken, QT_TRANSLATE_NOOP("IssueText", "a UAV has this id")},
+        {ImportNote::Contradicted,
+         QT_TRANSLATE_NOOP("IssueText", "the file's drift contradicts the positions: not used")},
+        {ImportNote::TooFast, QT_TRANSLATE_NOOP("IssueText", "faster than 1.5 m/s")},
+        {ImportNote::OnLand, QT_TRANSLATE_NOOP("IssueText", "on land")},
     }};
     return nameOf(kTexts, note);
+}
+
+bool isDoubtful(const ImportedIceberg& iceberg)
+{
+    const bool isTaken =
+        iceberg.outcome == ImportOutcome::Added || iceberg.outcome == ImportOutcome::Updated;
+    return isTaken && std::ranges::any_of(iceberg.notes, [](ImportNote note) {
+               return note == ImportNote::TooFast || note == ImportNote::OnLand;
+           });
+}
+
+bool needsConsent(const ImportResult& result)
+{
+    return std::ranges::any_of(result.icebergs, isDoubtful);
 }
 
 Scenario newScenarioForImport(std::string name)
@@ -228,6 +261,8 @@ ImportResult importSightings(const Scenario& base, const SightingTable& table,
     ImportResult result;
     result.scenario = base;
     result.rejected = table.rejected;
+    result.noted = table.noted;
+    result.outside.place = table.rejected.place;
     std::vector<const Sighting*> sightings = selected(table, options, result);
     result.at = startOf(base, sightings, options);
     if (result.at) {
@@ -236,19 +271,20 @@ ImportResult importSightings(const Scenario& base, const SightingTable& table,
             moveStart(result.scenario, secondsBetween(*before, *result.at));
         result.scenario.startUtc = utcText(*result.at, 0);
         if (!options.withTracks)
-            result.outsideTime += std::erase_if(sightings, [&](const Sighting* sighting) {
-                return sighting->time && *sighting->time > *result.at;
-            });
+            leaveOutLater(sightings, *result.at, result);
     }
     std::vector<SightedIceberg> icebergs = grouped(sightings, table, result.at, stop);
-    if (options.moveOrigin.value_or(!holdsPlaces(base)))
-        result.scenario.origin = middleOf(icebergs).value_or(base.origin);
-    place(icebergs, LocalFrame(result.scenario.origin), result.rejected, stop);
+    leaveOutUntimed(icebergs, result.rejected);
+    if (options.moveOrigin.value_or(true))
+        if (const std::optional<LatLon> centre = originOf(icebergs, stop);
+            centre && (options.moveOrigin || !isPlaced(base, *centre)))
+            result.scenario.origin = *centre;
+    place(icebergs, LocalFrame(result.scenario.origin), result, stop);
     addScene(table.scene, icebergs, holdsPlaces(base), result);
-    takeIn(entriesOf(icebergs, result.scenario, resolved, stop), result);
+    applyEntries(entriesOf(icebergs, result.scenario, resolved, stop), result);
 
     std::vector<Issue> issues = validate(result.scenario);
-    const std::vector<Issue> before = validate(base); // what was wrong then is not the import's
+    const std::vector<Issue> before = validate(base); // earlier errors are not the import's
     std::erase_if(issues, [&](const Issue& issue) {
         return issue.severity != Severity::Error ||
                std::ranges::find(before, issue) != before.end();

@@ -1,6 +1,8 @@
 #include "core/io/import/import_scene.h"
 
-#include "core/scenario/checks.h"
+#include "core/base/translate_noop.h"
+#include "core/plan/solve/names.h"
+#include "core/scenario/text_checks.h"
 #include "core/scenario/validate.h"
 #include "core/vehicle/geofence.h"
 
@@ -10,71 +12,72 @@ namespace berg {
 
 namespace {
 
-/** Of an outline with all its vertices: more take long to thin out. */
+/** Largest number of vertices of an outline; more take long to thin out. */
 constexpr std::size_t kMostVertices = 20'000;
 
-std::string counted(std::size_t count, const std::string& one)
-{
-    return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
-}
+/** `%n` is the count, and "(s)" makes the plural of what is counted. */
+constexpr Named<SceneNote> kSceneTexts[]{
+    {SceneNote::UavsTaken, QT_TRANSLATE_N_NOOP("IssueText", "%n UAV(s) taken over")},
+    {SceneNote::AreaTaken, QT_TRANSLATE_NOOP("IssueText", "area taken over")},
+    {SceneNote::FenceTaken, QT_TRANSLATE_NOOP("IssueText", "area taken over as geofence")},
+    {SceneNote::AssetTaken, QT_TRANSLATE_NOOP("IssueText", "asset taken over")},
+    {SceneNote::NoFlyTaken, QT_TRANSLATE_N_NOOP("IssueText", "%n no-fly area(s) taken over")},
+    {SceneNote::InUse,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "UAVs, area and asset of the file not taken over: the scenario is in use")},
+    {SceneNote::UavsTooMany, QT_TRANSLATE_N_NOOP("IssueText", "%n UAV(s) left out: too many")},
+    {SceneNote::UavsTooFar,
+     QT_TRANSLATE_N_NOOP(
+         "IssueText",
+         "%n UAV(s) left out: more than 1000 km east, west, north or south of the origin")},
+    {SceneNote::AreaUnreadable,
+     QT_TRANSLATE_N_NOOP("IssueText", "%n area(s) left out: unreadable")},
+    {SceneNote::AreaCorners,
+     QT_TRANSLATE_NOOP("IssueText", "area left out: too few or too many corners")},
+    {SceneNote::AreaTooFar,
+     QT_TRANSLATE_NOOP(
+         "IssueText", "area left out: more than 1000 km east, west, north or south of the origin")},
+    {SceneNote::AreaCrossing,
+     QT_TRANSLATE_NOOP("IssueText", "area left out: it touches or crosses itself")},
+    {SceneNote::AreaInParts,
+     QT_TRANSLATE_NOOP("IssueText", "area left out: it is in several parts")},
+    {SceneNote::AreasMore, QT_TRANSLATE_N_NOOP("IssueText", "%n further area(s) left out")},
+    {SceneNote::AreaHoles, QT_TRANSLATE_N_NOOP("IssueText", "%n hole(s) of the area left out")},
+    {SceneNote::FenceCorners,
+     QT_TRANSLATE_NOOP("IssueText", "area is no geofence: too many corners")},
+    {SceneNote::FenceOutside,
+     QT_TRANSLATE_NOOP("IssueText", "area is no geofence: a UAV starts or lands outside")},
+    {SceneNote::NoFlyUnfit,
+     QT_TRANSLATE_N_NOOP(
+         "IssueText",
+         "%n no-fly area(s) left out: a UAV starts or lands inside, or the heights are wrong")},
+    {SceneNote::RallyPoints, QT_TRANSLATE_N_NOOP("IssueText", "%n rally point(s) left out")},
+    {SceneNote::AssetsMore, QT_TRANSLATE_N_NOOP("IssueText", "%n further asset(s) left out")},
+    {SceneNote::AssetTooFar,
+     QT_TRANSLATE_NOOP(
+         "IssueText",
+         "asset left out: more than 1000 km east, west, north or south of the origin")},
+    {SceneNote::NumberWrong,
+     QT_TRANSLATE_N_NOOP("IssueText", "%n number(s) out of range left out")},
+};
+static_assert(std::size(kSceneTexts) == std::size_t(SceneNote::NumberWrong) + 1);
 
 } // namespace
 
+std::string sceneNotePattern(SceneNote note)
+{
+    return nameOf(kSceneTexts, note);
+}
+
 std::string sceneFindingText(const SceneFinding& finding)
 {
-    switch (finding.note) {
-    case SceneNote::UavsTaken:
-        return counted(finding.count, "UAV") + " taken over";
-    case SceneNote::AreaTaken:
-        return "area taken over";
-    case SceneNote::FenceTaken:
-        return "area taken over as geofence";
-    case SceneNote::AssetTaken:
-        return "asset taken over";
-    case SceneNote::NoFlyTaken:
-        return counted(finding.count, "no-fly area") + " taken over";
-    case SceneNote::InUse:
-        return "UAVs, area and asset of the file not taken over: the scenario is in use";
-    case SceneNote::UavsTooMany:
-        return counted(finding.count, "UAV") + " left out: more than " + std::to_string(kMostUavs);
-    case SceneNote::UavsTooFar:
-        return counted(finding.count, "UAV") +
-               " left out: more than 1000 km east, west, north or south of the origin";
-    case SceneNote::AreaUnreadable:
-        return counted(finding.count, "area") + " left out: unreadable";
-    case SceneNote::AreaCorners:
-        return "area left out: it has not from 3 to " + std::to_string(kMostAreaCorners) +
-               " corners";
-    case SceneNote::AreaTooFar:
-        return "area left out: more than 1000 km east, west, north or south of the origin";
-    case SceneNote::AreaCrossing:
-        return "area left out: it touches or crosses itself";
-    case SceneNote::AreaInParts:
-        return "area left out: it is in several parts";
-    case SceneNote::AreasMore:
-        return counted(finding.count, "further area") + " left out";
-    case SceneNote::AreaHoles:
-        return counted(finding.count, "hole") + " of the area left out";
-    case SceneNote::FenceCircles:
-        return counted(finding.count, "circle") + " of the geofence left out";
-    case SceneNote::FenceCorners:
-        return "area is no geofence: it has more than " + std::to_string(kMostFenceCorners) +
-               " corners";
-    case SceneNote::FenceOutside:
-        return "area is no geofence: a UAV starts or lands outside";
-    case SceneNote::NoFlyUnfit:
-        return counted(finding.count, "no-fly area") +
-               " left out: a UAV starts or lands inside, or the heights are wrong";
-    case SceneNote::RallyPoints:
-        return counted(finding.count, "rally point") + " left out";
-    case SceneNote::AssetsMore:
-        return counted(finding.count, "further asset") + " left out";
-    case SceneNote::AssetTooFar:
-        return "asset left out: more than 1000 km east, west, north or south of the origin";
-    case SceneNote::NumberWrong:
-        return counted(finding.count, "number") + " out of range left out: " + finding.detail;
-    }
-    return {};
+    std::string text = sceneNotePattern(finding.note);
+    if (text.starts_with("%n"))
+        text.replace(0, 2, std::to_string(finding.count));
+    constexpr std::string_view kPlural = "(s)";
+    if (const std::size_t at = text.find(kPlural); at != text.npos)
+        text.replace(at, kPlural.size(), finding.count == 1 ? "" : "s");
+    return finding.detail.empty() ? text : text + ": " + finding.detail;
 }
 
 void addFinding(std::vector<SceneFinding>& findings, SceneNote note, std::string detail)

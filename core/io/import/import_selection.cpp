@@ -1,11 +1,10 @@
 #include "core/io/import/import_selection.h"
 
-#include "core/base/angles.h"
 #include "core/base/number_text.h"
 #include "core/base/stopped.h"
 #include "core/io/import/import_fields.h"
 #include "core/io/text/read_budget.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +16,8 @@ namespace berg {
 namespace {
 
 /**
- * Id of an iceberg that the file does not name: the same when the file is read again, another for
- * another file. A track has that of its first time, a point that of its place.
+ * Returns an id for an iceberg that the file does not name: the same when the file is read again,
+ * another for another file. A track is named by its first time, a point by its place.
  */
 std::string unnamedId(const Sighting& sighting, const SightingTable& table)
 {
@@ -32,9 +31,9 @@ std::string unnamedId(const Sighting& sighting, const SightingTable& table)
            angle(place.longitude_deg) + (place.longitude_deg < 0 ? 'W' : 'E');
 }
 
-constexpr std::size_t kMostGrouped = 50'000; ///< a scenario takes a fiftieth of them
+constexpr std::size_t kMostGrouped = 50'000; ///< limit of icebergs in an import
 
-/** Gathers the sightings of each iceberg. */
+/** Groups the sightings by iceberg. */
 class SightingGroups
 {
 public:
@@ -67,14 +66,15 @@ private:
         std::string plain = isNamed ? sighting.id : unnamedId(sighting, m_table);
         if (sighting.time || (m_table.oneIceberg && !isNamed))
             return plain;
-        // Waypoints at two places are two, of one name or however near the id takes them to be.
+        // Waypoints at two places are different icebergs, even if they share a name or their ids
+        // round to one.
         const std::tuple place(sighting.id, sighting.place.latitude_deg,
                                sighting.place.longitude_deg);
         if (const auto known = m_places.find(place); known != m_places.end())
             return known->second;
         int& number = m_numbers.try_emplace(plain, 1).first->second;
         const auto id = [&] {
-            constexpr std::size_t kNumber = 6; // and the blank before it
+            constexpr std::size_t kNumber = 6; // digits, and the blank before them
             return number == 1
                        ? plain
                        : cleanText(plain, kLongestId - kNumber) + ' ' + std::to_string(number);
@@ -97,9 +97,22 @@ private:
     std::optional<UtcTime> m_start;
     std::vector<SightedIceberg> m_icebergs;
     std::map<std::string, std::size_t, std::less<>> m_rows;
-    std::map<std::tuple<std::string, double, double>, std::string> m_places; ///< of waypoints
-    std::map<std::string, int> m_numbers; ///< the last that was given to a place of this id
+    std::map<std::tuple<std::string, double, double>, std::string> m_places; ///< ids of waypoints
+    std::map<std::string, int> m_numbers; ///< last number given to a place of this id
 };
+
+std::string placeWords(const LatLon& place)
+{
+    return numberText(place.latitude_deg) + ' ' + numberText(place.longitude_deg);
+}
+
+void leaveOutOfTime(const Sighting& sighting, ImportResult& result)
+{
+    ++result.outsideTime;
+    result.outside.add({.line = sighting.line,
+                        .fault = IssueId::SightedOutsideTime,
+                        .detail = utcText(*sighting.time, 0)});
+}
 
 } // namespace
 
@@ -129,14 +142,28 @@ std::vector<const Sighting*> selected(const SightingTable& table, const ImportOp
         const std::optional<UtcTime>& time = sighting.time;
         const bool early = time && options.since && *time < *options.since;
         const bool late = time && options.until && *time > *options.until;
-        if (options.area && !options.area->contains(sighting.place))
+        if (options.area && !options.area->contains(sighting.place)) {
             ++result.outsideArea;
-        else if (early || late)
-            ++result.outsideTime;
-        else
+            result.outside.add({.line = sighting.line,
+                                .fault = IssueId::SightedOutsideArea,
+                                .detail = placeWords(sighting.place)});
+        } else if (early || late) {
+            leaveOutOfTime(sighting, result);
+        } else {
             kept.push_back(&sighting);
+        }
     }
     return kept;
+}
+
+void leaveOutLater(std::vector<const Sighting*>& sightings, UtcTime at, ImportResult& result)
+{
+    std::erase_if(sightings, [&](const Sighting* sighting) {
+        const bool isLater = sighting->time && *sighting->time > at;
+        if (isLater)
+            leaveOutOfTime(*sighting, result);
+        return isLater;
+    });
 }
 
 std::optional<UtcTime> startOf(const Scenario& base, const std::vector<const Sighting*>& sightings,
@@ -145,12 +172,10 @@ std::optional<UtcTime> startOf(const Scenario& base, const std::vector<const Sig
     if (options.at)
         return options.at;
     std::optional<UtcTime> start = parseUtc(base.startUtc);
-    if (base.icebergs.empty())
-        start.reset();
     for (const Sighting* sighting : sightings)
         if (sighting->time && (!start || *sighting->time > *start))
             start = sighting->time;
-    return start ? start : parseUtc(base.startUtc);
+    return start;
 }
 
 std::vector<SightedIceberg> grouped(const std::vector<const Sighting*>& sightings,
@@ -165,31 +190,26 @@ std::vector<SightedIceberg> grouped(const std::vector<const Sighting*>& sighting
     return grouping.take();
 }
 
-std::optional<LatLon> middleOf(const std::vector<SightedIceberg>& icebergs)
+void leaveOutUntimed(std::vector<SightedIceberg>& icebergs, Rejections& rejected)
 {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const SightedIceberg& iceberg : icebergs) {
-        const auto last = std::max_element(iceberg.sightings.begin(), iceberg.sightings.end(),
-                                           [](const PlacedSighting& a, const PlacedSighting& b) {
-                                               return a.fix.time_s < b.fix.time_s;
-                                           });
-        const LatLon& place = last->sighting->place;
-        const double latitude_rad = radFromDeg(place.latitude_deg);
-        const double longitude_rad = radFromDeg(place.longitude_deg);
-        sum += Eigen::Vector3d(std::cos(latitude_rad) * std::cos(longitude_rad),
-                               std::cos(latitude_rad) * std::sin(longitude_rad),
-                               std::sin(latitude_rad));
-    }
-    if (sum.norm() < 1e-9)
-        return std::nullopt;
-    const auto rounded = [](double angle_rad) {
-        return std::round(degFromRad(angle_rad) * 1e4) / 1e4;
+    const auto isTimed = [](const PlacedSighting& placed) {
+        return placed.sighting->time.has_value();
     };
-    return LatLon{.latitude_deg = rounded(std::atan2(sum.z(), std::hypot(sum.x(), sum.y()))),
-                  .longitude_deg = rounded(std::atan2(sum.y(), sum.x()))};
+    for (SightedIceberg& iceberg : icebergs) {
+        if (std::ranges::none_of(iceberg.sightings, isTimed))
+            continue;
+        std::erase_if(iceberg.sightings, [&](const PlacedSighting& placed) {
+            if (isTimed(placed))
+                return false;
+            rejected.add({.line = placed.sighting->line,
+                          .fault = IssueId::TimeBesideTimes,
+                          .detail = iceberg.id});
+            return true;
+        });
+    }
 }
 
-void place(std::vector<SightedIceberg>& icebergs, const LocalFrame& frame, Rejections& rejected,
+void place(std::vector<SightedIceberg>& icebergs, const LocalFrame& frame, ImportResult& result,
            const std::stop_token& stop)
 {
     for (SightedIceberg& iceberg : icebergs)
@@ -199,10 +219,10 @@ void place(std::vector<SightedIceberg>& icebergs, const LocalFrame& frame, Rejec
             placed.fix.position_m = frame.toPlane(sighting.place);
             if (onPlane(placed.fix.position_m))
                 return false;
-            rejected.add({.line = sighting.line,
-                          .fault = IssueId::TooFar,
-                          .detail = numberText(sighting.place.latitude_deg) + ' ' +
-                                    numberText(sighting.place.longitude_deg)});
+            ++result.tooFar;
+            result.rejected.add({.line = sighting.line,
+                                 .fault = IssueId::TooFar,
+                                 .detail = placeWords(sighting.place)});
             return true;
         });
     std::erase_if(icebergs,

@@ -1,8 +1,16 @@
 #include "core/io/import/import_table.h"
 
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
+
+#include <algorithm>
 
 namespace berg {
+
+namespace {
+
+constexpr std::size_t kMostStored = 1000;
+
+} // namespace
 
 IssueReason reasonOf(const RejectedRow& row)
 {
@@ -18,10 +26,15 @@ std::string placeOf(const Rejections& rejected, std::size_t line)
 
 void Rejections::add(RejectedRow row)
 {
-    constexpr std::size_t kMostStored = 1000;
     ++count;
     if (first.size() < kMostStored)
         first.push_back(std::move(row));
+}
+
+void Rejections::forget(std::size_t from)
+{
+    count = std::min(count, from);
+    first.resize(std::min(first.size(), count));
 }
 
 } // namespace berg

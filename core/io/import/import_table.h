@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <string>
@@ -17,36 +18,35 @@
 
 namespace berg {
 
-/** Standard deviation of a position along an axis, by how it was got. */
-inline constexpr double kGps_m = 20;
-inline constexpr double kArgos_m = 300;     ///< as the fixes of a beacon by Argos scatter
-inline constexpr double kAircraft_m = 1852; ///< a nautical mile: reports in whole minutes
-inline constexpr double kRadar_m = 100;     ///< some pixels of a satellite's radar picture
-inline constexpr std::array<Named<double>, 4> kPositionErrorNames{
-    {{kGps_m, "gps"}, {kArgos_m, "argos"}, {kAircraft_m, "aircraft"}, {kRadar_m, "radar"}}};
+/**
+ * Standard deviation, along an axis, of a place whose source is not stated: that of satellite
+ * navigation. For known sources see `errorOf`.
+ */
+inline constexpr double kMarkedPlace_m = 20;
 
-/** What a column of a table, or a property of a feature, can tell about a sighting. */
+/** Field of a sighting that a column of a table, or a property of a feature, can give. */
 enum class SightingField
 {
     Id,
     Name,
-    Date, ///< only where the time of day has a column of its own
+    Date, ///< only if the time of day is in another column
     Time,
     Latitude,
     Longitude,
     Speed,
-    Direction, ///< that it drifts towards, clockwise from north
+    Direction, ///< direction of drift, clockwise from north
     Sigma,
     Growth,
     Length,
     Radius,
     Area,
     SizeClass,
-    Remarks
+    Remarks,
+    Source ///< source of the position; see `sourceInWords`
 };
 
-/** Names for `--map` and the dialog. */
-inline constexpr std::array<Named<SightingField>, 15> kSightingFieldNames{{
+/** Names of fields for `--map` and the dialog. */
+inline constexpr std::array<Named<SightingField>, 16> kSightingFieldNames{{
     {SightingField::Id, "id"},
     {SightingField::Name, "name"},
     {SightingField::Date, "date"},
@@ -62,36 +62,49 @@ inline constexpr std::array<Named<SightingField>, 15> kSightingFieldNames{{
     {SightingField::Area, "area"},
     {SightingField::SizeClass, "size"},
     {SightingField::Remarks, "remarks"},
+    {SightingField::Source, "source"},
 }};
 
-/** How the drift of an iceberg changes, as exports of our own have it. */
-struct SightedChange
+/** Change of an iceberg's drift, as in Bergwatch exports. */
+struct SightedDriftChange
 {
     double velocitySd_mps = 0;
     double velocitySpread_mps = 0;
     double velocityTime_s = 0;
 };
 
-/** One row of a file: an iceberg was at this place. What the file does not tell is empty. */
+/** A text of a row that may be the id of its iceberg. */
+struct IdText
+{
+    std::size_t rank = 0; ///< rank of the column; see `idTrust`
+    std::string text;
+};
+
+/**
+ * One row of a file: an iceberg was at this place. Members that the file does not give are empty.
+ */
 struct Sighting
 {
-    std::size_t line = 0; ///< of the file; see `Rejections::place`
-    std::string id;       ///< empty: the file names no iceberg
+    std::size_t line = 0;    ///< line of the file; see `Rejections::place`
+    std::string id;          ///< empty if the file names no iceberg
+    std::vector<IdText> ids; ///< all candidates, until `decideIdentity` has chosen one
     std::string name;
     std::optional<UtcTime> time;
     LatLon place; ///< longitude in [-180, 180)
     std::optional<double> speed_mps;
-    std::optional<double> direction_deg; ///< drifts towards, clockwise from north
-    std::optional<Point> drift_mps;      ///< true east and north, as exports of our own have it
-    std::optional<double> appearsIn_s;   ///< from its time on; likewise
-    std::optional<SightedChange> change; ///< likewise
+    std::optional<double> direction_deg;      ///< direction of drift, clockwise from north
+    std::optional<Point> drift_mps;           ///< true east and north, from Bergwatch exports
+    std::optional<double> appearsIn_s;        ///< counted from `time`, from Bergwatch exports
+    std::optional<SightedDriftChange> change; ///< from Bergwatch exports
     std::optional<double> sigma_m2;
     std::optional<double> q_m2ps;
     std::optional<double> radius_m;
     bool grounded = false;
+    std::uint32_t track = 0; ///< number of its track in the file; 0 means none
+    std::uint32_t part = 1;  ///< number of the place among those of its feature
 };
 
-/** A row, or an iceberg, that is not taken, and why. */
+/** A rejected row or iceberg, and why. */
 struct RejectedRow
 {
     std::size_t line = 0;
@@ -100,23 +113,25 @@ struct RejectedRow
     bool operator==(const RejectedRow&) const = default;
 };
 
-/** Why, with the text in question: `latitude is no number from -90 to 90: "91"`. */
+/** Returns the reason with the text in question: `latitude is no number from -90 to 90: "91"`. */
 [[nodiscard]] IssueReason reasonOf(const RejectedRow& row);
 
-/** Rejected rows: all are counted, the first thousand kept. */
+/** Rejected rows: all are counted, and the first thousand stored. */
 struct Rejections
 {
     std::vector<RejectedRow> first;
     std::size_t count = 0;
-    std::string_view place = "line"; ///< what `RejectedRow::line` counts: or "feature", "packet"
+    std::string_view place = "line"; ///< unit of `RejectedRow::line`: "line", "feature" or "packet"
 
     void add(RejectedRow row);
+    /** Removes the rows that were added after the first `from` ones. */
+    void forget(std::size_t from);
 };
 
-/** "line 3", "feature 3" or "packet 3". */
+/** Returns "line 3", "feature 3" or "packet 3". */
 [[nodiscard]] std::string placeOf(const Rejections& rejected, std::size_t line);
 
-/** Which column of the file serves as which field. */
+/** Column of the file that is used for a field. */
 struct FieldColumn
 {
     SightingField field = SightingField::Id;
@@ -125,26 +140,37 @@ struct FieldColumn
 };
 using ColumnMapping = std::vector<FieldColumn>;
 
-/** What a file of sightings holds. */
+/** Content of a file of sightings. */
 struct SightingTable
 {
-    std::string format;             ///< id of the format it was read as
-    std::deque<Sighting> sightings; ///< many: a vector would have to copy them to grow
+    std::string format;             ///< id of the format as which it was read
+    std::deque<Sighting> sightings; ///< a deque, because a growing vector would copy many entries
     FileScene scene;
-    Rejections rejected;
-    std::vector<std::string> columns; ///< of the file by name; empty where there are none
-    ColumnMapping mapping;            ///< as used
-    std::vector<std::string> unused;  ///< columns of which nothing is taken
-    double positionSd_m = kGps_m;     ///< of such files, where a sighting does not tell
-    /** Without ids the rows are one iceberg (a beacon's track) rather than one each. */
+    Rejections rejected;                  ///< rows and objects that are not used at all
+    Rejections noted;                     ///< rows that are used without a part of them, or changed
+    std::size_t headerLine = 0;           ///< line of the header of a table; 0 if there is none
+    std::vector<std::string> columns;     ///< names of the columns of the file
+    ColumnMapping mapping;                ///< mapping that was used
+    std::vector<std::string> unused;      ///< columns that are not used
+    double positionSd_m = kMarkedPlace_m; ///< for sightings without their own
+    /** Whether rows without ids are one iceberg (a beacon's track) and not one each. */
     bool oneIceberg = false;
-    /** A date that was read month first although nothing in the file tells; empty: none. */
+    /**
+     * Whether the file does not show which rows are one iceberg, so that the user must decide
+     * (`ReadOptions::rows`, or a column for `SightingField::Id`). Ids and `oneIceberg` are then a
+     * guess.
+     */
+    bool isIdentityUnclear = false;
+    std::vector<std::string> idCandidates; ///< further columns that may hold ids
+    /**
+     * A date that was read month first although the file does not show its order; empty if none.
+     */
     std::string guessedDate;
-    std::size_t guessedLine = 0;        ///< where that date is
-    std::optional<DateOrder> toldDates; ///< by the first date that can only be read one way
+    std::size_t guessedLine = 0;         ///< line of that date
+    std::optional<DateOrder> shownOrder; ///< by the first unambiguous date
 };
 
-// Hostile or mistaken files end here.
+// Limits for hostile or faulty files.
 inline constexpr std::size_t kMostColumns = 1000;
 inline constexpr std::size_t kLongestId = 64;    ///< bytes
 inline constexpr std::size_t kLongestName = 200; ///< bytes; longer ones are cut

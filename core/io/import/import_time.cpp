@@ -11,11 +11,11 @@ namespace {
 
 using namespace std::chrono;
 
-// A year outside is a slip of the pen or the default of a logger.
+// A year outside these is a typing error or the default of a logger.
 constexpr int kEarliestYear = 1900;
 constexpr int kLatestYear = 2100;
 
-/** Takes a text apart from the left. */
+/** Reads a text from the left. */
 class Scanner
 {
 public:
@@ -35,12 +35,12 @@ public:
         m_text.remove_prefix(1);
         return true;
     }
-    /** Of digits alone, possibly none. */
+    /** Removes the digits at the front, possibly none, and returns them. */
     std::string_view digits()
     {
         return run([](char c) { return c >= '0' && c <= '9'; });
     }
-    /** In small letters. */
+    /** Removes the letters at the front and returns them in lower case. */
     std::string letters()
     {
         std::string word(
@@ -64,7 +64,7 @@ private:
     std::string_view m_text;
 };
 
-/** Of at most nine digits; none for any other count. */
+/** Returns the number of one to nine digits, or nullopt for any other count. */
 std::optional<int> numberOf(std::string_view digits)
 {
     int value = 0;
@@ -83,7 +83,7 @@ std::optional<sys_days> dayOf(int y, int m, int d)
     return date.ok() ? std::optional(sys_days(date)) : std::nullopt;
 }
 
-/** A year of two or four digits. */
+/** Returns a year of two or four digits, or nullopt. */
 std::optional<int> yearOf(std::string_view digits)
 {
     const std::optional<int> value = numberOf(digits);
@@ -103,7 +103,7 @@ std::optional<int> monthOfName(const std::string& word)
                                : std::optional(static_cast<int>(it - kMonths.begin()) + 1);
 }
 
-/** 20210602 or 2021153. */
+/** Reads 20210602 or 2021153. */
 std::optional<sys_days> compactDay(std::string_view digits)
 {
     const std::optional<int> value = numberOf(digits);
@@ -150,38 +150,79 @@ std::optional<sys_days> readDay(Scanner& scanner, DateOrder order)
     return dayFirst ? dayOf(*y, *middle, *a) : dayOf(*y, *a, *middle);
 }
 
-/** Digits that stand for hours and minutes, their leading zeros lost: 5 is 00:05. */
-std::optional<milliseconds> compactTime(std::string_view digits)
+/** Returns a time of day, or nullopt; 24:00 is its end, and a second may be a leap second. */
+std::optional<milliseconds> timeOfDay(int hour, int minute, int second, int millisecond)
+{
+    const milliseconds rest = minutes(minute) + seconds(second) + milliseconds(millisecond);
+    if (minute > 59 || second > 60 || hour > 24 || (hour == 24 && rest > milliseconds(0)))
+        return std::nullopt;
+    return hours(hour) + rest;
+}
+
+/**
+ * Reads digits that are hours and minutes without leading zeros (5 is 00:05), or six with seconds.
+ */
+std::optional<milliseconds> compactTime(std::string_view digits, int millisecond)
 {
     const std::optional<int> value = numberOf(digits);
-    if (!value || digits.size() > 4 || *value % 100 > 59 || *value / 100 > 23)
+    if (!value || (digits.size() > 4 && digits.size() != 6))
         return std::nullopt;
-    return hours(*value / 100) + minutes(*value % 100);
+    if (digits.size() == 6)
+        return timeOfDay(*value / 10000, *value / 100 % 100, *value % 100, millisecond);
+    return timeOfDay(*value / 100, *value % 100, 0, 0);
+}
+
+/** Reads a fraction of a second, if one follows, and returns it in milliseconds. */
+int takeMilliseconds(Scanner& scanner)
+{
+    if (!scanner.take('.') && !scanner.take(','))
+        return 0;
+    std::string fraction(scanner.digits().substr(0, 3));
+    fraction.resize(3, '0');
+    return numberOf(fraction).value_or(0);
 }
 
 std::optional<milliseconds> readClock(Scanner& scanner)
 {
     const std::string_view first = scanner.digits();
     if (!scanner.take(':'))
-        return compactTime(first);
+        return compactTime(first, first.size() == 6 ? takeMilliseconds(scanner) : 0);
     const std::optional<int> hour = numberOf(first);
     const std::optional<int> minute = numberOf(scanner.digits());
     std::optional<int> second = 0;
     int millisecond = 0;
     if (scanner.take(':')) {
         second = numberOf(scanner.digits());
-        if (scanner.take('.') || scanner.take(',')) {
-            std::string fraction(scanner.digits().substr(0, 3));
-            fraction.resize(3, '0');
-            millisecond = numberOf(fraction).value_or(0);
-        }
+        millisecond = takeMilliseconds(scanner);
     }
-    if (!hour || !minute || !second || *hour > 23 || *minute > 59 || *second > 59)
+    if (!hour || !minute || !second)
         return std::nullopt;
-    return hours(*hour) + minutes(*minute) + seconds(*second) + milliseconds(millisecond);
+    return timeOfDay(*hour, *minute, *second, millisecond);
 }
 
-/** What stands behind the time of day: half of the day, zone; none when it is anything else. */
+/** Reads "+02", "-3:30" or "+0200". */
+std::optional<minutes> readOffset(Scanner& scanner)
+{
+    const char sign = scanner.front();
+    if (sign != '+' && sign != '-')
+        return std::nullopt;
+    scanner.take(sign);
+    const std::string_view first = scanner.digits();
+    std::optional<int> hour = numberOf(first);
+    std::optional<int> minute = 0;
+    if (first.size() == 4 && hour) {
+        minute = *hour % 100;
+        hour = *hour / 100;
+    } else if (scanner.take(':')) {
+        minute = numberOf(scanner.digits());
+    }
+    if (!hour || !minute || *hour > 14 || *minute > 59)
+        return std::nullopt;
+    const minutes offset = hours(*hour) + minutes(*minute);
+    return sign == '+' ? offset : -offset;
+}
+
+/** Applies the text behind the time of day (AM, PM, zone); returns nullopt for any other text. */
 std::optional<milliseconds> readSuffix(Scanner& scanner, milliseconds clock)
 {
     scanner.blanks();
@@ -198,23 +239,11 @@ std::optional<milliseconds> readSuffix(Scanner& scanner, milliseconds clock)
     const char sign = scanner.front();
     if (!word.empty() || (sign != '+' && sign != '-'))
         return word.empty() ? std::optional(clock) : std::nullopt;
-    scanner.take(sign);
-    const std::string_view first = scanner.digits();
-    std::optional<int> hour = numberOf(first);
-    std::optional<int> minute = 0;
-    if (first.size() == 4 && hour) {
-        minute = *hour % 100;
-        hour = *hour / 100;
-    } else if (scanner.take(':')) {
-        minute = numberOf(scanner.digits());
-    }
-    if (!hour || !minute || *hour > 14 || *minute > 59)
-        return std::nullopt;
-    const milliseconds offset = hours(*hour) + minutes(*minute);
-    return sign == '+' ? clock - offset : clock + offset;
+    const std::optional<minutes> offset = readOffset(scanner);
+    return offset ? std::optional(clock - *offset) : std::nullopt;
 }
 
-/** A time of day with what stands behind it, to the end of the text. */
+/** Reads a time of day with its suffix to the end of the text. */
 std::optional<milliseconds> readRest(Scanner& scanner)
 {
     std::optional<milliseconds> clock = readClock(scanner);
@@ -246,6 +275,21 @@ std::optional<milliseconds> parseTimeOfDay(std::string_view text)
     Scanner scanner(text);
     scanner.blanks();
     return readRest(scanner);
+}
+
+std::optional<minutes> parseZone(std::string_view text)
+{
+    Scanner scanner(text);
+    scanner.blanks();
+    const std::string word = scanner.letters();
+    if (!word.empty() && word != "z" && word != "utc" && word != "gmt")
+        return std::nullopt;
+    scanner.blanks();
+    if (scanner.done())
+        return word.empty() ? std::nullopt : std::optional(minutes(0));
+    const std::optional<minutes> offset = readOffset(scanner);
+    scanner.blanks();
+    return scanner.done() ? offset : std::nullopt;
 }
 
 bool hasTwoReadings(std::string_view text)

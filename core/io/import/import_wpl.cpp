@@ -3,7 +3,7 @@
 #include "core/io/import/import_mission.h"
 #include "core/io/import/import_readers.h"
 #include "core/io/text/byte_order_mark.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,10 @@ namespace {
 constexpr std::string_view kHead = "QGC WPL";
 constexpr std::string_view kBlanks = " \t\r\v\f";
 
-/** index, current, frame, command, p1 .. p4, latitude, longitude, altitude, autocontinue. */
+/**
+ * Number of columns: index, current, frame, command, p1 .. p4, latitude, longitude, altitude,
+ * autocontinue.
+ */
 constexpr std::size_t kColumns = 12;
 using Columns = std::array<std::string_view, kColumns>;
 constexpr std::size_t kIndex = 0;
@@ -30,7 +33,7 @@ constexpr std::size_t kAltitude = 10;
 
 constexpr std::int64_t kWaypoint = 16;
 
-/** Whether the text is a number of the C locale; also `nan`, which stands for none. */
+/** Whether the text is a number of the C locale, including `nan`, which means none. */
 bool isNumber(std::string_view text)
 {
     if (text.starts_with('+'))
@@ -40,7 +43,7 @@ bool isNumber(std::string_view text)
     return error == std::errc() && end == text.data() + text.size();
 }
 
-/** Reads one file line by line. */
+/** Reads a file line by line. */
 class WplReading
 {
 public:
@@ -54,7 +57,7 @@ public:
         const bool firstIsHome = readHead();
         bool first = true;
         while (nextLine()) {
-            m_budget.goOn();
+            m_budget.throwIfStopped();
             if (trimmed(m_text).empty()) {
                 m_comment = {};
                 continue;
@@ -87,7 +90,7 @@ private:
         return true;
     }
 
-    /** Whether the first row is the home. */
+    /** Reads the header. Returns whether the first row is the home. */
     bool readHead()
     {
         nextLine();
@@ -117,7 +120,7 @@ private:
                                .altitude = std::string(columns[kAltitude]),
                                .name = std::string(m_comment)};
         m_comment = {};
-        // Some writers leave the home out although they say 110: their first row is another.
+        // Some writers declare 110 but leave out the home, so their first row is an item.
         if (mayBeHome && whole(columns[kIndex]) == 0 && item.command == kWaypoint)
             m_places.setHome(item);
         else
@@ -165,9 +168,9 @@ private:
 
     ReadBudget& m_budget;
     std::string_view m_rest;
-    std::string_view m_text; ///< of the present line
+    std::string_view m_text; ///< current line
     std::size_t m_line = 0;
-    std::string_view m_comment; ///< on the line above
+    std::string_view m_comment; ///< name in the line above
     MissionPlaces m_places;
 };
 

@@ -1,6 +1,10 @@
 #include "core/io/import/import_xml.h"
 
+#include "core/io/text/byte_order_mark.h"
+
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace berg {
 
@@ -18,6 +22,36 @@ std::optional<double> numberOf(const OwnData& data, std::string_view name)
     return decimalOf(trimmed(textOf(data, name)));
 }
 
+/** Returns the end of the declaration, comment or instruction with which a text begins. */
+std::size_t prologEnd(std::string_view text)
+{
+    std::string_view mark = ">";
+    if (text.starts_with("<?"))
+        mark = "?>";
+    else if (text.starts_with("<!--"))
+        mark = "-->";
+    else if (text.substr(0, text.find('>')).find('[') != std::string_view::npos)
+        mark = "]>"; // document type with entities
+    const std::size_t end = text.find(mark);
+    return end == std::string_view::npos ? text.size() : end + mark.size();
+}
+
+/** Whether the bytes declare an encoding that is neither UTF-8 nor Latin. */
+bool declaresOther(std::string_view bytes)
+{
+    constexpr std::string_view kWord = "encoding";
+    const std::string_view head = bytes.substr(0, std::min(bytes.find("?>"), bytes.size()));
+    const std::size_t at = head.find(kWord);
+    if (!trimmed(withoutByteOrderMark(head)).starts_with("<?xml") || at == std::string_view::npos)
+        return false;
+    const std::size_t open = std::min(head.find_first_of("'\"", at), head.size() - 1);
+    const std::size_t end = std::min(head.find_first_of("'\"", open + 1), head.size());
+    const std::string name = plainName(head.substr(open + 1, end - open - 1));
+    constexpr std::array<std::string_view, 9> kRead = {
+        "utf8", "usascii", "ascii", "iso88591", "latin1", "windows1252", "cp1252", "iso885915", ""};
+    return std::ranges::find(kRead, name) == kRead.end();
+}
+
 } // namespace
 
 std::string_view parentName(XmlPath path)
@@ -27,9 +61,9 @@ std::string_view parentName(XmlPath path)
 
 void setName(FieldTexts& texts, const std::string& name)
 {
-    texts.set({.field = SightingField::Id, .rank = 1000}, name);
+    texts.set({.field = SightingField::Id, .rank = kNameRank}, name);
     if (texts.text(SightingField::Id) != trimmed(name))
-        texts.set({.field = SightingField::Name, .rank = 1000}, name);
+        texts.set({.field = SightingField::Name, .rank = kNameRank}, name);
 }
 
 std::optional<LatLon> placeOf(const FieldTexts& texts)
@@ -62,11 +96,12 @@ std::optional<std::vector<LatLon>> placesOfTuples(std::string_view tuples)
     return places;
 }
 
-std::variant<Sighting, RejectedRow> withData(std::variant<Sighting, RejectedRow> row,
-                                             const OwnData& data)
+std::variant<Sighting, RejectedRow>
+withData(SightingTable& table, std::variant<Sighting, RejectedRow> row, const OwnData& data)
 {
-    row = withDrift(std::move(row), {.east = textOf(data, "drift_east_mps"),
-                                     .north = textOf(data, "drift_north_mps")});
+    row = withDrift(
+        table, std::move(row),
+        {.east = textOf(data, "drift_east_mps"), .north = textOf(data, "drift_north_mps")});
     if (auto* const sighting = std::get_if<Sighting>(&row)) {
         sighting->appearsIn_s = numberOf(data, "appears_in_s");
         sighting->change = changeOf([&](const char* name) { return numberOf(data, name); });
@@ -74,7 +109,7 @@ std::variant<Sighting, RejectedRow> withData(std::variant<Sighting, RejectedRow>
     return row;
 }
 
-void addOwnUav(FileScene& scene, const OwnMark& home)
+void addOwnUav(FileScene& scene, const OwnPlacemark& home)
 {
     SceneUav* uav = scene.addUav();
     if (uav == nullptr)
@@ -93,13 +128,13 @@ void addOwnUav(FileScene& scene, const OwnMark& home)
     uav->altitude_m = numberOf(home.data, "altitude_m");
 }
 
-void addOwnAsset(FileScene& scene, const OwnMark& asset)
+void addOwnAsset(FileScene& scene, const OwnPlacemark& asset)
 {
     if (!asset.place) {
         addFinding(scene.findings, SceneNote::NumberWrong, "asset");
         return;
     }
-    // Without data it has been drawn by hand; ours may have a title and no name.
+    // An asset without data was drawn by a user; one of Bergwatch may have a title and no name.
     const std::string& name =
         asset.data.contains("range_m") ? textOf(asset.data, "name") : asset.title;
     SceneAsset added{.name = cleanText(name, kLongestName),
@@ -127,11 +162,22 @@ SceneArea ownArea(const OwnData& data, bool isNoFly)
 
 bool rootIs(std::string_view text, std::string_view name)
 {
-    constexpr std::size_t kHead = 4096;
-    const std::string_view head = text.substr(0, kHead);
-    const std::size_t at = head.find('<' + std::string(name));
-    return trimmed(head).substr(0, 4).find('<') != std::string_view::npos &&
-           at != std::string_view::npos;
+    std::string_view rest = trimmed(withoutByteOrderMark(text));
+    while (rest.starts_with("<?") || rest.starts_with("<!"))
+        rest = trimmed(rest.substr(prologEnd(rest)));
+    if (!rest.starts_with('<'))
+        return false;
+    const std::string_view whole = rest.substr(1, rest.find_first_of(" \t\r\n/>", 1) - 1);
+    return whole.substr(whole.rfind(':') + 1) == name; // npos + 1 is 0
+}
+
+std::string textOfXml(std::string_view bytes, const std::string& subject)
+{
+    std::string decoded = textOfBytes(bytes, subject);
+    const bool isXml = rootIs(bytes, "kml") || rootIs(bytes, "gpx");
+    if (isXml && !decoded.empty() && declaresOther(bytes))
+        decoded.clear();
+    return decoded;
 }
 
 } // namespace berg

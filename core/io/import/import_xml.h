@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core/io: what the readers of KML and GPX share.
+// Private to core/io: helpers of the readers of KML and GPX.
 
 #include "core/io/import/import_fields.h"
 #include "core/io/import/import_formats.h"
@@ -10,39 +10,47 @@
 
 namespace berg {
 
-/** Name of the element's parent, empty for the root. */
+/** Returns the name of the element's parent, or an empty text for the root. */
 [[nodiscard]] std::string_view parentName(XmlPath path);
-/** An id or, where something else is the id, the name. */
+/** Adds the name to the candidates for the id, and sets it as the name unless it is the id. */
 void setName(FieldTexts& texts, const std::string& name);
-/** None when the texts are no place. */
+/** Returns the place of the texts, or nullopt if they are not one. */
 [[nodiscard]] std::optional<LatLon> placeOf(const FieldTexts& texts);
 /**
- * Of the `coordinates` of KML: longitude, latitude and perhaps a height, tuples set apart by
- * blanks. None when one of them is no place.
+ * Reads the `coordinates` of KML: tuples of longitude, latitude and optional height, separated by
+ * blanks. Returns nullopt if one of them is not a place.
  */
 [[nodiscard]] std::optional<std::vector<LatLon>> placesOfTuples(std::string_view tuples);
 
-/** Values that an export of our own has for programs, by their names. */
+/** Values for programs in a Bergwatch export, by their names. */
 using OwnData = std::map<std::string, std::string, std::less<>>;
-[[nodiscard]] std::variant<Sighting, RejectedRow> withData(std::variant<Sighting, RejectedRow> row,
-                                                           const OwnData& data);
+/** Returns the row with drift, appearance and change of drift of the data, if it has them. */
+[[nodiscard]] std::variant<Sighting, RejectedRow>
+withData(SightingTable& table, std::variant<Sighting, RejectedRow> row, const OwnData& data);
 
-/** A mark of an export of our own that is no iceberg. */
-struct OwnMark
+/** A placemark of a Bergwatch export other than an iceberg. */
+struct OwnPlacemark
 {
     const std::string& title;
     std::optional<LatLon> place;
     std::optional<UtcTime> time = {};
     const OwnData& data;
 };
-/** The UAV whose home it is. */
-void addOwnUav(FileScene& scene, const OwnMark& home);
-/** A finding when it has no place. */
-void addOwnAsset(FileScene& scene, const OwnMark& asset);
-/** Without its outline. */
+/** Adds the UAV whose home the placemark is; too many of them become a finding. */
+void addOwnUav(FileScene& scene, const OwnPlacemark& home);
+/** Adds the asset; it becomes a finding if it has no place. */
+void addOwnAsset(FileScene& scene, const OwnPlacemark& asset);
+/** Returns the area of the data without its outline. */
 [[nodiscard]] SceneArea ownArea(const OwnData& data, bool isNoFly);
 
-/** Whether `name` is the first element of the text. */
+/** Returns true if `name` is the first element of the text, with any prefix. */
 [[nodiscard]] bool rootIs(std::string_view text, std::string_view name);
+
+/**
+ * Returns KML or GPX in UTF-16 as UTF-8, and any other text that is not UTF-8 as `textOfBytes`
+ * does, unless it is XML that declares an encoding which `readXml` may support. An empty result
+ * means that the bytes are read as they are. Throws as `textOfBytes`.
+ */
+[[nodiscard]] std::string textOfXml(std::string_view bytes, const std::string& subject);
 
 } // namespace berg

@@ -18,6 +18,12 @@ const Json* arrayOf(const Json* value, const char* name)
     return member != nullptr && member->is_array() ? member : nullptr;
 }
 
+const Json& listOf(const Json& value)
+{
+    static const Json kEmpty = Json::array();
+    return value.is_array() ? value : kEmpty;
+}
+
 std::string textOf(const Json* value)
 {
     return value != nullptr && value->is_string() ? value->get<std::string>() : std::string();

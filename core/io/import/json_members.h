@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core/io: members of files of others, which may be missing or of any type.
+// Private to core/io: members of foreign files, which may be missing or of any type.
 
 #include "core/base/geodesy.h"
 #include "core/io/text/json_reader.h"
@@ -13,21 +13,26 @@
 
 namespace berg {
 
-/** A member of an object; null when it is not there or `value` is no object. */
+/** Returns a member of an object, or null if it is missing or `value` is not an object. */
 [[nodiscard]] const Json* memberOf(const Json* value, const char* name);
-/** A member that is an array; null otherwise. */
+/** Returns a member that is an array, or null otherwise. */
 [[nodiscard]] const Json* arrayOf(const Json* value, const char* name);
-/** Empty when it is no text. */
+/** Returns the value itself if it is an array, else an empty array. */
+[[nodiscard]] const Json& listOf(const Json& value);
+/** Returns the text of the value; empty if it is not a text. */
 [[nodiscard]] std::string textOf(const Json* value);
-/** Its member that is a number. */
+/** Returns the member as a number, or nullopt if it is not one. */
 [[nodiscard]] std::optional<double> numberAt(const Json* value, const char* name);
 
-/** The `kind` of a GeoJSON feature of ours by its properties (may be null); empty without. */
+/**
+ * Returns the `kind` of a feature of a Bergwatch export from its properties (may be null); empty if
+ * it has none.
+ */
 [[nodiscard]] std::string kindOf(const Json* properties);
-/** Whether a feature with these properties makes a file one of our own. */
+/** Returns true if a feature with these properties shows that the file is a Bergwatch export. */
 [[nodiscard]] bool isOwnGeoJson(const Json* properties);
 
-/** Calls `use` for each entry, whose memory then is free for what was made of it. */
+/** Calls `use` for each entry and then frees its memory for the objects made from it. */
 template <class Use>
 void forEachReleased(std::span<Json> entries, ReadBudget& budget, Use use)
 {
@@ -35,19 +40,20 @@ void forEachReleased(std::span<Json> entries, ReadBudget& budget, Use use)
     for (Json& entry : entries) {
         use(std::as_const(entry));
         release(entry);
-        budget.giveBack(each);
+        budget.release(each);
     }
 }
 
+/** Order of the coordinates of a position. */
 enum class AxisOrder
 {
     LongitudeFirst, ///< GeoJSON
     LatitudeFirst   ///< QGroundControl
 };
 
-/** A place, `scenePlace`; none when it is anything else. */
+/** Returns the place of a position (`scenePlace`), or nullopt if it is not one. */
 [[nodiscard]] std::optional<LatLon> placeOf(const Json* position, AxisOrder order);
-/** All of them; none when one is no place. */
+/** Returns all places of a list, or nullopt if one of them is not a place. */
 [[nodiscard]] std::optional<std::vector<LatLon>> placesOf(const Json* positions, AxisOrder order);
 
 } // namespace berg

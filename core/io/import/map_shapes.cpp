@@ -15,9 +15,9 @@ namespace berg {
 
 namespace {
 
-constexpr std::uint32_t kIceOpacity = 0x99; // the sea and its graticule are seen through it
+constexpr std::uint32_t kIceOpacity = 0x99; // keeps the sea and its graticule visible
 
-/** A number, or a text that is one. */
+/** Returns a number, or a text that is one, or nullopt. */
 std::optional<double> numberOf(const Json* value)
 {
     if (value != nullptr && value->is_number())
@@ -25,7 +25,7 @@ std::optional<double> numberOf(const Json* value)
     return decimalOf(textOf(value));
 }
 
-/** "#rrggbb" with an opacity beside it. */
+/** Returns a colour "#rrggbb" with the opacity of another property, or nullopt. */
 std::optional<std::uint32_t> colourOf(const Json* properties, const char* name,
                                       const char* opacityName)
 {
@@ -41,8 +41,8 @@ std::optional<std::uint32_t> colourOf(const Json* properties, const char* name,
 }
 
 /**
- * Of a polygon of an ice chart by its codes (SIGRID-3): the colour of the WMO for the total
- * concentration. None: it has no such code.
+ * Returns the WMO colour of the total concentration for a polygon of an ice chart with codes of
+ * SIGRID-3, or nullopt if it has no such code.
  */
 std::optional<std::uint32_t> iceColour(const Json* properties)
 {
@@ -56,7 +56,7 @@ std::optional<std::uint32_t> iceColour(const Json* properties)
     const std::optional<int> total = code("CT");
     if (!total)
         return std::nullopt;
-    const int tenths = *total / 10; // of a range its lower end
+    const int tenths = *total / 10; // a range counts with its lower end
     std::uint32_t rgb = 0xFF0000;
     if (code("FA") == kFastIce)
         rgb = 0x969696;
@@ -73,7 +73,7 @@ std::optional<std::uint32_t> iceColour(const Json* properties)
     return kIceOpacity << 24U | rgb;
 }
 
-/** The memory of a shape. */
+/** Memory of a shape, bytes. */
 std::size_t memoryOf(const MapShape& shape)
 {
     std::size_t bytes = sizeof(MapShape) + shape.name.capacity();
@@ -102,7 +102,7 @@ public:
 private:
     void addFeature(const Json& feature)
     {
-        m_budget.goOn();
+        m_budget.throwIfStopped();
         const Json* geometry = memberOf(&feature, "geometry");
         const Json* properties = memberOf(&feature, "properties");
         m_model = {.parts = {},
@@ -146,10 +146,10 @@ private:
     void addPlace(const Json& position)
     {
         if (const std::optional<LatLon> place = placeOf(&position, AxisOrder::LongitudeFirst))
-            keep(MapShape::Kind::Place, {{*place}}, m_model.name);
+            store(MapShape::Kind::Place, {{*place}}, m_model.name);
     }
 
-    /** Nothing when one of the places is none. */
+    /** Adds a shape of the lines, unless one of their places is invalid. */
     void add(MapShape::Kind kind, std::span<const Json> lines)
     {
         std::vector<std::vector<LatLon>> parts;
@@ -160,10 +160,10 @@ private:
             parts.push_back(std::move(*places));
         }
         if (!parts.empty())
-            keep(kind, std::move(parts), {});
+            store(kind, std::move(parts), {});
     }
 
-    void keep(MapShape::Kind kind, std::vector<std::vector<LatLon>> parts, const std::string& name)
+    void store(MapShape::Kind kind, std::vector<std::vector<LatLon>> parts, const std::string& name)
     {
         m_shapes.push_back({.kind = kind,
                             .parts = std::move(parts),
@@ -174,11 +174,11 @@ private:
     }
 
     ReadBudget& m_budget;
-    MapShape m_model; ///< name and colours of the feature
+    MapShape m_model; ///< holds name and colours of the feature
     std::vector<MapShape> m_shapes;
 };
 
-/** As KML has them: aabbggrr. */
+/** Reads a colour of KML (aabbggrr), or returns nullopt. */
 std::optional<std::uint32_t> colourOf(std::string_view text)
 {
     const std::string_view digits = trimmed(text);
@@ -190,19 +190,19 @@ std::optional<std::uint32_t> colourOf(std::string_view text)
     return (abgr & 0xFF00FF00U) | ((abgr & 0xFFU) << 16U) | ((abgr >> 16U) & 0xFFU);
 }
 
-/** Of a style. Cut, since every shape holds one. */
+/** Returns the key of a style, shortened because every shape stores one. */
 std::string styleKey(std::string_view text)
 {
     return std::string(trimmed(text).substr(0, kLongestName));
 }
 
-struct Look
+struct ShapeStyle
 {
     std::optional<std::uint32_t> fill;
     std::optional<std::uint32_t> line;
 };
 
-/** What a KML text draws, with its styles; without what is linked or an image. */
+/** Reads the shapes of a KML text with their styles; links and images are ignored. */
 class KmlShapes
 {
 public:
@@ -213,15 +213,15 @@ public:
         const XmlEvents events{.opened = [this](XmlPath path) { opened(path.back()); },
                                .closed = [this](XmlPath path) { closed(path); }};
         readXml(m_text, events, m_budget);
-        for (std::size_t i = 0; i < m_shapes.size(); ++i) // styles may follow what has them
-            setLook(m_shapes[i], styleOf(m_urls[i]));
+        for (std::size_t i = 0; i < m_shapes.size(); ++i) // styles may follow the shapes using them
+            setStyle(m_shapes[i], styleOf(m_urls[i]));
         return std::move(m_shapes);
     }
 
 private:
     void opened(const XmlElement& element)
     {
-        constexpr std::size_t kStyle = 128 + 2 * kLongestName; // of a map, with its keys
+        constexpr std::size_t kStyle = 128 + 2 * kLongestName; // a style with its keys in a map
         const std::string& name = element.name;
         if (name == "Style" || name == "Pair")
             m_budget.take(kStyle);
@@ -231,7 +231,7 @@ private:
             m_own = {};
             m_first = m_shapes.size();
         } else if (name == "Style") {
-            m_look = {};
+            m_style = {};
         } else if (name == "Polygon") {
             m_rings.clear();
             m_isSpoiled = false;
@@ -278,17 +278,17 @@ private:
         else if (element.name == "Pair" && m_pairKey == "normal")
             m_aliases[m_mapKey] = m_pairUrl;
         else if (element.name == "color" && parent == "PolyStyle")
-            m_look.fill = colourOf(element.text);
+            m_style.fill = colourOf(element.text);
         else if (element.name == "color" && parent == "LineStyle")
-            m_look.line = colourOf(element.text);
+            m_style.line = colourOf(element.text);
         else if (element.name == "fill" && parent == "PolyStyle" && isOff)
-            m_look.fill = 0;
+            m_style.fill = 0;
         else if (element.name == "outline" && parent == "PolyStyle" && isOff)
-            m_look.line = 0;
+            m_style.line = 0;
         else if (element.name == "Style" && parent == "Placemark")
-            m_own = m_look;
+            m_own = m_style;
         else if (element.name == "Style")
-            m_styles[styleKey('#' + element.attribute("id"))] = m_look;
+            m_styles[styleKey('#' + element.attribute("id"))] = m_style;
     }
 
     void addCoordinates(XmlPath path)
@@ -307,7 +307,7 @@ private:
                  .parts = {std::move(*places)}});
     }
 
-    /** Of a gx:coord: longitude, latitude and height, set apart by blanks. */
+    /** Adds the position of a gx:coord: longitude, latitude and height, separated by blanks. */
     void addPose(const std::string& text)
     {
         std::string tuple(trimmed(text));
@@ -331,53 +331,55 @@ private:
     void finish()
     {
         for (std::size_t i = m_first; i < m_shapes.size(); ++i) {
-            setLook(m_shapes[i], m_own);
+            setStyle(m_shapes[i], m_own);
             m_urls[i] = m_url;
             if (m_shapes[i].kind == MapShape::Kind::Place)
                 m_shapes[i].name = m_name;
         }
     }
 
-    /** What it has itself comes first. */
-    static void setLook(MapShape& shape, const Look& look)
+    /** Sets the colours that the shape does not have yet. */
+    static void setStyle(MapShape& shape, const ShapeStyle& look)
     {
         shape.fill = shape.fill ? shape.fill : look.fill;
         shape.line = shape.line ? shape.line : look.line;
     }
 
-    [[nodiscard]] Look styleOf(const std::string& url) const
+    [[nodiscard]] ShapeStyle styleOf(const std::string& url) const
     {
         const auto alias = m_aliases.find(url);
         const auto found = m_styles.find(alias == m_aliases.end() ? url : alias->second);
-        return found == m_styles.end() ? Look() : found->second;
+        return found == m_styles.end() ? ShapeStyle() : found->second;
     }
 
     std::string_view m_text;
     ReadBudget& m_budget;
     std::vector<MapShape> m_shapes;
-    std::vector<std::string> m_urls; ///< of the styles of the shapes
-    std::map<std::string, Look> m_styles;
-    std::map<std::string, std::string> m_aliases; ///< style maps: their normal style
-    // Of the element that is open:
+    std::vector<std::string> m_urls; ///< urls of the styles of the shapes
+    std::map<std::string, ShapeStyle> m_styles;
+    std::map<std::string, std::string> m_aliases; ///< normal styles of style maps
+    // State of the open element:
     std::string m_name;
     std::string m_url;
-    Look m_own;
-    std::size_t m_first = 0; ///< shape of the Placemark
-    Look m_look;
+    ShapeStyle m_own;
+    std::size_t m_first = 0; ///< index of the first shape of the Placemark
+    ShapeStyle m_style;
     std::string m_mapKey;
     std::string m_pairKey;
     std::string m_pairUrl;
     std::vector<std::vector<LatLon>> m_rings;
     std::vector<LatLon> m_track;
-    bool m_isSpoiled = false; ///< a place of the polygon or track is none
+    bool m_isSpoiled = false; ///< a place of the polygon or track is invalid
 };
 
 std::vector<MapShape> shapesOf(std::string_view bytes, ReadBudget& budget)
 {
-    if (isKml(bytes))
-        return KmlShapes(bytes, budget).take();
-    if (isUtf8(bytes) && isGeoJson(bytes))
-        return GeoJsonShapes(budget).take(bytes);
+    const std::string decoded = textOfXml(bytes, budget.subject());
+    const std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
+    if (isKml(text))
+        return KmlShapes(text, budget).take();
+    if (isUtf8(text) && isGeoJson(text))
+        return GeoJsonShapes(budget).take(text);
     throw Error(ErrorCode::WrongFormat, budget.subject(),
                 {IssueId::NotFormat, {"GeoJSON, KML or KMZ"}});
 }

@@ -11,7 +11,7 @@
 
 namespace berg {
 
-/** Something that a file of a map program draws. */
+/** A shape drawn by a file of a map program. */
 struct MapShape
 {
     enum class Kind : std::uint8_t
@@ -21,19 +21,19 @@ struct MapShape
         Polygon
     };
     Kind kind = Kind::Line;
-    std::vector<std::vector<LatLon>> parts; ///< one place; one line; outer and inner rings
-    std::string name;                       ///< of a place; may be empty
-    std::optional<std::uint32_t> fill;      ///< 0xAARRGGBB; none: the file tells no colour
-    std::optional<std::uint32_t> line;      ///< likewise
+    std::vector<std::vector<LatLon>> parts; ///< one place; one line; or outer and inner rings
+    std::string name;                       ///< name of a place; may be empty
+    std::optional<std::uint32_t> fill;      ///< 0xAARRGGBB; nullopt if the file gives no colour
+    std::optional<std::uint32_t> line;      ///< 0xAARRGGBB; nullopt if the file gives no colour
     bool operator==(const MapShape&) const = default;
 };
 
 /**
- * Places, lines and polygons of GeoJSON, KML and KMZ. Colours are those of the file: KML styles,
- * `fill` and `stroke` of simplestyle; polygons of an ice chart (`CT` and `FA` of SIGRID-3) have the
- * colours of the WMO for the total concentration. Shapes with a place that is none on the Earth are
- * left out. Throws `Error`: FileTooLarge (`ReadBudget`); WrongFormat for what is none of these;
- * SyntaxError for broken JSON or XML; `Stopped` when asked to stop. Cost: linear.
+ * Reads places, lines and polygons of GeoJSON, KML and KMZ. Colours are those of the file: KML
+ * styles, `fill` and `stroke` of simplestyle; polygons of an ice chart (`CT` and `FA` of SIGRID-3)
+ * have the WMO colours of the total concentration. Shapes with an invalid place are left out.
+ * Throws `Error`: FileTooLarge (`ReadBudget`); WrongFormat for any other format; SyntaxError for
+ * broken JSON or XML; `Stopped` if a stop is requested. Cost: linear.
  */
 [[nodiscard]] std::vector<MapShape>
 readMapShapes(std::string_view bytes, const std::string& subject, const std::stop_token& stop = {});

@@ -48,7 +48,7 @@ std::string_view wordsOf(const MissionEvent& event, bool hasIceberg)
         if (event.fellBack && hasIceberg)
             return QT_TRANSLATE_NOOP("EventText", "Previous plan kept: next %1");
         return hasIceberg ? QT_TRANSLATE_NOOP("EventText", "Planned: next %1")
-                          : QT_TRANSLATE_NOOP("EventText", "Every iceberg is in view: circling");
+                          : QT_TRANSLATE_NOOP("EventText", "Nothing to visit now: circling");
     case EventKind::Reached:
         return QT_TRANSLATE_NOOP("EventText", "%1 reached");
     case EventKind::Sighted:

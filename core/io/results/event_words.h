@@ -8,20 +8,20 @@
 
 namespace berg {
 
-/** How what an event speaks of is written. */
+/** Names and quantities of an event as they are written in a sentence. */
 struct EventNames
 {
-    std::string iceberg;  ///< empty: none
-    std::string uav;      ///< empty: of nobody in particular, or there is one UAV
-    std::string otherUav; ///< empty: unknown
+    std::string iceberg;  ///< empty if the event has no iceberg
+    std::string uav;      ///< empty if the event concerns no single UAV, or if there is only one
+    std::string otherUav; ///< empty if unknown
     std::string distance;
-    std::string entry;   ///< time until it is in the ring
+    std::string entry;   ///< time until the iceberg enters the inner ring
     std::string planner; ///< policy and tau in force
 };
 
 /**
- * What happened, in a sentence. `said` gives the translation of an English text of context
- * EventText; the names are put in as they are.
+ * Returns a sentence that describes the event. `said` translates an English text of context
+ * EventText; the names are filled in unchanged.
  */
 [[nodiscard]] std::string eventSentence(const MissionEvent& event, const EventNames& names,
                                         const std::function<std::string(std::string_view)>& said);

@@ -17,7 +17,10 @@ namespace {
 
 using Json = ResultJson;
 
-/** Distances of a request are in the unit of its first UAV: those of the UAV's own speed. */
+/**
+ * Length of the order for a UAV. A request measures distances in the unit of its first UAV; they
+ * are converted to the UAV's own airspeed.
+ */
 double ownDistance_m(const PlanRequest& request, const UavRequest& uav, const Scenario& scenario,
                      const std::vector<int>& order)
 {
@@ -27,7 +30,7 @@ double ownDistance_m(const PlanRequest& request, const UavRequest& uav, const Sc
     int from = 0;
     for (const int id : order) {
         if (std::ranges::find(request.ids, id) == request.ids.end())
-            continue; // flown to with the first one of its cluster
+            continue; // reached together with the first member of its cluster
         const int to = nodeOfId(request, id);
         distance_m += uav.distance_m(from, to) * ownUnit;
         from = to;
@@ -116,8 +119,11 @@ PlanReport planReport(const Scenario& scenario, const PlanAnswer& answer)
         report.uavs.push_back(std::move(uav));
     }
     const PolicyKind policy = scenario.planner.policy;
-    const bool hasOwnLength = policy == PolicyKind::Tour || policy == PolicyKind::Coverage;
-    if (report.uavs.size() == 1 && hasOwnLength) // of a cycle, or of legs beside icebergs
+    if (report.uavs.size() == 1 && policy == PolicyKind::Tour)
+        report.path = LengthKind::Round;
+    if (report.uavs.size() == 1 && policy == PolicyKind::Coverage)
+        report.path = LengthKind::Flight;
+    if (report.path != LengthKind::Order)
         report.uavs.front().distance_m = report.distance_m = answer.distance_m;
     for (const std::vector<int>& members : answer.clusters)
         std::ranges::transform(members, std::back_inserter(report.clusters.emplace_back()), idOf);
@@ -145,7 +151,7 @@ std::string planJson(const PlanReport& report)
               {"mu", orNull(report.mu())},
               {"seconds", outcome.elapsed_s},
               {"backend", nameOf(kSourceNames, outcome.source)}};
-    if (!ids.empty()) // those of a problem have none
+    if (!ids.empty()) // a problem without a scenario has no ids
         json["icebergs"] = ids;
     if (!report.clusters.empty())
         json["clusters"] = report.clusters;

@@ -14,7 +14,7 @@
 
 namespace berg {
 
-// Lines end in LF: every reader of RFC 4180 takes it, and line tools would keep the CR of CRLF in
+// Lines end in LF: every reader of RFC 4180 accepts it, and line tools would add the CR of CRLF to
 // the last column.
 
 namespace {
@@ -33,7 +33,7 @@ void add(std::string& text, double value, char separator)
     text += separator;
 }
 
-/** Ids as CSV fields, by index. */
+/** Returns ids as CSV fields, by index. */
 template <class Named>
 std::vector<std::string> idFields(std::span<const Named> all)
 {
@@ -49,7 +49,7 @@ SampleTables tablesOf(const Mission& mission)
             mission.simulation().world().asset().has_value()};
 }
 
-/** That terminals obey; line ends and tabs are quoted. */
+/** Whether terminals act on the character; line ends and tabs are excluded, as they are quoted. */
 bool isControl(std::string_view character)
 {
     const auto code = static_cast<unsigned char>(character.back());
@@ -263,7 +263,7 @@ void writeEvents(const Mission& mission, const TextSink& put)
         add(text, event.time_s, ',');
         text += nameOf(kEventNames, event.kind);
         text += ',';
-        if (event.uav >= 0 || uavs.size() == 1) // with one UAV all events are its own
+        if (event.uav >= 0 || uavs.size() == 1) // with one UAV, all events concern it
             text += uavs.at(static_cast<std::size_t>(std::max(0, event.uav)));
         text += ',';
         if (event.iceberg >= 0)

@@ -11,26 +11,33 @@
 
 namespace berg {
 
-// What the command line prints with --json: one JSON document, stable member order.
+// JSON output of the command line with --json: one document with a stable member order.
 
-/** `lowerBound_m2s`: what no flight is below, if it was asked for. */
+/**
+ * Returns the result of a mission; `lowerBound_m2s` is the lower bound on zeta, if it was
+ * requested, and `elapsed_s` the time that the computation took.
+ */
 [[nodiscard]] std::string simulateJson(const Mission& mission, std::optional<double> lowerBound_m2s,
                                        double elapsed_s);
 
-/** What one UAV did in a mission. */
+/** Totals of one UAV in a mission. */
 struct UavFigures
 {
     std::string id;
     int visits = 0;
-    double flown_m = 0; ///< through the air
+    double flown_m = 0; ///< distance through the air
 };
+/** Returns the totals of every UAV. */
 [[nodiscard]] std::vector<UavFigures> uavFigures(const Mission& mission);
-/** How often what happened that not every run has (icebergs lost, sorties, ...), by `kEventNames`.
+/**
+ * Counts the events that not every run has (icebergs lost, sorties, ...), named by `kEventNames`;
+ * events that did not occur are left out.
  */
 [[nodiscard]] std::vector<std::pair<std::string, int>> worldEvents(const Mission& mission);
-/** `elapsed_s`: none for a study that was flown before. */
+/** Returns the result of a study; `elapsed_s` is nullopt if it was flown earlier. */
 [[nodiscard]] std::string sweepJson(const Study& study, const StudySummary& summary,
                                     const std::optional<double>& elapsed_s);
+/** Returns the result of a benchmark, with the times of the paper's Table 2. */
 [[nodiscard]] std::string benchmarkJson(const std::vector<BenchmarkRow>& rows);
 
 /** Findings about one file. */
@@ -39,16 +46,18 @@ struct FileFindings
     std::string file;
     std::vector<Issue> issues;
 };
+/** Lists the findings of the files; a file without errors gets an entry "valid". */
 [[nodiscard]] std::string findingsJson(const std::vector<FileFindings>& files);
 
-/** `{"error": {"kind", "findings"}}`, the findings as above. */
+/** Returns `{"error": {"kind", "findings"}}` for an error. */
 [[nodiscard]] std::string failureJson(const Error& error);
-/** The same of what is no `Error`. */
+/** Returns the document of the function above for a failure that is not an `Error`. */
 [[nodiscard]] std::string failureJson(std::string_view kind, const FileFindings& found);
 
-// The same as CSV tables (RFC 4180).
-/** A row for each setting; differences are against the reference, in % of its zeta. */
+// CSV tables (RFC 4180) of the same results.
+/** Returns one row per setting; differences are relative to the reference, in % of its zeta. */
 [[nodiscard]] std::string sweepCsv(const StudySummary& summary);
+/** Returns one row per benchmark row, with the times of the paper's Table 2. */
 [[nodiscard]] std::string benchmarkCsv(const std::vector<BenchmarkRow>& rows);
 
 } // namespace berg

@@ -9,16 +9,18 @@
 
 namespace berg {
 
-// What the texts of `--json` share.
+// Helpers for the documents of `--json`.
 
 using ResultJson = nlohmann::ordered_json;
 
+/** JSON value, or null for nullopt. */
 template <class T>
 ResultJson orNull(const std::optional<T>& value)
 {
     return value ? ResultJson(*value) : ResultJson(nullptr);
 }
 
+/** Returns the text of a document: indented, with a final newline. */
 inline std::string resultText(const ResultJson& json)
 {
     return jsonText(json, 1) + '\n';

@@ -2,7 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/io/figure/figure_svg.h"
-#include "core/io/figure/policy_looks.h"
+#include "core/io/figure/policy_style.h"
 #include "core/io/results/result_csv.h"
 #include "core/plan/policy/policy.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kWidth_px = 760;
 
-/** Settings with a tau, by tau. */
+/** Returns the settings with a tau, sorted by tau. */
 std::vector<const SettingSummary*> byTau(const StudySummary& summary)
 {
     std::vector<const SettingSummary*> settings;
@@ -35,10 +35,12 @@ Ink inkOf(const StudySetting& setting)
     return {.of = InkOf::Policy, .value = static_cast<double>(setting.policy)};
 }
 
-/** Policies without tau are told apart by their dashes, too. */
+/**
+ * Dashes of a policy's line, which distinguish policies without tau in addition to their colours.
+ */
 std::vector<double> dashOf(PolicyKind policy)
 {
-    const std::array<double, 4>& dash_px = lookOf(policy).dash_px;
+    const std::array<double, 4>& dash_px = styleOf(policy).dash_px;
     return {dash_px.begin(), std::ranges::find(dash_px, 0.0)};
 }
 
@@ -54,7 +56,7 @@ void include(PlotAxis& axis, double value)
     axis.largest = std::max(axis.largest, value);
 }
 
-/** zeta against tau, put together. */
+/** Builds the chart of zeta against tau. */
 struct ZetaFigure
 {
     using Value = double Summary::*;
@@ -85,7 +87,7 @@ struct ZetaFigure
         figure.labels.push_back(
             {.text = std::move(text), .end = {kPlotEdge, zeta_m2s}, .ink = ink});
     }
-    /** Of a curve that ends at the largest tau. */
+    /** Labels a curve at its end, the largest tau. */
     void labelCurve(Value value, std::string text, InkOf ink = InkOf::Muted)
     {
         addLabel(taus.back()->zeta_m2s.*value, std::move(text), {.of = ink});
@@ -140,7 +142,7 @@ struct ZetaFigure
     }
 };
 
-/** Mean of the cases with its interval, in row `row`. */
+/** Adds the mean difference of the cases with its interval, in row `row`. */
 void addDifference(Figure& figure, double row, const PairedDifference& difference)
 {
     const MeanInterval& change = difference.relative;

@@ -8,27 +8,34 @@
 
 namespace berg {
 
-// Drawings of a study for its report. All are of the complete cases; empty where there is nothing
-// to draw.
+// Charts of a study for its report, as SVG. They show the complete cases only and are empty if
+// there is nothing to draw.
 
-/** "τ = 0.5", or the name of the policy. */
+/** Returns the name of a setting: "τ = 0.5" (six decimals at most), or the name of the policy. */
 [[nodiscard]] std::string settingName(const StudySetting& setting);
 
 /**
- * zeta against tau: mean, median, middle half and 10-90 % of the cases, other policies as lines
- * across. One case is a curve. Empty with fewer than two values of tau.
+ * Returns the chart of zeta against tau: mean, median, middle half and 10-90 % of the cases, with
+ * other policies as horizontal lines. One case is a single curve. Returns an empty text with fewer
+ * than two values of tau or without a complete case.
  */
 [[nodiscard]] std::string zetaChart(const StudySummary& summary, const ReportWords& words);
 
-/** Settings that `differenceChart` has room for: of many values of tau every k-th. */
+/**
+ * Returns the indices of the settings for which `differenceChart` has room: every policy without
+ * tau, the reference, and of more than 42 values of tau only every k-th.
+ */
 [[nodiscard]] std::vector<std::size_t> drawnDifferences(const StudySummary& summary);
 /**
- * Relative differences to the reference with 95 % intervals, a row for each setting. Empty with
- * fewer than two cases or settings.
+ * Returns the chart of relative differences to the reference with 95 % intervals, one row for each
+ * of `drawnDifferences`. Returns an empty text with fewer than two complete cases or settings.
  */
 [[nodiscard]] std::string differenceChart(const StudySummary& summary, const ReportWords& words);
 
-/** In how many cases each tau is the best. Empty with fewer than two cases. */
+/**
+ * Returns the chart of the number of cases for which each tau is the best. Returns an empty text
+ * with fewer than two complete cases or values of tau.
+ */
 [[nodiscard]] std::string bestTauChart(const StudySummary& summary, const ReportWords& words);
 
 } // namespace berg

@@ -17,7 +17,7 @@ std::string counted(double count)
     return printedNumber(count, 0);
 }
 
-/** "72.4 s", "12 min 5 s", "3 h 7 min" */
+/** Duration as "72.4 s", "12 min 5 s" or "3 h 7 min". */
 std::string durationText(double seconds)
 {
     constexpr double kMinute_s = 60;
@@ -56,11 +56,11 @@ std::string regimeHtml(FieldRegime regime, const ReportWords& words)
                words.html(QT_TRANSLATE_NOOP("Report", "measured with noise, velocities known"));
     case FieldRegime::UnknownVelocity:
         return ", " + words.html(QT_TRANSLATE_NOOP(
-                          "Report", "measured with noise, velocities not known by 0.1 m/s"));
+                          "Report", "measured with noise, velocities uncertain by 0.1 m/s"));
     case FieldRegime::FittedDrift:
-        return ", " + words.html(QT_TRANSLATE_NOOP(
-                          "Report", "measured with noise, with unknown velocities that change as "
-                                    "those of icebergs do"));
+        return ", " +
+               words.html(QT_TRANSLATE_NOOP("Report", "measured with noise, unknown velocities "
+                                                      "that change like those of real icebergs"));
     }
     return {};
 }
@@ -76,9 +76,10 @@ std::string randomHtml(const StudySpec& spec, const ReportWords& words)
                        counted(field.icebergs), numberText(field.size_m.x()),
                        numberText(field.size_m.y()), numberText(field.speedMax_mps)}) +
            ", " +
-           words.html(QT_TRANSLATE_NOOP("Report", "σ at first %1 to %2 m², growing by q = %3 m²/s"),
-                      {numberText(field.sigmaMin_m2), numberText(field.sigmaMax_m2),
-                       numberText(field.q_m2ps)}) +
+           words.html(
+               QT_TRANSLATE_NOOP("Report", "initial σ of %1 to %2 m², growing by q = %3 m²/s"),
+               {numberText(field.sigmaMin_m2), numberText(field.sigmaMax_m2),
+                numberText(field.q_m2ps)}) +
            regimeHtml(field.regime, words);
 }
 
@@ -111,16 +112,18 @@ std::string noiseHtml(const StudySpec& spec, const ReportWords& words)
     if (spec.runs == 1)
         return words.html(
             QT_TRANSLATE_NOOP("Report", "the scenario’s own seed, the same for every setting"));
-    return words.html(QT_TRANSLATE_NOOP("Report", "seeds for each scenario: %1, its own first, "
-                                                  "the same for every setting"),
-                      {std::to_string(spec.runs)});
+    return words.html(
+        QT_TRANSLATE_NOOP(
+            "Report",
+            "seeds for each scenario: %1, starting with its own, the same for every setting"),
+        {std::to_string(spec.runs)});
 }
 
-/** Step of evenly spaced ascending values, none when they are not. */
+/** Returns the step of evenly spaced ascending values, or nullopt if they are not evenly spaced. */
 std::optional<double> evenStep(const std::vector<double>& taus)
 {
     constexpr double kSame = 1e-9;
-    constexpr std::size_t kFewest = 4; // fewer are shorter as they are
+    constexpr std::size_t kFewest = 4; // a list of fewer values is shorter
     if (taus.size() < kFewest)
         return std::nullopt;
     const double step =
@@ -132,7 +135,7 @@ std::optional<double> evenStep(const std::vector<double>& taus)
     return step;
 }
 
-/** "0 to 4 by 0.1 (41 values)", or the values themselves. */
+/** Text "0 to 4 by 0.1 (41 values)", or the list of values. */
 std::string tausInWords(const std::vector<double>& taus, const ReportWords& words)
 {
     const std::optional<double> step = evenStep(taus);
@@ -150,7 +153,7 @@ std::string tausFlown(const StudySpec& spec, const ReportWords& words)
     return isFlown ? tausInWords(spec.taus, words) : std::string();
 }
 
-/** The value of --tau. */
+/** Value of the option --tau. */
 std::string tauArgument(const std::vector<double>& taus)
 {
     const std::optional<double> step = evenStep(taus);
@@ -159,7 +162,7 @@ std::string tauArgument(const std::vector<double>& taus)
     return numberText(taus.front()) + ':' + numberText(taus.back()) + ':' + numberText(*step);
 }
 
-/** The command that flies the same missions; the study does not know the names of its files. */
+/** Command that flies the same missions; the study does not store the names of its files. */
 std::string sweepCommand(const StudySpec& spec)
 {
     std::string command = "bergwatch-cli sweep";
@@ -213,7 +216,7 @@ std::string reportFacts(const Study& study, const ReportOrigin& origin)
                             counted(static_cast<double>(missionCount(spec)))})) +
            term(QT_TRANSLATE_NOOP("Report", "Program"), htmlText(origin.program)) +
            term(QT_TRANSLATE_NOOP("Report", "Machine"), htmlText(origin.machine)) +
-           term(QT_TRANSLATE_NOOP("Report", "Made"), htmlText(origin.madeUtc)) +
+           term(QT_TRANSLATE_NOOP("Report", "Created"), htmlText(origin.madeUtc)) +
            term(QT_TRANSLATE_NOOP("Report", "Last run took"),
                 origin.elapsed_s ? durationText(*origin.elapsed_s) : std::string()) +
            "</dl>\n</section>\n";
@@ -222,26 +225,27 @@ std::string reportFacts(const Study& study, const ReportOrigin& origin)
 std::string reportRecipe(const StudySpec& spec, const ReportWords& words)
 {
     std::string html =
-        "<section>\n<h2>" + words.html(QT_TRANSLATE_NOOP("Report", "How to make it again")) +
-        "</h2>\n<p>" +
+        "<section>\n<h2>" +
+        words.html(QT_TRANSLATE_NOOP("Report", "How to reproduce this report")) + "</h2>\n<p>" +
         words.html(QT_TRANSLATE_NOOP(
-            "Report", "This page holds the whole study, with every scenario, seed and result, and "
-                      "can be given to Bergwatch as a study file. From the results in it:")) +
+            "Report",
+            "This page contains the whole study with every scenario, seed and result, and "
+            "Bergwatch opens it as a study file. To make the page again from these results:")) +
         "</p>\n<pre><code>bergwatch-cli study REPORT.html --report AGAIN.html</code></pre>\n";
-    // The command line has no other fields.
+    // The command line cannot set other parameters of random fields.
     if (spec.random == 0 || spec.field == FieldSpec{.regime = spec.field.regime})
-        html += "<p>" +
-                words.html(
-                    spec.scenarios.empty()
-                        ? QT_TRANSLATE_NOOP("Report", "Flown anew; the numbers depend neither on "
-                                                      "the machine nor on how many threads fly "
-                                                      "them:")
-                        : QT_TRANSLATE_NOOP("Report", "Flown anew, with the scenario files by "
-                                                      "name; the numbers depend neither on the "
-                                                      "machine nor on how many threads fly "
-                                                      "them:")) +
-                "</p>\n<pre><code>" + htmlText(sweepCommand(spec)) +
-                " --report AGAIN.html</code></pre>\n";
+        html +=
+            "<p>" +
+            words.html(spec.scenarios.empty()
+                           ? QT_TRANSLATE_NOOP("Report",
+                                               "To fly the study again; the results depend neither "
+                                               "on the machine nor on the number of threads:")
+                           : QT_TRANSLATE_NOOP(
+                                 "Report",
+                                 "To fly the study again with your scenario files; the results "
+                                 "depend neither on the machine nor on the number of threads:")) +
+            "</p>\n<pre><code>" + htmlText(sweepCommand(spec)) +
+            " --report AGAIN.html</code></pre>\n";
     return html + "</section>\n";
 }
 

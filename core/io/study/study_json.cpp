@@ -14,7 +14,9 @@ namespace {
 constexpr std::string_view kFormat = "bergwatch-study";
 constexpr WholeLimits kCount{.low = 0, .high = kLargestCount};
 constexpr std::size_t kOutcomeNumbers = 5;
-/** Bytes an outcome takes at most in practice: two numbers of 18 digits, three counts, marks. */
+/**
+ * Bytes of an outcome in practice, at most: two numbers of 18 digits, three counts, punctuation.
+ */
 constexpr std::size_t kOutcomeBytes = 56;
 
 std::string fieldText(const FieldSpec& field)
@@ -31,7 +33,7 @@ std::string fieldText(const FieldSpec& field)
     return object.inLine();
 }
 
-/** `[zeta_m2s, visits, replans, flown_m, stuck]`, `null` when not flown. */
+/** Appends `[zeta_m2s, visits, replans, flown_m, stuck]`, or `null` for a mission not flown. */
 void append(std::string& text, const std::optional<MissionOutcome>& outcome)
 {
     if (!outcome) {
@@ -44,7 +46,7 @@ void append(std::string& text, const std::optional<MissionOutcome>& outcome)
             (outcome->stuck ? ",1]" : ",0]");
 }
 
-/** A line for each case: its outcomes by setting, `null` when none is flown. */
+/** JSON array with a line for each case: its outcomes by setting, or `null` if none is flown. */
 std::string outcomesText(const Study& study)
 {
     const std::size_t settings = settingsOf(study.spec).size();
@@ -127,7 +129,7 @@ StudySpec readSpec(ObjectReader& study)
     return spec;
 }
 
-/** One `[zeta_m2s, visits, replans, flown_m, stuck]`; its path is made only for a fault. */
+/** Reads one `[zeta_m2s, visits, replans, flown_m, stuck]`; its path is made only for a fault. */
 class OutcomeReader
 {
 public:
@@ -175,7 +177,7 @@ private:
     Faults& m_faults;
 };
 
-/** Outcomes of one case, appended to `outcomes`. */
+/** Reads the outcomes of one case and appends them to the study's. */
 void readCase(const Json& value, std::size_t settings, const std::string& path, Study& study,
               Faults& faults)
 {
@@ -193,7 +195,7 @@ void readCase(const Json& value, std::size_t settings, const std::string& path, 
                                      .read());
 }
 
-/** Of a study whose spec has no faults. */
+/** Reads the outcomes of a study whose spec has no faults. */
 void readOutcomes(ObjectReader& object, Study& study)
 {
     const std::size_t cases = caseCount(study.spec);

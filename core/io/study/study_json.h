@@ -9,17 +9,23 @@
 namespace berg {
 
 /**
- * A study file (`"format": "bergwatch-study"`): the whole spec and the outcomes flown so far, so
- * that it can be carried on, merged with other shards, and its figures made again. No times and no
- * machine in it: the same study gives the same bytes.
+ * Returns the text of a study file (`"format": "bergwatch-study"`): the whole spec and the outcomes
+ * flown so far, so that the study can be continued, merged with other shards and summarised again.
+ * It contains neither times nor machine names: the same study gives the same bytes.
  */
 [[nodiscard]] std::string studyToJson(const Study& study);
-/** Errors as for `scenarioFromJson`. */
+/** Reads a study file. Throws as `scenarioFromJson`. */
 [[nodiscard]] Study studyFromJson(std::string_view text, const std::string& subject,
                                   const std::stop_token& stop = {});
-/** Of a study file, or of the one that a report keeps (`studyReportHtml`). */
+/**
+ * Reads a study file, or the study in a report (`studyReportHtml`); throws as `readFile`,
+ * `studyOfReport` and `studyFromJson`.
+ */
 [[nodiscard]] Study loadStudy(const std::string& path, const std::stop_token& stop = {});
-/** Throws `Error{FileTooLarge}` when the file of the whole study could not be read back. */
+/**
+ * Writes a study file; throws as `writeFileAtomically`, and `Error{FileTooLarge}` if the file of
+ * the complete study would be too large to read back.
+ */
 void saveStudy(const Study& study, const std::string& path);
 
 } // namespace berg

@@ -1,6 +1,6 @@
 #include "core/io/study/study_report.h"
 
-#include "core/io/figure/policy_looks.h"
+#include "core/io/figure/policy_style.h"
 #include "core/io/figure/report_style.h"
 #include "core/io/study/study_charts.h"
 #include "core/io/study/study_json.h"
@@ -14,17 +14,17 @@ namespace {
 constexpr std::string_view kStudyOpens = R"(<script type="application/json" id="study">)";
 constexpr std::string_view kStudyCloses = "</script>";
 
-/** Colours of the policies in drawings, light and dark. */
-std::string policyStyle()
+/** Style rules for the colours of the policies in charts, light and dark. */
+std::string policyStyleRules()
 {
     std::string light;
     std::string dark;
-    for (const PolicyLook& look : kPolicyLooks) {
-        if (look.light.empty())
+    for (const PolicyStyle& style : kPolicyStyles) {
+        if (style.light.empty())
             continue;
-        const std::string rule = "svg .p-" + nameOf(kPolicyNames, look.policy) + " { --ink: ";
-        light += rule + std::string(look.light) + "; }\n";
-        dark += rule + std::string(look.dark) + "; }\n";
+        const std::string rule = "svg .p-" + nameOf(kPolicyNames, style.policy) + " { --ink: ";
+        light += rule + std::string(style.light) + "; }\n";
+        dark += rule + std::string(style.dark) + "; }\n";
     }
     return light + "@media screen and (prefers-color-scheme: dark) {\n" + dark + "}\n";
 }
@@ -41,30 +41,30 @@ std::string figureHtml(const std::string& heading, const std::string& drawing,
 std::string zetaCaption(const StudySummary& summary, const ReportWords& words)
 {
     const std::string caption =
-        words.html(QT_TRANSLATE_NOOP("Report", "ζ is the integral over the flight of the "
-                                               "uncertainty σ of all icebergs together: less is "
-                                               "better.")) +
+        words.html(QT_TRANSLATE_NOOP("Report", "ζ is the total uncertainty σ of all icebergs, "
+                                               "integrated over the flight. Lower is better.")) +
         ' ';
     if (summary.cases.size() == 1)
-        return caption + words.html(QT_TRANSLATE_NOOP("Report", "One case, so there is no spread "
-                                                                "to show."));
+        return caption + words.html(QT_TRANSLATE_NOOP(
+                             "Report", "There is only one case, so there is no spread to show."));
     return caption +
-           words.html(QT_TRANSLATE_NOOP("Report",
-                                        "The line is the mean over the cases (%1), the bands hold "
-                                        "the middle half and 80 % of them. Lines across are the "
-                                        "means of policies that have no τ."),
-                      {std::to_string(summary.cases.size())});
+           words.html(
+               QT_TRANSLATE_NOOP(
+                   "Report",
+                   "The line is the mean over the cases (%1); the bands contain the middle half "
+                   "and 80 % of them. Horizontal lines are the means of policies without τ."),
+               {std::to_string(summary.cases.size())});
 }
 
 std::string differenceCaption(const StudySummary& summary, const ReportWords& words)
 {
-    std::string caption = words.html(
-        QT_TRANSLATE_NOOP("Report", "Each case is compared with itself, on the same icebergs and "
-                                    "the same noise; the bars are 95 % intervals of the mean "
-                                    "(Student’s t). Left of 0 is better than the reference."));
+    std::string caption = words.html(QT_TRANSLATE_NOOP(
+        "Report", "Differences are taken case by case, with the same icebergs and the same noise; "
+                  "the bars are 95 % intervals of the mean (Student’s t). Values left of 0 are "
+                  "better than the reference."));
     if (drawnDifferences(summary).size() < summary.settings.size())
-        caption += ' ' + words.html(QT_TRANSLATE_NOOP("Report", "Not every τ is drawn; all are in "
-                                                                "the table."));
+        caption += ' ' + words.html(QT_TRANSLATE_NOOP(
+                             "Report", "Not every τ is drawn; the table contains all of them."));
     return caption;
 }
 
@@ -77,9 +77,9 @@ std::string figuresHtml(const StudySummary& summary, const ReportWords& words)
            figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "Best τ of each case")),
                       bestTauChart(summary, words),
                       words.html(QT_TRANSLATE_NOOP(
-                          "Report", "The τ with the lowest ζ of a case, chosen in hindsight: "
-                                    "nobody knows it before the flight. Of equal ones the "
-                                    "smallest counts.")));
+                          "Report",
+                          "The τ with the lowest ζ of a case, chosen in hindsight; it is not known "
+                          "before the flight. If several are equal, the smallest counts.")));
 }
 
 } // namespace
@@ -90,7 +90,7 @@ std::string studyReportHtml(const Study& study, const StudySummary& summary,
     const ReportWords& words = origin.words;
     const std::string title = titleOf(study.spec, words);
     return reportHead({.title = title, .program = origin.program, .language = words.tag()},
-                      policyStyle()) +
+                      policyStyleRules()) +
            "<body>\n<header>\n<h1>" + htmlName(title) + "</h1>\n" + "<p class=\"lead\">" +
            htmlText(origin.program) + ", " + htmlText(origin.madeUtc) +
            "</p>\n</header>\n<main>\n" + reportFindings(study, summary, words) +

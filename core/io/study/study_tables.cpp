@@ -12,9 +12,9 @@ namespace {
 
 constexpr int kZetaDigits = 5;
 constexpr std::string_view kStuckMeans = QT_TRANSLATE_NOOP(
-    "Report", "Stuck: two icebergs at most as targets in the last half of the flight.");
+    "Report", "Stuck: at most two icebergs were targets in the second half of the flight.");
 
-/** The same for a whole column: digits of the reference. */
+/** Decimals for a whole column, so that the reference has `kZetaDigits` digits. */
 int zetaDecimals(const StudySummary& summary)
 {
     return decimalsFor(summary.settings[summary.reference].zeta_m2s.mean, kZetaDigits);
@@ -46,7 +46,7 @@ std::string item(const std::string& html)
     return "<li>" + html + "</li>\n";
 }
 
-/** One case has no spread: zeta and the differences in one table. */
+/** Table for a single case, which has no spread: zeta and differences together. */
 std::string oneCaseTable(const StudySummary& summary, const ReportWords& words)
 {
     const int decimals = zetaDecimals(summary);
@@ -142,7 +142,7 @@ std::string bestTauTable(const BestTau& best, const ReportWords& words)
     return table.html();
 }
 
-/** Names of the settings, the first few of many. */
+/** Names of the settings, shortened after the first few. */
 std::string contendersText(const StudySummary& summary, const ReportWords& words)
 {
     constexpr std::size_t kMost = 4;
@@ -156,15 +156,15 @@ std::string contendersText(const StudySummary& summary, const ReportWords& words
                       {names, std::to_string(settings.size() - kMost)});
 }
 
-/** The setting to fly by these cases, where one is surely the best. */
+/** Names the recommended setting, or the candidates if none is clearly the best. */
 std::string recommendedText(const StudySummary& summary, const ReportWords& words)
 {
     const Recommendation& found = *summary.recommendation;
     if (summary.settings.size() == 1)
         return {};
     if (summary.cases.size() == 1)
-        return item(words.html(
-            QT_TRANSLATE_NOOP("Report", "One case recommends no policy: fly more of them.")));
+        return item(words.html(QT_TRANSLATE_NOOP(
+            "Report", "One case is too few to recommend a policy. Fly more cases.")));
     if (!found.best)
         return item(words.html(
             QT_TRANSLATE_NOOP("Report", "No clear winner. These settings may be the best: %1."),
@@ -177,23 +177,26 @@ std::string recommendedText(const StudySummary& summary, const ReportWords& word
          name(*found.next)}));
 }
 
-/** The setting of lowest mean zeta. Its difference from the reference is told of one case alone:
- * over several the mean of the differences may contradict the means. */
+/**
+ * Names the setting of lowest mean zeta. Its difference from the reference is reported for a single
+ * case only: over several cases the mean of the differences may contradict the means.
+ */
 std::string lowestText(const StudySummary& summary, const ReportWords& words)
 {
     const std::size_t index = summary.recommendation->lowest;
     const SettingSummary& lowest = summary.settings[index];
     const bool isOneCase = summary.cases.size() == 1;
-    std::vector<std::string> told{strong(settingName(lowest.setting)),
-                                  printedNumber(lowest.zeta_m2s.mean, zetaDecimals(summary))};
+    std::vector<std::string> arguments{strong(settingName(lowest.setting)),
+                                       printedNumber(lowest.zeta_m2s.mean, zetaDecimals(summary))};
     if (!isOneCase)
-        return item(words.html(QT_TRANSLATE_NOOP("Report", "Lowest mean ζ: %1, %2 m² s."), told));
+        return item(
+            words.html(QT_TRANSLATE_NOOP("Report", "Lowest mean ζ: %1, %2 m² s."), arguments));
     if (index == summary.reference)
-        return item(words.html(QT_TRANSLATE_NOOP("Report", "Lowest ζ: %1, %2 m² s."), told));
-    told.push_back(change(summary.differences[index].relative.mean));
-    told.push_back(settingName(summary.settings[summary.reference].setting));
-    return item(
-        words.html(QT_TRANSLATE_NOOP("Report", "Lowest ζ: %1, %2 m² s, %3 against %4."), told));
+        return item(words.html(QT_TRANSLATE_NOOP("Report", "Lowest ζ: %1, %2 m² s."), arguments));
+    arguments.push_back(change(summary.differences[index].relative.mean));
+    arguments.push_back(settingName(summary.settings[summary.reference].setting));
+    return item(words.html(QT_TRANSLATE_NOOP("Report", "Lowest ζ: %1, %2 m² s, %3 against %4."),
+                           arguments));
 }
 
 std::string bestTauText(const StudySummary& summary, const ReportWords& words)
@@ -223,15 +226,14 @@ std::string reportFindings(const Study& study, const StudySummary& summary,
     const auto count = [](std::size_t n) { return printedNumber(static_cast<double>(n), 0); };
     std::string html;
     if (flown < missions)
-        html =
-            "<p class=\"incomplete\">" +
-            strong(words.html(QT_TRANSLATE_NOOP("Report", "Not complete."))) + ' ' +
-            words.html(QT_TRANSLATE_NOOP(
-                           "Report", "Missions flown: %1 of %2. Everything below is of the cases "
-                                     "that every setting has flown: %3 of %4."),
-                       {count(flown), count(missions), count(summary.cases.size()),
-                        count(caseCount(study.spec))}) +
-            "</p>\n";
+        html = "<p class=\"incomplete\">" +
+               strong(words.html(QT_TRANSLATE_NOOP("Report", "Not complete."))) + ' ' +
+               words.html(QT_TRANSLATE_NOOP("Report",
+                                            "Missions flown: %1 of %2. The results below use only "
+                                            "the cases that every setting has flown: %3 of %4."),
+                          {count(flown), count(missions), count(summary.cases.size()),
+                           count(caseCount(study.spec))}) +
+               "</p>\n";
     else
         html = "<p>" +
                words.html(

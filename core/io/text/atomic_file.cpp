@@ -33,7 +33,9 @@ std::string reason(int errorNumber)
     throw Error(ErrorCode::FileUnwritable, path, {IssueId::CannotWrite, {why}});
 }
 
-/** The descriptor that is already open under a name such as /dev/stdout; none for other paths. */
+/**
+ * Returns the descriptor that is open under a name such as /dev/stdout, or nullopt for other paths.
+ */
 std::optional<int> openDescriptor(std::string_view path)
 {
     if (path == "/dev/stdin")
@@ -52,23 +54,23 @@ std::optional<int> openDescriptor(std::string_view path)
     return std::nullopt;
 }
 
-/** What a file is to hold: a text of somebody else, or what was put on the disk already. */
+/** Future content of a file: a text of the caller, or a file that is on the disk already. */
 struct Content
 {
     std::string_view text;
-    int descriptor = -1; ///< to be read from its start; -1: it is the text
+    std::optional<int> descriptor; ///< holds the content from its start, instead of `text`
 
-    /** False leaves the reason in errno. */
+    /** Returns false on failure, with the reason in errno. */
     [[nodiscard]] bool copyTo(int fd) const
     {
-        return descriptor >= 0 ? copyAll(descriptor, fd) : writeAll(fd, text);
+        return descriptor ? copyAll(*descriptor, fd) : writeAll(fd, text);
     }
     [[nodiscard]] off_t size() const
     {
         struct stat found = {};
-        if (descriptor < 0)
+        if (!descriptor)
             return static_cast<off_t>(text.size());
-        return ::fstat(descriptor, &found) == 0 ? found.st_size : 0;
+        return ::fstat(*descriptor, &found) == 0 ? found.st_size : 0;
     }
 };
 
@@ -85,7 +87,7 @@ void writeInPlace(const std::string& path, const Content& content)
         failWrite(path, reason(errno));
 }
 
-/** The file that `path` means when it is a symbolic link, also one that points to nothing yet. */
+/** Returns the file at the end of all symbolic links, also if it does not exist yet. */
 std::filesystem::path withoutLinks(const std::string& path)
 {
     constexpr int kMostLinks = 40; // as the kernel allows
@@ -100,15 +102,16 @@ std::filesystem::path withoutLinks(const std::string& path)
     failWrite(path, reason(ELOOP));
 }
 
-/** Retrying in place would only spoil what is there. */
+/** Whether the disk is full: a retry in place would then only spoil the old content. */
 [[nodiscard]] bool isFull(int errorNumber)
 {
     return errorNumber == ENOSPC || errorNumber == EDQUOT || errorNumber == EFBIG;
 }
 
 /**
- * Writes into the file itself, `old` what it is now (null: it is made). The room is reserved before
- * the first byte is written, so that a full disk keeps the old content.
+ * Writes into the file itself. `old` is its present state, or null if it does not exist yet. The
+ * disk space is reserved before the first byte is written, so that a full disk keeps the old
+ * content.
  */
 void overwrite(const std::string& path, const std::filesystem::path& target, const struct stat* old,
                const Content& content)
@@ -129,7 +132,7 @@ void overwrite(const std::string& path, const std::filesystem::path& target, con
         failWrite(path, reason(errno));
 }
 
-/** Makes the rename last through a power cut; file systems that cannot do it are left alone. */
+/** Makes the rename survive a power cut; file systems that cannot do it are left alone. */
 void flushFolder(const std::filesystem::path& target)
 {
     const Descriptor fd(::open(folderOf(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -137,7 +140,7 @@ void flushFolder(const std::filesystem::path& target)
         ::fsync(fd.get());
 }
 
-/** What a path to be written to leads to; throws when nothing can be written there. */
+/** Resolved target of a path to write to; throws if nothing can be written there. */
 struct Destination
 {
     explicit Destination(const std::string& path)
@@ -151,7 +154,7 @@ struct Destination
         inPlace = exists && (S_ISCHR(old.st_mode) || S_ISFIFO(old.st_mode));
         if (exists && !inPlace && !S_ISREG(old.st_mode))
             failWrite(path, S_ISDIR(old.st_mode) ? reason(EISDIR) : "not a regular file");
-        // Renaming would replace a write-protected file; whoever protected it meant it.
+        // A rename would replace a write-protected file against the intention of its owner.
         if (exists && ::access(path.c_str(), W_OK) != 0)
             failWrite(path, reason(errno));
         if (!inPlace)
@@ -168,7 +171,7 @@ struct Destination
 
 std::string readFile(const std::string& path, const std::stop_token& stop)
 {
-    // What is open already (/dev/stdin) may be a pipe; any other pipe could keep us for ever.
+    // An open descriptor (/dev/stdin) may be a pipe; opening any other pipe could block for ever.
     const bool isGiven = isOpenDescriptor(path);
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | (isGiven ? 0 : O_NONBLOCK)));
     if (!file.isOpen()) {
@@ -184,7 +187,7 @@ std::string readFile(const std::string& path, const std::stop_token& stop)
     if (!S_ISREG(status.st_mode) && (!isGiven || S_ISDIR(status.st_mode)))
         throw Error(ErrorCode::FileUnreadable, path, {IssueId::NotRegular});
 
-    // The size is counted, not asked for: a file may grow while it is read.
+    // The size is counted and not taken from the status, because a file may grow while it is read.
     constexpr std::size_t kChunk = std::size_t{1} << 20U;
     std::string content;
     std::size_t size = 0;
@@ -223,7 +226,10 @@ struct StagedFile::State
             temporary->copyAttributes(destination.old);
     }
 
-    /** Where pieces are written to; where the folder takes no files, somewhere else. */
+    /**
+     * Descriptor to write pieces to: the temporary file, or an anonymous one where the folder takes
+     * none.
+     */
     int descriptor()
     {
         if (temporary)
@@ -266,7 +272,10 @@ struct StagedFile::State
             content.descriptor = descriptor();
     }
 
-    /** The name that a temporary file got late is refused: once more with one that has its name. */
+    /**
+     * Tries again with a temporary file that has its name from the start, where the late name is
+     * refused.
+     */
     [[nodiscard]] bool renameNamed()
     {
         TemporaryFile named(destination.target, TemporaryFile::Name::Early);
@@ -287,12 +296,12 @@ struct StagedFile::State
     std::string path;
     Content content;
     bool inPieces = false;
-    std::string buffer; ///< of the pieces
-    int failure = 0;    ///< errno of the first one
+    std::string buffer; ///< pieces not yet written
+    int failure = 0;    ///< errno of the first failure, or 0
     bool isComplete = false;
     Destination destination;
-    std::optional<TemporaryFile> temporary; ///< none: the folder takes none
-    std::optional<Descriptor> elsewhere;    ///< for the pieces then
+    std::optional<TemporaryFile> temporary; ///< nullopt if the folder takes no temporary file
+    std::optional<Descriptor> elsewhere;    ///< holds the pieces if there is no temporary file
 };
 
 StagedFile::StagedFile(const std::string& path) : m_state(std::make_unique<State>(path))
@@ -347,13 +356,13 @@ std::size_t StagedFile::placeTogether(std::span<StagedFile> files)
     }
     for (const std::filesystem::path& folder : folders)
         removeLeftTemporaries(folder);
-    const std::size_t placed = placeApart(placings);
+    const std::size_t placed = placeInChildProcess(placings);
     for (std::size_t i = 0; i < placed; ++i)
         files[i].m_state->temporary->notePlaced();
     return placed;
 }
 
-void StagedFile::makeLast() const
+void StagedFile::makeDurable() const
 {
     if (!m_state->destination.inPlace)
         flushFolder(m_state->destination.target);
@@ -368,7 +377,7 @@ void writeFileAtomically(const std::string& path, std::string_view content)
 {
     StagedFile file(path, content);
     file.place();
-    file.makeLast();
+    file.makeDurable();
 }
 
 void checkWritable(const std::string& path)

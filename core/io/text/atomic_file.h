@@ -8,37 +8,51 @@
 
 namespace berg {
 
-/** Largest file any reader accepts, bytes. */
+/** Largest file that any reader accepts, in bytes, before `readLimit` multiplies it. */
 inline constexpr std::size_t kLargestFile = 64U << 20U;
 
 /**
- * Whole content of a regular file. Throws `Error` FileNotFound, FileUnreadable (directory, no
- * permission) or FileTooLarge (over `kLargestFile`), subject = path; `Stopped` when asked to stop.
+ * Reads the whole content of a regular file or an open descriptor (/dev/stdin). Throws `Error`
+ * FileNotFound, FileUnreadable (directory, pipe, no permission) or FileTooLarge (over
+ * `readLimit(kLargestFile)`) with the path as subject, and `Stopped` if `stop` is requested.
  */
 [[nodiscard]] std::string readFile(const std::string& path, const std::stop_token& stop = {});
 
 /**
- * Writes the file so that a reader sees the old or the new content, never a part: temporary file
- * in the same folder, flushed, then renamed over the target (a symbolic link keeps pointing, the
- * file it points to is replaced; permissions of an existing file are kept). Where the folder or the
- * file system refuses the temporary file or the renaming, the file itself is written over, after
- * the room for it was reserved. Devices, pipes and what is open already (/dev/stdout, /dev/fd/3)
- * are written to as they are. Throws `Error{FileUnwritable}`; then the old content is still there
- * (unless a device failed in the middle of writing it over) and no temporary file is left;
- * those that writers of the folder have left that were killed are removed.
+ * Writes the file so that a reader sees either the old or the new content, never a part. The
+ * content goes to a temporary file in the same folder, is flushed and then renamed over the target.
+ * A symbolic link keeps pointing: the file it points to is replaced. Permissions of an existing
+ * file are kept. Where the folder or the file system refuses the temporary file or the rename, the
+ * file itself is overwritten after the disk space was reserved. Devices, pipes and open descriptors
+ * (/dev/stdout, /dev/fd/3) are written to directly.
+ * Throws `Error{FileUnwritable}`; the old content is then still there (unless a device failed while
+ * being overwritten) and no temporary file is left. Also removes temporary files of killed writers
+ * from the folder.
  */
 void writeFileAtomically(const std::string& path, std::string_view content);
 
-/** Removes from the folder of this file what writers have left there that were killed. */
+/**
+ * Removes temporary files of killed writers from the folder of `path`. Throws
+ * `Error{FileUnwritable}` if its symbolic links form a loop.
+ */
 void removeLeftovers(const std::string& path);
 
-/** The two halves of `writeFileAtomically`, for files that belong together: see `writeFileSet`. */
+/**
+ * Splits `writeFileAtomically` into writing and renaming, for files that belong together; see
+ * `writeFileSet`.
+ */
 class StagedFile
 {
 public:
-    /** Writes the content to the disk, beside the file. It must live until `place`. */
+    /**
+     * Writes the content to the disk, beside the file. `content` must live until `place`. Throws
+     * `Error{FileUnwritable}`.
+     */
     StagedFile(const std::string& path, std::string_view content);
-    /** The content is yet to come, by `append`; no more of it is kept in memory than 64 kB. */
+    /**
+     * Starts a file whose content follows through `append`; about 64 kB of it are in memory. Throws
+     * `Error{FileUnwritable}` if the path cannot be written.
+     */
     explicit StagedFile(const std::string& path);
     StagedFile(StagedFile&&) noexcept;
     StagedFile(const StagedFile&) = delete;
@@ -46,30 +60,46 @@ public:
     StagedFile& operator=(StagedFile&&) = delete;
     ~StagedFile();
 
-    /** What goes wrong here, `complete` tells: a flight need not end for a disk that is full. */
+    /**
+     * Adds to the content. Errors are thrown by `complete` only, so a full disk does not end a
+     * flight.
+     */
     void append(std::string_view text);
-    /** Then all of it is on the disk. Before `place` and `placeTogether`. */
+    /**
+     * Flushes the content to the disk, before `place` or `placeTogether`. Throws
+     * `Error{FileUnwritable}`.
+     */
     void complete();
 
-    /** Puts it in the place of the file, at most once. */
+    /**
+     * Renames the staged file to its target, or overwrites the target where that is refused. It may
+     * be called once. Throws `Error{FileUnwritable}`.
+     */
     void place();
     /**
-     * The same of several, the first ones as far as nothing is in the way, and even when this
-     * program is killed meanwhile. How many; the others are to be placed one by one.
+     * Renames several staged files, in order, up to the first that is refused or cannot be renamed;
+     * the renames continue even if this program is killed meanwhile. Returns how many were renamed;
+     * call `place` for each of the others.
      */
     [[nodiscard]] static std::size_t placeTogether(std::span<StagedFile> files);
-    /** Then: through a power cut. Slow, and so apart: those of a set take their places at once. */
-    void makeLast() const;
+    /**
+     * Flushes the folder after `place`, so that the rename survives a power cut. This is slow, so a
+     * set of files is renamed first and flushed afterwards.
+     */
+    void makeDurable() const;
 
 private:
     struct State;
     std::unique_ptr<State> m_state;
 };
 
-/** Throws as `writeFileAtomically` would, as far as that can be known before; changes nothing. */
+/**
+ * Checks whether the path can be written, as far as that can be known in advance, and changes
+ * nothing. Throws `Error{FileUnwritable}` as `writeFileAtomically` would.
+ */
 void checkWritable(const std::string& path);
 
-/** Whether the path names what is open already, as /dev/stdout does. */
+/** Returns true if the path names a descriptor that is open already, such as /dev/stdout. */
 [[nodiscard]] bool isOpenDescriptor(std::string_view path);
 
 } // namespace berg

@@ -4,7 +4,7 @@
 
 namespace berg {
 
-/** Without the mark that some editors write in front of UTF-8. */
+/** Returns `text` without the byte order mark that some editors write in front of UTF-8. */
 [[nodiscard]] inline std::string_view withoutByteOrderMark(std::string_view text)
 {
     constexpr std::string_view kMark = "\xEF\xBB\xBF";

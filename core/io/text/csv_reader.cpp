@@ -9,7 +9,7 @@ namespace berg {
 
 namespace {
 
-/** Times the size of a text. */
+/** Limit of bytes read again, in multiples of the size of the text. */
 constexpr std::size_t kMostReadAgain = 8;
 
 bool endsLine(char c)

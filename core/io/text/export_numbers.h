@@ -6,15 +6,15 @@
 
 namespace berg {
 
-// Numbers as exported files hold them.
+// Rounded numbers for exported files.
 
-/** To nine decimals, 0.1 mm on the ground; never -0. */
+/** Rounds to nine decimals (0.1 mm on the ground); never returns -0. */
 [[nodiscard]] inline double roundedDegrees(double angle_deg)
 {
     return std::round(angle_deg * 1e9) / 1e9 + 0.0; // + 0.0 turns -0 into 0
 }
 
-/** `roundedDegrees` of both; the longitude stays in [-180, 180). */
+/** Rounds both angles by `roundedDegrees`; the longitude stays in [-180, 180). */
 [[nodiscard]] inline LatLon roundedPlace(LatLon place)
 {
     const double longitude_deg = roundedDegrees(place.longitude_deg);
@@ -22,7 +22,7 @@ namespace berg {
             .longitude_deg = longitude_deg >= 180 ? longitude_deg - 360 : longitude_deg};
 }
 
-/** To milliseconds, which hides the rounding of step x dt; never -0. */
+/** Rounds to milliseconds, which hides the rounding error of step x dt; never returns -0. */
 [[nodiscard]] inline double roundedSeconds(double time_s)
 {
     return std::round(time_s * 1e3) / 1e3 + 0.0;

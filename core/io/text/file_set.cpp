@@ -15,7 +15,7 @@ namespace berg {
 
 namespace {
 
-/** Nothing can be taken back of what a pipe or a device was sent. */
+/** Whether a failed write can be undone, which it cannot for a pipe or a device. */
 bool canBePutBack(const std::string& path)
 {
     std::error_code none;
@@ -24,8 +24,8 @@ bool canBePutBack(const std::string& path)
 }
 
 /**
- * What is there, to put it back. It stays open: where a new file takes its place, the old one is
- * there to be read as long as that. One that may be written over is copied before, in memory.
+ * Previous state of a file, to restore it. The file stays open: if a new one takes its place, the
+ * old one can still be read. A file that may be overwritten in place is copied to memory first.
  */
 class Before
 {
@@ -52,7 +52,7 @@ public:
     {
         if (!m_isKept)
             return;
-        std::error_code ignored; // the first fault is the one to be told
+        std::error_code ignored; // the first fault is the one to report
         if (!m_isThere) {
             if (std::filesystem::is_regular_file(m_path, ignored))
                 std::filesystem::remove(m_path, ignored);
@@ -145,7 +145,7 @@ void FileSet::write()
         throw;
     }
     for (const StagedFile& file : staged)
-        file.makeLast();
+        file.makeDurable();
 }
 
 void writeFileSet(std::span<const NewFile> files)

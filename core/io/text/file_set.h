@@ -9,7 +9,7 @@
 
 namespace berg {
 
-/** A file as it is to become. */
+/** A file with its future content. */
 struct NewFile
 {
     std::string path;
@@ -17,24 +17,29 @@ struct NewFile
 };
 
 /**
- * Files of which all are written or none: those of several UAVs, or of one flight, belong together.
- * All are on the disk before the first takes its place.
+ * Set of files that are written all or not at all, e.g. those of several UAVs or of one flight. All
+ * are on the disk before the first is renamed to its target.
  */
 class FileSet
 {
 public:
-    /** A file of this content, which must live until `write`. */
+    /**
+     * Adds a file with this content, which must live until `write`, and stages it on the disk.
+     * Throws `Error{FileUnwritable}`.
+     */
     void add(const std::string& path, std::string_view content);
-    /** One whose content is yet to come, by `StagedFile::append`. */
+    /**
+     * Adds a file whose content follows through `StagedFile::append`; the reference stays valid
+     * until `write`. Throws `Error{FileUnwritable}`.
+     */
     [[nodiscard]] StagedFile& add(const std::string& path);
 
     /**
-     * Puts all in their places, once. Throws `Error` as `writeFileAtomically` and, of a file that
-     * is there already and cannot be put back, as `readFile`; then every file is as it was before,
-     * but for devices and pipes, which come last. A program that is killed leaves all or none as
-     * well, but where a folder takes no temporary files; when the computer itself stops in the
-     * milliseconds of the renamings, some files may be the new and others the old, each of them
-     * whole.
+     * Renames all files to their targets; call it once. Throws `Error` like `writeFileAtomically`
+     * and, if an existing file cannot be read for a later restore, FileUnreadable. Every file is
+     * then as it was before, except devices and pipes, which come last. A killed program leaves all
+     * or none as well, except where a folder takes no temporary files. If the computer itself stops
+     * in the milliseconds of the renames, some files may be new and others old, each of them whole.
      */
     void write();
 
@@ -44,10 +49,10 @@ private:
         std::string path;
         StagedFile staged;
     };
-    std::deque<Entry> m_entries; ///< which stay where they are: `add` tells
+    std::deque<Entry> m_entries; ///< a deque, because `add` returns references to its elements
 };
 
-/** The set of these files, written. */
+/** Writes these files, all or none; throws as `FileSet::write`. */
 void writeFileSet(std::span<const NewFile> files);
 
 } // namespace berg

@@ -37,7 +37,7 @@ std::string escaped(char c)
     return code < 0x20U || code == 0x7FU ? std::string(kReplacement) : std::string(1, c);
 }
 
-/** Characters of more than one byte that are no text: C1 controls, U+FFFE and U+FFFF. */
+/** Whether a character of several bytes is not text: C1 controls, U+FFFE and U+FFFF. */
 bool isNoText(std::string_view character)
 {
     if (character.size() == 2 && character[0] == '\xC2')

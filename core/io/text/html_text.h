@@ -6,26 +6,34 @@
 
 namespace berg {
 
-// Pieces of a document that is HTML and well-formed XML at once.
+// Pieces of a document that is both HTML and well-formed XML.
 
 /**
- * Any text as content or quoted attribute: marks of the markup escaped, bytes and characters that
- * no document may hold (broken UTF-8, controls) replaced by U+FFFD, line ends by spaces.
+ * Returns any text as HTML content or quoted attribute: markup characters are escaped, bytes and
+ * characters that no document may hold (broken UTF-8, controls) become U+FFFD, and line ends and
+ * tabs become spaces.
  */
 [[nodiscard]] std::string htmlText(std::string_view text);
 
-/** A name that somebody typed: `htmlText`, its writing direction kept to itself. */
+/**
+ * Returns a name typed by a user as HTML, isolated so that its writing direction does not affect
+ * the text around it.
+ */
 [[nodiscard]] std::string htmlName(std::string_view name);
 
-/** JSON text that may stand in a script element: the same value, without any mark of the markup. */
+/**
+ * Returns JSON text with the same value that can stand in a script element: markup characters are
+ * escaped.
+ */
 [[nodiscard]] std::string scriptJson(std::string_view json);
 
-/** A table of rows that each have a name; cells are HTML already. */
+/** HTML table whose first column is a row header. Caption and cells must be HTML already. */
 class HtmlTable
 {
 public:
     HtmlTable(std::string_view caption, const std::vector<std::string>& header);
 
+    /** Adds a row; `marked` highlights it. */
     void addRow(const std::vector<std::string>& cells, bool marked = false);
     [[nodiscard]] std::string html() const;
 

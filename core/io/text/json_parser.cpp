@@ -10,20 +10,20 @@ namespace berg {
 namespace {
 
 constexpr std::size_t kDeepest = 64;
-// About what a value takes in a list that is read, and while it grows: then there are two of it,
-// one of them with room for as many again.
+// Approximate memory of a value in a growing list, in multiples of its size: while the list grows
+// there are two copies, one of them with room for as many values again.
 constexpr std::size_t kGrowing = 3;
-constexpr std::size_t kNodeMemory = sizeof(Members) + 40; ///< of an object or array
-constexpr std::size_t kNameMemory = 80;                   ///< while the object is open
+constexpr std::size_t kNodeMemory = sizeof(Members) + 40; ///< bytes of an object or array
+constexpr std::size_t kNameMemory = 80;                   ///< bytes while the object is open
 
-/** Of a text: short ones lie within the string. */
+/** Heap memory of a text, bytes; short texts lie within the string object. */
 std::size_t textMemory(const std::string& text)
 {
     constexpr std::size_t kWithin = 15;
     return text.size() > kWithin ? text.size() + 16 : 0;
 }
 
-/** Line and column of a byte offset; columns count characters, not bytes. */
+/** Returns line and column of a byte offset; columns count characters, not bytes. */
 std::pair<std::int64_t, std::int64_t> placeOf(std::string_view text, std::size_t offset)
 {
     const std::string_view before = text.substr(0, std::min(offset, text.size()));
@@ -35,7 +35,7 @@ std::pair<std::int64_t, std::int64_t> placeOf(std::string_view text, std::size_t
     return {line, column + 1};
 }
 
-/** The library's words without its prefix and without the raw text it last read. */
+/** Returns the message of the library without its prefix and without the raw text it last read. */
 std::string reasonText(std::string message)
 {
     const std::size_t quote = message.find("; last read: '");
@@ -49,13 +49,16 @@ std::string reasonText(std::string message)
 }
 
 /**
- * Builds the tree from the parser's events and checks what the library does not: depth, duplicate
- * members, number of values.
+ * Builds the tree from the parser's events and checks what the library does not check: depth,
+ * duplicate members and number of values.
  */
 class TreeBuilder
 {
 public:
-    /** `wanted`: the member of the root that is read, and nothing behind it; empty: all. */
+    /**
+     * `wanted` is the only member of the root to read, after which reading stops; if it is empty,
+     * all is read.
+     */
     TreeBuilder(std::string_view text, ReadBudget& budget, std::string wanted = {})
         : m_text(text), m_budget(budget), m_wanted(std::move(wanted)), m_faults(&budget)
     {
@@ -64,7 +67,7 @@ public:
     [[nodiscard]] ParsedJson take() { return {std::move(m_root), std::move(m_faults)}; }
     [[nodiscard]] bool hasWanted() const { return m_hasWanted; }
 
-    // The interface the library calls; each returns whether to go on.
+    // The library calls this interface; each function returns whether to continue.
     // NOLINTBEGIN(readability-identifier-naming): the names are the library's
     bool null() { return add(nullptr); }
     bool boolean(bool value) { return add(value); }
@@ -112,12 +115,12 @@ private:
     struct Level
     {
         bool isObject = false;
-        bool duplicate = false; ///< the member being read was there before
-        std::string name;       ///< of the member being read
+        bool duplicate = false; ///< whether the object already has the member being read
+        std::string name;       ///< name of the member being read
         std::vector<std::pair<std::string, Json>> members;
         std::vector<Json> entries;
         std::unordered_set<std::string> names;
-        std::size_t memory = 0; ///< that it takes while it is open, given back then
+        std::size_t memory = 0; ///< bytes charged to the budget while this level is open
     };
 
     /** Path of the value being read. */
@@ -145,7 +148,7 @@ private:
         m_levels.pop_back();
         m_budget.take(kNodeMemory + level.entries.size() * sizeof(Json) +
                       level.members.size() * sizeof(Members::value_type));
-        m_budget.giveBack(level.memory);
+        m_budget.release(level.memory);
         level.entries.shrink_to_fit();
         if (!level.isObject)
             return add(std::move(level.entries));
@@ -188,7 +191,10 @@ private:
     Faults m_faults;
 };
 
-/** JSON of our own is UTF-8; what editors of some systems write tells itself by its first bytes. */
+/**
+ * Removes a UTF-8 mark and rejects UTF-16, which some editors write and whose first bytes identify
+ * it.
+ */
 std::string_view withoutMark(std::string_view text, const ReadBudget& budget)
 {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
@@ -198,7 +204,7 @@ std::string_view withoutMark(std::string_view text, const ReadBudget& budget)
 
 } // namespace
 
-/** Lists go one after another: the library would first gather all of their entries in one. */
+/** Frees list by list, because the library would first gather all entries in one list. */
 void release(Json& value)
 {
     if (Members* const members = value.get_ptr<Json::object_t*>()) {

@@ -13,14 +13,16 @@ namespace {
 constexpr std::size_t kMostFaults = 100;
 constexpr std::int64_t kLargestWhole = std::int64_t{1} << 53;
 
-/** None of what is no whole number, or beyond what a double holds exactly. 5.0 and 1e3 are whole
- * numbers too: JSON knows one kind of number only. */
+/**
+ * Returns nullopt if the value is not a whole number or exceeds what a double holds exactly. 5.0
+ * and 1e3 are whole numbers too: JSON has only one kind of number.
+ */
 std::optional<std::int64_t> exactWhole(const Json& value)
 {
     const auto number = value.is_number() ? value.get<double>() : 0.5;
     if (number != std::floor(number) || std::abs(number) > static_cast<double>(kLargestWhole))
         return std::nullopt;
-    // As an integer: 2^53 + 1 as a double is 2^53.
+    // The value is read as an integer, because 2^53 + 1 as a double is 2^53.
     const auto whole = value.get<std::int64_t>();
     return whole > kLargestWhole || whole < -kLargestWhole ? std::nullopt : std::optional(whole);
 }
@@ -141,7 +143,7 @@ IssueArgument entriesOf(const Json& value)
 std::optional<double> numberOf(const Json& value, const std::string& path, Faults& faults,
                                const std::optional<Limits>& limits)
 {
-    faults.goOn();
+    faults.throwIfStopped();
     if (!value.is_number()) {
         faults.add(path, {IssueId::WrongType, {ValueKind::Number, kindOf(value)}});
         return std::nullopt;
@@ -184,7 +186,7 @@ std::optional<Point> pointOf(const Json& value, const std::string& path, Faults&
 ObjectReader::ObjectReader(const Json& value, std::string path, Faults& faults)
     : m_object(value.is_object() ? &value : nullptr), m_path(std::move(path)), m_faults(&faults)
 {
-    faults.goOn();
+    faults.throwIfStopped();
     if (m_object == nullptr)
         faults.add(m_path, {IssueId::WrongType, {ValueKind::Object, kindOf(value)}});
 }
@@ -280,11 +282,11 @@ Point ObjectReader::point(const char* member, const Point& fallback)
 
 std::string ObjectReader::unknown() const
 {
-    std::string
-        text; // written member by member: a copy of the values could be as large as the file
+    // The text is written member by member: a copy of the values could be as large as the file.
+    std::string text;
     if (m_object != nullptr)
         for (const auto& [name, value] : m_object->items()) {
-            m_faults->goOn();
+            m_faults->throwIfStopped();
             if (!m_read.contains(name))
                 text += (text.empty() ? '{' : ',') + jsonText(name) + ':' + jsonText(value);
         }

@@ -1,12 +1,12 @@
 #pragma once
 
-// Private to core/io: the one header that knows the JSON library.
+// Private to core/io: the one header that includes the JSON library.
 
 #include "core/base/error.h"
 #include "core/base/geometry.h"
 #include "core/io/text/read_budget.h"
 #include "core/plan/solve/names.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,38 +21,47 @@
 
 namespace berg {
 
-/** Members in the order of the file. */
+/** JSON value whose members keep the order of the file. */
 using Json = nlohmann::ordered_json;
 
+/** Members of a JSON object. */
 using Members = std::vector<Json::object_t::value_type>;
 
-/** Members of an object, to append names known to be new without a search for each of them. */
+/**
+ * Returns the members of an object, to append names that are known to be new without searching for
+ * each.
+ */
 [[nodiscard]] inline Members& membersOf(Json& object)
 {
     return object.get_ref<Json::object_t&>();
 }
 
-/** Faults of one file, gathered until all of it is read. Beyond a hundred they are only counted. */
+/**
+ * Collects the faults of one file until all of it is read. Beyond a hundred they are only counted.
+ */
 class Faults
 {
 public:
-    /** `budget`, when not null, is asked whether to go on; it must live as long. */
+    /**
+     * `budget`, if not null, is checked for stop requests and charged for memory; it must outlive
+     * this object.
+     */
     explicit Faults(ReadBudget* budget = nullptr) : m_budget(budget) {}
 
     void add(std::string field, IssueReason reason);
     void add(Issue issue) { add(std::move(issue.field), std::move(issue.reason)); }
     [[nodiscard]] bool empty() const { return m_issues.empty(); }
-    /** True when a fault of exactly this field was noted. */
+    /** Returns true if one of the first hundred faults is of exactly this field. */
     [[nodiscard]] bool has(const std::string& field) const;
-    /** Throws `Error{InvalidInput}` with all of them when there is one. */
+    /** Throws `Error{InvalidInput}` with all faults if there is any. */
     void throwIfAny(const std::string& subject) const;
-    /** Throws `Stopped` when the reading is to end. */
-    void goOn() const
+    /** Throws `Stopped` if the budget's stop was requested. */
+    void throwIfStopped() const
     {
         if (m_budget != nullptr)
-            m_budget->goOn();
+            m_budget->throwIfStopped();
     }
-    /** Memory of what is made of the file. */
+    /** Charges the budget for the memory of objects made from the file. */
     void take(std::size_t bytes) const
     {
         if (m_budget != nullptr)
@@ -62,10 +71,13 @@ public:
 private:
     ReadBudget* m_budget;
     std::vector<Issue> m_issues;
-    std::size_t m_notKept = 0;
+    std::size_t m_notKept = 0; ///< faults beyond the hundredth
 };
 
-/** Makes room for what is made of the list's entries, counted as memory of the reading. */
+/**
+ * Reserves memory for one entry per element of `list` (which may be null) and charges the budget
+ * for it.
+ */
 template <class Entry>
 void makeRoom(std::vector<Entry>& entries, const Json* list, const Faults& faults)
 {
@@ -74,7 +86,7 @@ void makeRoom(std::vector<Entry>& entries, const Json* list, const Faults& fault
     entries.reserve(count);
 }
 
-/** A file's content and the faults found so far (duplicate members). */
+/** Content of a file and the faults found so far (duplicate members). */
 struct ParsedJson
 {
     Json root;
@@ -84,73 +96,93 @@ struct ParsedJson
 };
 
 /**
- * Parses JSON as RFC 8259 has it; a UTF-8 byte order mark is skipped. Throws `Error` SyntaxError
- * with line and column (byte order, comments, NaN, numbers no double can hold, nesting deeper than
- * 64), and what the budget throws, which must outlive the result. A member given twice is a fault
- * that names it.
+ * Parses JSON by RFC 8259; a UTF-8 byte order mark is skipped. Throws `Error` SyntaxError with line
+ * and column (UTF-16 is WrongFormat; comments, NaN, numbers beyond a double and nesting deeper than
+ * 64 are syntax errors) and whatever the budget throws. `budget` must outlive the result. A member
+ * given twice is a fault that names it.
  */
 [[nodiscard]] ParsedJson parseJson(std::string_view text, ReadBudget& budget);
 
-/** A member of the root that is a text, read no further; none without one. Errors as above. */
+/**
+ * Returns the text of a root member and reads no further, or nullopt if the root has no such member
+ * or it is not a text. Throws as `parseJson`.
+ */
 [[nodiscard]] std::optional<std::string> rootText(std::string_view text, const std::string& member,
                                                   ReadBudget& budget);
 
-/** Gives the memory of a value back, list by list; those are empty then. */
+/** Frees the memory of a value list by list; its lists and objects are empty afterwards. */
 void release(Json& value);
 
 /**
- * Checks `format` and `version` of a file. Throws WrongFormat when it is not an object of that
- * format, UnsupportedVersion when it is not version 1.
+ * Checks `format` and `version` of a file. Throws `Error` WrongFormat if the root is not an object
+ * of that format, UnsupportedVersion if the version is another number than 1. A version that is
+ * missing or not a number is a fault.
  */
 void requireFormat(ParsedJson& file, std::string_view format, const std::string& subject);
 
-/** Path of a member: `asset.name`; `object` is empty for the file's root. */
+/** Returns the path of a member, e.g. `asset.name`; `object` is empty for the file's root. */
 [[nodiscard]] std::string memberPath(const std::string& object, const std::string& member);
 
+/** Returns the type of the value, for error texts. */
 [[nodiscard]] ValueKind kindOf(const Json& value);
-/** For "must be ..., not ...": how many entries it has, what it is when it is no list. */
+/** Returns the number of entries of a list, or the type of any other value, for "must be ..., not
+ * ...". */
 [[nodiscard]] IssueArgument entriesOf(const Json& value);
 
-/** A whole number's range, within +-2^53. */
+/** Range of a whole number, within +-2^53. */
 struct WholeLimits
 {
     std::int64_t low = 0;
     std::int64_t high = 0;
 };
 
-/** `value` as a number in the limits (any finite number without them); a fault otherwise. */
+/**
+ * Returns `value` as a number within the limits (any finite number without limits), or nullopt
+ * after adding a fault for `path`.
+ */
 [[nodiscard]] std::optional<double> numberOf(const Json& value, const std::string& path,
                                              Faults& faults,
                                              const std::optional<Limits>& limits = {});
+/**
+ * Returns `value` as a whole number within the limits, or nullopt after adding a fault for `path`.
+ */
 [[nodiscard]] std::optional<std::int64_t> wholeOf(const Json& value, const std::string& path,
                                                   Faults& faults, const WholeLimits& limits);
-/** Two numbers, east and north. */
+/**
+ * Returns `value` as a point of two numbers (east, north), or nullopt after adding a fault for
+ * `path`.
+ */
 [[nodiscard]] std::optional<Point> pointOf(const Json& value, const std::string& path,
                                            Faults& faults);
 
 /**
- * One object of a file read member by member. Every fault is noted under the member's path and the
- * fallback returned, so that reading goes on. Members never asked for are `unknown()`.
+ * Reads one object of a file member by member. Every fault is added under the member's path and the
+ * fallback returned, so that reading continues. Members that were never requested are `unknown()`.
  */
 class ObjectReader
 {
 public:
-    /** When `value` is no object, that is noted and the reader stands for an empty one. */
+    /**
+     * Adds a fault if `value` is not an object; the reader then behaves like that of an empty
+     * object.
+     */
     ObjectReader(const Json& value, std::string path, Faults& faults);
 
+    /** Returns the path of a member of this object, for faults. */
     [[nodiscard]] std::string path(std::string_view member) const;
     [[nodiscard]] Faults& faults() { return *m_faults; }
     [[nodiscard]] bool isObject() const { return m_object != nullptr; }
 
-    /** The member, null when it is missing. Counts as read. */
+    /** Returns the member or null if it is missing, and marks it as read. */
     [[nodiscard]] const Json* find(const char* member);
-    /** The same, and a missing one is a fault. */
+    /** Returns the member; adds a fault and returns null if it is missing. */
     [[nodiscard]] const Json* need(const char* member);
-    /** The member when it is an array; another type is a fault. */
+    /** Returns the member if it is an array, null if it is missing; another type adds a fault. */
     [[nodiscard]] const Json* array(const char* member);
-    /** The same, and a missing one is a fault. */
+    /** Returns the member if it is an array; a missing one or another type adds a fault. */
     [[nodiscard]] const Json* neededArray(const char* member);
 
+    /** The following return the value of a member, or `fallback` (nullopt) if missing or faulty. */
     [[nodiscard]] double number(const char* member, double fallback,
                                 const std::optional<Limits>& limits = {});
     [[nodiscard]] std::optional<double> optionalNumber(const char* member,
@@ -161,6 +193,10 @@ public:
     [[nodiscard]] std::string text(const char* member, std::string fallback = {});
     [[nodiscard]] Point point(const char* member, const Point& fallback);
 
+    /**
+     * Returns the value that `names` gives the member's text, or `fallback` if the member is
+     * missing. Any other text or type adds a fault and returns `fallback`.
+     */
     template <class Enum, std::size_t Size>
     [[nodiscard]] Enum choice(const char* member, Enum fallback,
                               const std::array<Named<Enum>, Size>& names)
@@ -176,21 +212,23 @@ public:
         return chosen.value_or(fallback);
     }
 
-    /** Text of an object with the members that were not read, empty when there are none. */
+    /** Returns the JSON text of an object with the members that were not read, empty if there are
+     * none. */
     [[nodiscard]] std::string unknown() const;
 
 private:
-    const Json* m_object; ///< null: was no object
+    const Json* m_object; ///< null if the value is not an object
     std::string m_path;
     Faults* m_faults;
     std::set<std::string, std::less<>> m_read;
 };
 
-/** As `requireFormat`, of an object inside a file, which may lack both: what is wrong is a fault.
+/**
+ * Adds faults for a wrong `format` or `version` of an object inside a file; both may be missing.
  */
 void checkFormat(ObjectReader& object, std::string_view format);
 
-/** What `read` makes of each entry of a list, given the entry and its path; none without one. */
+/** Returns `read(entry, path)` of every entry of a list member; an empty list if it is missing. */
 template <class Read>
 [[nodiscard]] auto readEach(ObjectReader& object, const char* member, const Read& read)
 {

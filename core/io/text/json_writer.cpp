@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/plan/solve/names.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,7 +17,7 @@ namespace {
 
 using Tree = nlohmann::ordered_json;
 
-/** As \u00XX. */
+/** Appends the character as \u00XX. */
 void appendCode(std::string& json, unsigned char code)
 {
     constexpr std::string_view kHex = "0123456789abcdef";
@@ -154,7 +154,7 @@ std::string jsonText(std::string_view value)
         else if (size == 1)
             appendEscaped(json, value.front());
         else if (value.front() == '\xC2' && static_cast<unsigned char>(value[1]) < 0xA0U)
-            appendCode(json, static_cast<unsigned char>(value[1])); // terminals obey it
+            appendCode(json, static_cast<unsigned char>(value[1])); // terminals act on it
         else
             json += value.substr(0, size);
         value.remove_prefix(std::max<std::size_t>(size, 1));
@@ -185,14 +185,14 @@ std::string jsonText(const Tree& tree, int indent)
     return text.take();
 }
 
-Dismantled::~Dismantled()
+JsonTreeGuard::~JsonTreeGuard()
 {
     if (auto* list = m_tree.get_ptr<Tree::array_t*>())
         for (; !list->empty(); list->pop_back())
-            Dismantled entry(list->back());
+            JsonTreeGuard entry(list->back());
     if (auto* members = m_tree.get_ptr<Tree::object_t*>())
         for (; !members->empty(); members->pop_back())
-            Dismantled member(members->back().second);
+            JsonTreeGuard member(members->back().second);
 }
 
 std::size_t characterSize(std::string_view text)

@@ -13,7 +13,7 @@ namespace berg {
 
 namespace {
 
-constexpr std::size_t kMemoryPerByte = 9; // and one is the file itself
+constexpr std::size_t kMemoryPerByte = 9; // the tenth is the file itself
 constexpr std::size_t kMemoryBeside = 50'000'000;
 constexpr std::size_t kMostValues = 10'000'000;
 constexpr std::size_t kMostRows = 1'000'000;
@@ -63,13 +63,13 @@ ReadBudget::ReadBudget(std::string subject, std::size_t size, std::stop_token st
 
 void ReadBudget::takeValue()
 {
-    goOn();
+    throwIfStopped();
     countTo(m_values, kMostValues, m_subject, IssueId::TooManyValues);
 }
 
 void ReadBudget::takeRow(std::size_t bytes)
 {
-    goOn();
+    throwIfStopped();
     countTo(m_rows, kMostRows, m_subject, IssueId::TooManyRows);
     take(bytes);
 }

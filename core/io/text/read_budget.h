@@ -8,45 +8,55 @@
 
 namespace berg {
 
-/** In the environment: a number from 1 to 1000 that every limit of reading is multiplied by. */
+/** Environment variable: a number from 1 to 1000 that multiplies every read limit. */
 inline constexpr const char* kReadLimitsVariable = "BERGWATCH_READ_LIMITS";
 
-/** A limit of reading as the user has it. */
+/** Returns the limit `usual` multiplied by the factor of the environment. */
 [[nodiscard]] std::size_t readLimit(std::size_t usual);
 
-/** What to put into the environment for twice the limits. */
+/** Returns the setting of the environment variable that doubles the limits, e.g.
+ * "BERGWATCH_READ_LIMITS=2". */
 [[nodiscard]] std::string doubledLimits();
 
-/** Throws `Error{FileTooLarge}`: what of it is beyond which limit, and how to raise that. */
+/**
+ * Throws `Error{FileTooLarge}` that names the exceeded limit and the variable that raises it. The
+ * unit of `limit` is that of the words of `what`.
+ */
 [[noreturn]] void failTooLarge(const std::string& subject, IssueId what, std::size_t limit);
 
 /**
- * What the reading of one file may take, in memory ten times its size and 50 MB; every reader
- * counts here what it keeps, and asks here whether to go on. Each limit throws
- * `Error{FileTooLarge}` that names it and how to raise it.
+ * Limits of reading one file: its memory (ten times its size, itself included, plus 50 MB), ten
+ * million values and a million rows, each multiplied by `readLimit`. Every reader charges here what
+ * it stores and checks for a stop request. An exceeded limit throws `Error{FileTooLarge}` that
+ * names it and how to raise it.
  */
 class ReadBudget
 {
 public:
-    /** Of a file of `size` bytes; throws for one above `kLargestFile`. */
+    /**
+     * Makes the budget for a file of `size` bytes. Throws `Error{FileTooLarge}` if that is above
+     * `readLimit(kLargestFile)`.
+     */
     ReadBudget(std::string subject, std::size_t size, std::stop_token stop = {});
 
     [[nodiscard]] const std::string& subject() const { return m_subject; }
-    /** Throws `Stopped` when asked to. */
-    void goOn() const { throwIfStopped(m_stop); }
+    /** Throws `Stopped` if a stop was requested. */
+    void throwIfStopped() const { berg::throwIfStopped(m_stop); }
 
-    /** Memory that is kept. */
+    /** Charges memory, in bytes. */
     void take(std::size_t bytes)
     {
         m_memory += bytes;
         if (m_memory > m_mostMemory)
             failMemory();
     }
-    void giveBack(std::size_t bytes) { m_memory -= bytes; }
+    /** Gives memory back, in bytes. */
+    void release(std::size_t bytes) { m_memory -= bytes; }
     [[nodiscard]] std::size_t memory() const { return m_memory; }
 
-    /** A value of a tree, or a row of a table with the memory it takes. */
+    /** Counts a value of a tree. Throws `Stopped` if a stop was requested. */
     void takeValue();
+    /** Counts a row of a table and charges its memory. Throws `Stopped` if a stop was requested. */
     void takeRow(std::size_t bytes);
 
 private:

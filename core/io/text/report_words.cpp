@@ -11,10 +11,10 @@ ReportWords::ReportWords(Lookup lookup) : m_lookup(std::move(lookup)) {}
 
 std::string ReportWords::tag() const
 {
-    return said(QT_TRANSLATE_NOOP("Report", "en"));
+    return translated(QT_TRANSLATE_NOOP("Report", "en"));
 }
 
-std::string ReportWords::said(std::string_view english) const
+std::string ReportWords::translated(std::string_view english) const
 {
     return m_lookup ? m_lookup(english) : std::string(english);
 }
@@ -22,13 +22,13 @@ std::string ReportWords::said(std::string_view english) const
 std::string ReportWords::text(std::string_view english,
                               const std::vector<std::string>& arguments) const
 {
-    return filledIn(said(english), {arguments.begin(), arguments.end()});
+    return filledIn(translated(english), {arguments.begin(), arguments.end()});
 }
 
 std::string ReportWords::html(std::string_view english,
                               const std::vector<std::string>& arguments) const
 {
-    return filledIn(htmlText(said(english)), {arguments.begin(), arguments.end()});
+    return filledIn(htmlText(translated(english)), {arguments.begin(), arguments.end()});
 }
 
 std::vector<std::string> ReportWords::heads(const std::vector<std::string_view>& english) const

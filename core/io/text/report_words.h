@@ -10,30 +10,30 @@
 namespace berg {
 
 /**
- * The language of a page for people. Its English texts are marked with QT_TRANSLATE_NOOP in
- * context Report (events: EventText); numbers are those of files in every language.
+ * Language of a report. Its English texts are marked with QT_TRANSLATE_NOOP in context Report
+ * (EventText for events); numbers have the format of files in every language.
  */
 class ReportWords
 {
 public:
-    /** The translation of an English text, or the text itself. */
+    /** Returns the translation of an English text, or the text itself. */
     using Lookup = std::function<std::string(std::string_view)>;
 
-    /** English. */
+    /** Creates the words of an English report. */
     ReportWords() = default;
     explicit ReportWords(Lookup lookup);
 
-    /** Of the language, for browsers: "nb". */
+    /** Returns the language tag for browsers, e.g. "nb". */
     [[nodiscard]] std::string tag() const;
-    /** Without arguments: what %1, %2, ... stand for is put in elsewhere. */
-    [[nodiscard]] std::string said(std::string_view english) const;
-    /** With the arguments for %1, %2, ... */
+    /** Translates a text and leaves %1, %2, ... in it. */
+    [[nodiscard]] std::string translated(std::string_view english) const;
+    /** Translates a text and fills in the arguments for %1, %2, ... */
     [[nodiscard]] std::string text(std::string_view english,
                                    const std::vector<std::string>& arguments = {}) const;
-    /** The same as HTML, which the arguments are already. */
+    /** Translates a text as HTML; the arguments must be HTML already. */
     [[nodiscard]] std::string html(std::string_view english,
                                    const std::vector<std::string>& arguments = {}) const;
-    /** Each as HTML. */
+    /** Translates each text as HTML, for table headers. */
     [[nodiscard]] std::vector<std::string>
     heads(const std::vector<std::string_view>& english) const;
 

@@ -5,7 +5,7 @@
 
 namespace berg {
 
-/** Takes a long text in pieces, such as `StagedFile::append`. */
+/** Receives a long text in pieces, e.g. `StagedFile::append`. */
 using TextSink = std::function<void(std::string_view)>;
 
 } // namespace berg

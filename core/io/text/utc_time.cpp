@@ -1,6 +1,6 @@
 #include "core/io/text/utc_time.h"
 
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <algorithm>
 #include <charconv>
@@ -10,7 +10,7 @@ namespace berg {
 
 namespace {
 
-/** The number that starts at `at`; the text has been checked. */
+/** Returns the number of `width` digits at `at`; the text has been checked. */
 int numberAt(std::string_view text, std::size_t at, std::size_t width)
 {
     const std::string_view part = text.substr(at, width);
@@ -19,7 +19,7 @@ int numberAt(std::string_view text, std::size_t at, std::size_t width)
     return value;
 }
 
-/** Thousandths of the fraction "fff...Z". */
+/** Thousandths of a fraction given as "fff...Z". */
 int thousandths(std::string_view fraction)
 {
     int value = 0;

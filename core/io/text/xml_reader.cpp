@@ -1,6 +1,8 @@
 #include "core/io/text/xml_reader.h"
 
 #include "core/base/error.h"
+#include "core/io/text/byte_order_mark.h"
+#include "core/scenario/text_checks.h"
 
 #include <algorithm>
 #include <exception>
@@ -12,7 +14,7 @@ namespace berg {
 namespace {
 
 constexpr std::size_t kDeepest = 64;
-constexpr char kNamespaceEnd = '|';
+constexpr char kPrefixEnd = ':';
 
 /** Line of the parser's position, from 1. Expat 2.8 deprecates the one function for the other. */
 template <class Parser>
@@ -24,14 +26,13 @@ std::size_t lineOf(Parser parser)
         return XML_GetCurrentLineNumber(parser);
 }
 
-/** State of one reading; the library calls back with a pointer to it. */
+/** State of one parse; the library passes a pointer to it to the callbacks. */
 class Reading
 {
 public:
-    Reading(const XmlEvents& events, ReadBudget& budget)
-        : m_budget(budget)
-        , m_events(events)
-        , m_parser(XML_ParserCreateNS(nullptr, kNamespaceEnd), &XML_ParserFree)
+    /** `encoding` overrides the declaration in the text; null keeps the declared encoding. */
+    Reading(const XmlEvents& events, ReadBudget& budget, const char* encoding)
+        : m_budget(budget), m_events(events), m_parser(XML_ParserCreate(encoding), &XML_ParserFree)
     {
         require(m_parser != nullptr, "readXml: no memory for the parser");
         XML_SetUserData(m_parser.get(), this);
@@ -40,11 +41,17 @@ public:
         XML_SetStartDoctypeDeclHandler(m_parser.get(), &Reading::doctype);
     }
 
-    void run(std::string_view text)
+    void run(std::string_view whole)
     {
-        constexpr std::size_t kPiece = 1U << 16U; // milliseconds
+        // Blanks before the declaration are a common slip and no reason to reject the file.
+        const std::string_view marked = withoutByteOrderMark(whole);
+        const std::size_t blanks = std::min(marked.find_first_not_of(" \t\r\n"), marked.size());
+        const std::string_view text = marked.substr(blanks);
+        m_linesBefore =
+            static_cast<std::size_t>(std::ranges::count(marked.substr(0, blanks), '\n'));
+        constexpr std::size_t kPiece = 1U << 16U; // takes milliseconds, so a stop is noticed
         for (std::size_t at = 0; at == 0 || at < text.size(); at += kPiece) {
-            m_budget.goOn();
+            m_budget.throwIfStopped();
             const std::string_view piece = text.substr(at, kPiece);
             const bool last = at + piece.size() >= text.size();
             const XML_Status status = XML_Parse(m_parser.get(), piece.data(),
@@ -60,13 +67,17 @@ private:
     [[noreturn]] void fail(const std::string& reason) const
     {
         throw Error(ErrorCode::SyntaxError, m_budget.subject(),
-                    {IssueId::XmlSyntax, {countOf(lineOf(m_parser.get())), reason}});
+                    {IssueId::XmlSyntax, {countOf(line()), reason}});
     }
 
-    /** Runs `act`; what it throws ends the reading and waits for `run`: no exception may cross C.
+    [[nodiscard]] std::size_t line() const { return m_linesBefore + lineOf(m_parser.get()); }
+
+    /**
+     * Runs `act`. An exception ends the parse and is rethrown by `run`, because none may cross C
+     * code.
      */
     template <class Act>
-    static void guarded(void* data, Act act)
+    static void runGuarded(void* data, Act act)
     {
         auto& reading = *static_cast<Reading*>(data);
         if (reading.m_thrown)
@@ -82,25 +93,26 @@ private:
     static std::string localName(const char* name)
     {
         const std::string_view whole(name);
-        return std::string(whole.substr(whole.rfind(kNamespaceEnd) + 1)); // npos + 1 is 0
+        return std::string(whole.substr(whole.rfind(kPrefixEnd) + 1)); // npos + 1 is 0
     }
 
     static void open(void* data, const char* name, const char** attributes)
     {
-        guarded(data, [&](Reading& reading) {
+        runGuarded(data, [&](Reading& reading) {
             if (reading.m_path.size() >= kDeepest)
                 reading.fail("nested deeper than " + std::to_string(kDeepest) + " levels");
-            XmlElement element{.name = localName(name), .line = lineOf(reading.m_parser.get())};
+            XmlElement element{.name = localName(name), .line = reading.line()};
             std::size_t count = 0;
             while (attributes[2 * count] != nullptr)
                 ++count;
-            constexpr std::size_t kOfLibrary = 64; // about what it takes for each as well
+            constexpr std::size_t kOfLibrary = 64; // bytes for each in the library, about
             const std::size_t memory = count * (sizeof(element.attributes.front()) + kOfLibrary);
             reading.m_budget.take(memory);
-            reading.m_budget.giveBack(memory); // it is gone with the element
+            reading.m_budget.release(memory); // the element is freed again
             element.attributes.reserve(count);
             for (const char** pair = attributes; *pair != nullptr; pair += 2)
-                element.attributes.emplace_back(localName(pair[0]), pair[1]);
+                if (!std::string_view(pair[0]).starts_with("xmlns"))
+                    element.attributes.emplace_back(localName(pair[0]), pair[1]);
             reading.m_path.push_back(std::move(element));
             if (reading.m_events.opened)
                 reading.m_events.opened(reading.m_path);
@@ -108,7 +120,7 @@ private:
     }
     static void close(void* data, const char* /*name*/)
     {
-        guarded(data, [](Reading& reading) {
+        runGuarded(data, [](Reading& reading) {
             if (reading.m_events.closed)
                 reading.m_events.closed(reading.m_path);
             reading.m_path.pop_back();
@@ -116,14 +128,14 @@ private:
     }
     static void characters(void* data, const char* text, int length)
     {
-        guarded(data, [&](Reading& reading) {
+        runGuarded(data, [&](Reading& reading) {
             reading.m_path.back().text.append(text, static_cast<std::size_t>(length));
         });
     }
     static void doctype(void* data, const char* /*name*/, const char* /*systemId*/,
                         const char* /*publicId*/, int /*hasInternalSubset*/)
     {
-        guarded(data, [](Reading& reading) {
+        runGuarded(data, [](Reading& reading) {
             reading.fail("a document type declaration (DOCTYPE) is not accepted");
         });
     }
@@ -131,6 +143,7 @@ private:
     ReadBudget& m_budget;
     const XmlEvents& m_events;
     std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> m_parser;
+    std::size_t m_linesBefore = 0; ///< lines skipped before the text that is passed to the parser
     std::vector<XmlElement> m_path;
     std::exception_ptr m_thrown;
 };
@@ -146,7 +159,7 @@ std::string XmlElement::attribute(std::string_view wanted) const
 
 void readXml(std::string_view text, const XmlEvents& events, ReadBudget& budget)
 {
-    Reading(events, budget).run(text);
+    Reading(events, budget, isUtf8(text) ? "UTF-8" : nullptr).run(text);
 }
 
 } // namespace berg

@@ -1,7 +1,7 @@
 #include "core/io/text/zip_file.h"
 
 #include "core/base/error.h"
-#include "core/io/text/spool.h"
+#include "core/io/text/file_backed_buffer.h"
 
 #include <algorithm>
 #include <cctype>
@@ -16,7 +16,7 @@ namespace {
 using Archive = std::unique_ptr<zip_t, decltype(&zip_discard)>;
 using Source = std::unique_ptr<zip_source_t, decltype(&zip_source_free)>;
 
-/** In memory; `bytes` must live as long. */
+/** Source over bytes in memory, which must outlive it. */
 Source sourceOf(std::string_view bytes)
 {
     Source source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr),
@@ -25,7 +25,10 @@ Source sourceOf(std::string_view bytes)
     return source;
 }
 
-/** Of the source, which the caller keeps; null: it is none. */
+/**
+ * Opens the archive of the source, which stays with the caller. Returns null if it is not an
+ * archive.
+ */
 Archive archiveOf(const Source& source, int flags)
 {
     zip_source_keep(source.get());
@@ -43,32 +46,43 @@ bool endsWith(std::string_view name, std::string_view ending)
                [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
 }
 
-/** A spool as libzip reads and writes files; what the spool throws is kept for after it. */
-struct SpoolFile
+/** Whether macOS added the entry for another one: its folders and its icon. */
+bool isOfMacOs(std::string_view name)
 {
-    Spool spool;
+    const std::string_view file = name.substr(name.rfind('/') + 1); // npos + 1 is 0
+    return file.starts_with("._") || name.starts_with("__MACOSX/") ||
+           name.find("/__MACOSX/") != std::string_view::npos;
+}
+
+/**
+ * Presents a buffer to libzip as a file. An exception of the buffer is stored in `fault` until
+ * libzip returns.
+ */
+struct BufferFile
+{
+    FileBackedBuffer buffer;
     std::size_t at = 0;
     std::exception_ptr fault = {};
     zip_error_t error = {};
 };
 
-zip_int64_t seek(SpoolFile& file, void* data, zip_uint64_t length)
+zip_int64_t seek(BufferFile& file, void* data, zip_uint64_t length)
 {
     const zip_int64_t at =
-        zip_source_seek_compute_offset(file.at, file.spool.size(), data, length, &file.error);
+        zip_source_seek_compute_offset(file.at, file.buffer.size(), data, length, &file.error);
     if (at < 0)
         return -1;
     file.at = static_cast<std::size_t>(at);
     return 0;
 }
 
-zip_int64_t transfer(SpoolFile& file, void* data, std::size_t length, zip_source_cmd_t command)
+zip_int64_t transfer(BufferFile& file, void* data, std::size_t length, zip_source_cmd_t command)
 try {
     char* const bytes = static_cast<char*>(data);
     if (command == ZIP_SOURCE_READ)
-        length = file.spool.read(file.at, {bytes, length});
+        length = file.buffer.read(file.at, {bytes, length});
     else
-        file.spool.write(file.at, {bytes, length});
+        file.buffer.write(file.at, {bytes, length});
     file.at += length;
     return static_cast<zip_int64_t>(length);
 } catch (...) {
@@ -79,7 +93,7 @@ try {
 
 zip_int64_t serve(void* user, void* data, zip_uint64_t length, zip_source_cmd_t command)
 {
-    auto& file = *static_cast<SpoolFile*>(user);
+    auto& file = *static_cast<BufferFile*>(user);
     switch (command) {
     case ZIP_SOURCE_OPEN:
     case ZIP_SOURCE_BEGIN_WRITE:
@@ -98,7 +112,7 @@ zip_int64_t serve(void* user, void* data, zip_uint64_t length, zip_source_cmd_t 
         auto* const stat = static_cast<zip_stat_t*>(data);
         zip_stat_init(stat);
         stat->valid = ZIP_STAT_SIZE;
-        stat->size = file.spool.size();
+        stat->size = file.buffer.size();
         return sizeof *stat;
     }
     case ZIP_SOURCE_ERROR:
@@ -114,11 +128,14 @@ zip_int64_t serve(void* user, void* data, zip_uint64_t length, zip_source_cmd_t 
     }
 }
 
-/** Deflated, on the first day there is, closed. False where libzip or one of the two refuses. */
-bool pack(const std::string& entryName, SpoolFile& text, SpoolFile& packed)
+/**
+ * Compresses the text, dates it to the first possible day and closes the archive. Returns false if
+ * libzip or a buffer fails.
+ */
+bool pack(const std::string& entryName, BufferFile& text, BufferFile& packed)
 {
     constexpr unsigned kBest = 9;
-    constexpr unsigned kFirstDay = (1U << 5U) | 1U; // 1980-01-01, the earliest there is
+    constexpr unsigned kFirstDay = (1U << 5U) | 1U; // 1980-01-01, the earliest date of the format
     const Source target(zip_source_function_create(&serve, &packed, nullptr), &zip_source_free);
     require(target != nullptr, "libzip has no memory");
     Archive archive = archiveOf(target, ZIP_CREATE | ZIP_TRUNCATE);
@@ -130,13 +147,13 @@ bool pack(const std::string& entryName, SpoolFile& text, SpoolFile& packed)
                                                            entry.get(), ZIP_FL_ENC_UTF_8);
     if (at < 0)
         return false;
-    static_cast<void>(entry.release()); // it is the archive's
+    static_cast<void>(entry.release()); // the archive owns it now
     const auto index = static_cast<zip_uint64_t>(at);
     if (zip_set_file_compression(archive.get(), index, ZIP_CM_DEFLATE, kBest) != 0 ||
         zip_file_set_dostime(archive.get(), index, 0, kFirstDay, 0) != 0 ||
         zip_close(archive.get()) != 0)
         return false;
-    static_cast<void>(archive.release()); // closed
+    static_cast<void>(archive.release()); // zip_close has freed it
     return true;
 }
 
@@ -145,58 +162,97 @@ bool pack(const std::string& entryName, SpoolFile& text, SpoolFile& packed)
 void writeZip(const std::string& entryName, const std::function<void(const TextSink&)>& write,
               const TextSink& put)
 {
-    SpoolFile text;
-    SpoolFile packed;
-    write([&text](std::string_view piece) { text.spool.append(piece); });
+    BufferFile text;
+    BufferFile packed;
+    write([&text](std::string_view piece) { text.buffer.append(piece); });
     const bool isPacked = pack(entryName, text, packed);
-    for (const SpoolFile* file : {&text, &packed})
+    for (const BufferFile* file : {&text, &packed})
         if (file->fault)
             std::rethrow_exception(file->fault);
     require(isPacked, "libzip does not write");
-    packed.spool.putAll(put);
+    packed.buffer.putAll(put);
+}
+
+struct ZipReader::Opened
+{
+    Source source;
+    Archive archive;
+};
+
+ZipReader::ZipReader(std::string_view bytes, ReadBudget& budget) : m_budget(budget)
+{
+    Source source = sourceOf(bytes);
+    Archive archive = archiveOf(source, ZIP_RDONLY);
+    if (archive == nullptr)
+        throw Error(ErrorCode::WrongFormat, budget.subject(), {IssueId::ArchiveDamaged});
+    m_opened = std::make_unique<Opened>(
+        Opened{.source = std::move(source), .archive = std::move(archive)});
+}
+
+ZipReader::~ZipReader() = default;
+
+std::vector<std::string> ZipReader::names(std::string_view ending) const
+{
+    std::vector<std::string> found;
+    zip_t* const archive = m_opened->archive.get();
+    const auto count = static_cast<zip_uint64_t>(zip_get_num_entries(archive, 0));
+    for (zip_uint64_t i = 0; i < count; ++i) {
+        m_budget.throwIfStopped();
+        const char* const given = zip_get_name(archive, i, ZIP_FL_ENC_GUESS);
+        const std::string name = given == nullptr ? "" : given;
+        if (!endsWith(name, ending) || isOfMacOs(name))
+            continue;
+        m_budget.take(2 * sizeof(std::string) + name.capacity());
+        found.push_back(name);
+    }
+    const auto main = std::ranges::find_if(found, [](const std::string& name) {
+        constexpr std::string_view kMain = "doc.kml";
+        return name.size() == kMain.size() && endsWith(name, kMain);
+    });
+    if (main != found.end())
+        std::rotate(found.begin(), main, main + 1);
+    return found;
+}
+
+std::string ZipReader::text(const std::string& name) const
+{
+    const auto fail = [&] {
+        const std::string ending = name.substr(std::min(name.rfind('.'), name.size()));
+        throw Error(ErrorCode::WrongFormat, m_budget.subject(), {IssueId::ArchiveEntry, {ending}});
+    };
+    const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> entry(
+        zip_fopen(m_opened->archive.get(), name.c_str(), ZIP_FL_ENC_GUESS), &zip_fclose);
+    if (entry == nullptr)
+        fail();
+    constexpr std::size_t kPiece = 1U << 16U;
+    std::string text;
+    // The size in the archive may be wrong, so bytes are counted.
+    for (zip_int64_t got = 1; got > 0;) {
+        m_budget.throwIfStopped();
+        const std::size_t size = text.size();
+        if (text.capacity() < size + kPiece) { // while the text grows there are two copies
+            const std::size_t capacity = text.capacity();
+            m_budget.take(2 * capacity + kPiece);
+            text.reserve(2 * capacity + kPiece);
+            m_budget.release(capacity);
+        }
+        text.resize(size + kPiece);
+        got = zip_fread(entry.get(), text.data() + size, kPiece);
+        if (got < 0)
+            fail();
+        text.resize(size + static_cast<std::size_t>(got));
+    }
+    return text;
 }
 
 std::string unzipped(std::string_view bytes, std::string_view ending, ReadBudget& budget)
 {
-    const auto fail = [&](IssueReason reason) {
-        throw Error(ErrorCode::WrongFormat, budget.subject(), std::move(reason));
-    };
-    const Source file = sourceOf(bytes);
-    const Archive archive = archiveOf(file, ZIP_RDONLY);
-    if (archive == nullptr)
-        fail({IssueId::ArchiveDamaged});
-    const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
-    zip_int64_t index = 0;
-    const auto nameOf = [&] {
-        const char* const name =
-            zip_get_name(archive.get(), static_cast<zip_uint64_t>(index), ZIP_FL_ENC_GUESS);
-        return std::string_view(name == nullptr ? "" : name);
-    };
-    while (index < count && !endsWith(nameOf(), ending))
-        ++index;
-    if (index >= count)
-        fail({IssueId::ArchiveWithout, {std::string(ending)}});
-    const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> entry(
-        zip_fopen_index(archive.get(), static_cast<zip_uint64_t>(index), 0), &zip_fclose);
-    constexpr std::size_t kPiece = 1U << 16U;
-    std::string text;
-    // What the archive says of the size may be a lie, so it is counted.
-    for (zip_int64_t got = 1; got > 0;) {
-        budget.goOn();
-        const std::size_t size = text.size();
-        if (text.capacity() < size + kPiece) { // while it grows there are two of it
-            const std::size_t capacity = text.capacity();
-            budget.take(2 * capacity + kPiece);
-            text.reserve(2 * capacity + kPiece);
-            budget.giveBack(capacity);
-        }
-        text.resize(size + kPiece);
-        got = entry == nullptr ? -1 : zip_fread(entry.get(), text.data() + size, kPiece);
-        if (got < 0)
-            fail({IssueId::ArchiveEntry, {std::string(ending)}});
-        text.resize(size + static_cast<std::size_t>(got));
-    }
-    return text;
+    const ZipReader archive(bytes, budget);
+    const std::vector<std::string> names = archive.names(ending);
+    if (names.empty())
+        throw Error(ErrorCode::WrongFormat, budget.subject(),
+                    {IssueId::ArchiveWithout, {std::string(ending)}});
+    return archive.text(names.front());
 }
 
 } // namespace berg

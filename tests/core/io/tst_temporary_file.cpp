@@ -23,7 +23,7 @@ QStringList namesIn(const QTemporaryDir& dir)
 
 } // namespace
 
-/** What is left of writers that were killed, and what is not. */
+/** Tests which leftovers of killed writers are removed. */
 class TestTemporaryFile : public QObject
 {
     Q_OBJECT
@@ -40,13 +40,13 @@ private slots:
         QVERIFY(m_dir->isValid());
     }
 
-    void leftoversOfKilledWritersGo_data()
+    void leftoversOfKilledWritersAreRemoved_data()
     {
         QTest::addColumn<bool>("writes");
         QTest::newRow("when it is written") << true;
         QTest::newRow("when it is opened") << false;
     }
-    void leftoversOfKilledWritersGo()
+    void leftoversOfKilledWritersAreRemoved()
     {
         QFETCH(bool, writes);
         writeFileAtomically(path("plan.berg"), "old");
@@ -71,7 +71,7 @@ private slots:
         QCOMPARE(readFile(path("plan.berg")), std::string(writes ? "new" : "old"));
     }
 
-    void killedInTheMiddle()
+    void killedWriterLeavesAWholeFile()
     {
         const std::string target = path("plan.berg");
         writeFileAtomically(target, "old");
@@ -90,8 +90,11 @@ private slots:
         QCOMPARE(namesIn(*m_dir), QStringList{"plan.berg"});
     }
 
-    /** The first that is refused ends it; what is placed is told, and no name is left. */
-    void placedApartAsFarAsPossible()
+    /**
+     * The first refused rename ends the series; renamed files are reported, and no temporary name
+     * is left.
+     */
+    void childProcessRenamesUpToTheFirstFailure()
     {
         QVERIFY(QDir(m_dir->path()).mkdir("c"));
         TemporaryFile first(path("a"));
@@ -100,7 +103,7 @@ private slots:
         for (const TemporaryFile* file : {&first, &second, &third})
             QVERIFY(file->isOpen() && writeAll(file->descriptor(), "new") && file->flush());
         const std::vector<Placing> placings{first.placing(), second.placing(), third.placing()};
-        QCOMPARE(placeApart(placings), std::size_t{2});
+        QCOMPARE(placeInChildProcess(placings), std::size_t{2});
         first.notePlaced();
         second.notePlaced();
         QCOMPARE(readFile(path("a")), std::string("new"));

@@ -50,16 +50,16 @@ class TestExportContent : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void theOrderUnlessSomethingWasFlown()
+    void orderIsTheDefaultUntilSomethingIsFlown()
     {
         const ExportContent plan = planContent(fourIcebergs());
-        QCOMPARE(plan.what, ExportWhat::Order);
+        QCOMPARE(plan.what, ExportScope::Order);
         QCOMPARE(plan.now_s, 0.0);
         QVERIFY(visited(only(plan)) == fourIcebergPlan().uavs[0].order);
         QVERIFY(only(plan).track.empty());
         const Mission mission = flown(fourIcebergs(), 100);
         const ExportContent run = runContent(mission);
-        QCOMPARE(run.what, ExportWhat::Track);
+        QCOMPARE(run.what, ExportScope::Track);
         QCOMPARE(run.now_s, 100.0);
         QCOMPARE(only(run).track.size(), mission.recorder().samples().size());
         QCOMPARE(only(run).visits.size(), flownVisits(mission).size());
@@ -67,13 +67,13 @@ private slots:
 
     void firstLegIsOneVisit()
     {
-        QCOMPARE(visited(planned({.what = ExportWhat::FirstLeg})), std::vector<int>{0});
+        QCOMPARE(visited(planned({.what = ExportScope::FirstLeg})), std::vector<int>{0});
         const std::vector<int> home =
-            visited(planned({.what = ExportWhat::FirstLeg, .returnHome = true}));
+            visited(planned({.what = ExportScope::FirstLeg, .returnHome = true}));
         QCOMPARE(home, (std::vector<int>{0, -1}));
     }
 
-    void homeAtTheEnd()
+    void homeIsTheLastVisitIfChosen()
     {
         Scenario scenario = fourIcebergs();
         QVERIFY(planned({}).visits.back().iceberg >= 0);
@@ -90,11 +90,11 @@ private slots:
         QVERIFY(planned({.returnHome = true}, scenario).visits.back().position_m == Point(10, 20));
     }
 
-    /** The path has the turns that straight legs lack: no sharper than the aircraft's. */
+    /** The path has the turns that straight legs lack, none of them sharper than the aircraft's. */
     void pathIsFlyable()
     {
         const Scenario scenario = changed([](Scenario& s) { s.wind_mps = Point(3, -5); });
-        const ExportUav uav = planned({.what = ExportWhat::Path}, scenario);
+        const ExportUav uav = planned({.what = ExportScope::Path}, scenario);
         QVERIFY(visited(uav) == fourIcebergPlan().uavs[0].order);
         const double limit_radps = maxTurnRate_radps(scenario.uavs[0].spec);
         double turned_radps = 0;
@@ -116,25 +116,28 @@ private slots:
         QVERIFY(uav.track.front().state.position_m == scenario.uavs[0].position_m);
     }
 
-    /** A path with aims passes icebergs at a distance: the chance over them says nothing of it. */
-    void chanceIsToldWhereTheUavFliesOver()
+    /**
+     * A path with aim points passes icebergs at a distance, so the probability over them does not
+     * apply.
+     */
+    void chanceIsGivenWhereTheUavFliesOverAnIceberg()
     {
         const Scenario scenario =
             changed([](Scenario& s) { s.planner.policy = PolicyKind::Coverage; });
         const PlanAnswer plan = planFromStart(scenario);
-        for (const ExportWhat what : {ExportWhat::Order, ExportWhat::Path}) {
+        for (const ExportScope what : {ExportScope::Order, ExportScope::Path}) {
             const ExportContent content = planContent(scenario, plan, {.what = what});
             const ExportUav uav = only(content);
             const auto chance =
                 chanceInView(content, uav, uav.visits.front(), uav.visits.front().iceberg);
-            QCOMPARE(chance.has_value(), what == ExportWhat::Order);
+            QCOMPARE(chance.has_value(), what == ExportScope::Order);
             const std::string csv = planCsv(content);
-            QCOMPARE(csv.ends_with(",\n"), what == ExportWhat::Path);
+            QCOMPARE(csv.ends_with(",\n"), what == ExportScope::Path);
         }
     }
 
-    /** Of a lost one it is the chance that one of the places shows it where the plan looks. */
-    void chanceOfSearchesIsTold()
+    /** For a lost iceberg it is the probability that a planned search place shows it. */
+    void chanceOfSearchesIsGiven()
     {
         Scenario scenario = randomScenario(1, {.icebergs = 6});
         scenario.planner.policy = PolicyKind::Coverage;
@@ -152,7 +155,7 @@ private slots:
         QVERIFY(!searches().empty());
         const PlanAnswer none;
         const ExportContent content = exportContent(
-            {.scenario = scenario, .plan = none, .mission = &mission}, {.what = ExportWhat::Path});
+            {.scenario = scenario, .plan = none, .mission = &mission}, {.what = ExportScope::Path});
         const ExportUav uav = only(content);
         const std::vector<PlannedSearch> planned = searches();
         const PlannedSearch first = planned.front();
@@ -170,10 +173,10 @@ private slots:
                 QVERIFY(!chanceInView(content, uav, *visit, other));
     }
 
-    /** In view, 300 m before the middle, the next leg begins. */
+    /** The next leg begins when the iceberg is in view, 300 m before the middle. */
     void pathReachesEachIceberg()
     {
-        const ExportUav uav = planned({.what = ExportWhat::Path, .returnHome = true});
+        const ExportUav uav = planned({.what = ExportScope::Path, .returnHome = true});
         QCOMPARE(visited(uav), (std::vector<int>{0, 3, 1, 2, -1}));
         const std::vector<TrackPoint> track = uav.track.all();
         for (const Visit& visit : uav.visits) {
@@ -190,18 +193,18 @@ private slots:
     void pathWithEnduranceEndsAtHome()
     {
         const Scenario scenario = changed([](Scenario& s) { s.uavs[0].spec.endurance_s = 250; });
-        const ExportUav uav = planned({.what = ExportWhat::Path}, scenario);
+        const ExportUav uav = planned({.what = ExportScope::Path}, scenario);
         QVERIFY(uav.visits.size() < 5);
         QCOMPARE(uav.visits.back().iceberg, -1);
         QVERIFY(uav.visits.back().time_s <= 250);
         QVERIFY((uav.track.back().state.position_m - uav.home_m).norm() < 50);
     }
 
-    /** In flight the order starts here and now, from where icebergs are believed to be. */
-    void presentOrderOfAMission()
+    /** In flight the order starts here and now, with the icebergs at their estimates. */
+    void orderOfAMissionStartsHereAndNow()
     {
         const Mission mission = flown(fourIcebergs(), 100);
-        const ExportContent content = runContent(mission, {.what = ExportWhat::Order});
+        const ExportContent content = runContent(mission, {.what = ExportScope::Order});
         const ExportUav uav = only(content);
         QVERIFY(visited(uav) == mission.plans().back().order);
         QVERIFY(uav.uav.position_m == mission.simulation().uav(0).pose.position_m);
@@ -211,24 +214,24 @@ private slots:
         for (std::size_t i = 0; i < content.icebergs.size(); ++i)
             QVERIFY(content.icebergs[i].position_m ==
                     mission.simulation().observer().estimate_m(static_cast<int>(i)));
-        const ExportUav path = only(runContent(mission, {.what = ExportWhat::Path}));
+        const ExportUav path = only(runContent(mission, {.what = ExportScope::Path}));
         QCOMPARE(path.track.front().time_s, 100.0);
         QVERIFY(path.track.front().state.position_m == uav.uav.position_m);
         QVERIFY(visited(path) == mission.plans().back().order);
     }
 
-    void choicesOfTheUser()
+    void optionsOverrideTheScenario()
     {
         const ExportUav uav = planned({.altitude_m = 80, .airspeed_mps = 11, .acceptance_m = 42.5});
         QCOMPARE(uav.uav.spec.altitude_m, 80.0);
         QCOMPARE(uav.reach_m, 42.5);
         QVERIFY(uav.reachChosen);
-        // Half the speed: later, and a quarter of the circle.
+        // Half the speed gives later visits and a quarter of the circle.
         QVERIFY(uav.visits.front().time_s > 1.9 * planned({}).visits.front().time_s);
         COMPARE_NEAR(uav.circle_m * 4, planned({}).circle_m, 1e-9);
     }
 
-    void severalUavs()
+    void oneOfSeveralUavsCanBeChosen()
     {
         const ExportContent all = planContent(twoUavs());
         QCOMPARE(all.uavs.size(), std::size_t{2});
@@ -239,15 +242,15 @@ private slots:
         QCOMPARE(only(one).uav.id, std::string("uav-2"));
     }
 
-    /** Each flies its own part of the plan, and is exported with what it flew. */
-    void fleetHasAWayEach()
+    /** Each UAV flies its own part of the plan, and is exported with its own track. */
+    void everyUavOfAFleetHasItsOwnPath()
     {
         Scenario scenario = twoUavs();
         scenario.planner.policy = PolicyKind::Visitation;
         const PlanAnswer plan = planFromStart(scenario);
         QCOMPARE(plan.uavs.size(), std::size_t{2});
         const ExportContent order = planContent(scenario, plan);
-        const ExportContent path = planContent(scenario, plan, {.what = ExportWhat::Path});
+        const ExportContent path = planContent(scenario, plan, {.what = ExportScope::Path});
         for (std::size_t row = 0; row < 2; ++row) {
             QVERIFY(visited(order.uavs[row]) == plan.uavs[row].order);
             QVERIFY(visited(path.uavs[row]) == plan.uavs[row].order);
@@ -263,12 +266,12 @@ private slots:
         }
         QCOMPARE(visits, static_cast<std::size_t>(mission.metrics().visits));
         QVERIFY(findExportFormat("csv")->text(run) == trajectoryCsv(mission));
-        const ExportContent now = runContent(mission, {.what = ExportWhat::Order});
+        const ExportContent now = runContent(mission, {.what = ExportScope::Order});
         for (const ExportUav& uav : now.uavs)
             QVERIFY(visited(uav) == lastPlanOf(mission.plans(), static_cast<int>(uav.row))->order);
     }
 
-    void trueDirections_data()
+    void directionsAreTrueOverTheEarth_data()
     {
         QTest::addColumn<double>("latitude_deg");
         QTest::addColumn<double>("longitude_deg");
@@ -279,9 +282,8 @@ private slots:
         QTest::newRow("South Pole") << -90.0 << 0.0;
     }
 
-    /** What moves in the plane moves east and north over the Earth, by its parallels and meridians.
-     */
-    void trueDirections()
+    /** A motion in the plane is converted to true east and north by the parallels and meridians. */
+    void directionsAreTrueOverTheEarth()
     {
         QFETCH(double, latitude_deg);
         QFETCH(double, longitude_deg);
@@ -305,7 +307,7 @@ private slots:
                 radFromDeg(std::remainder(to.longitude_deg - from.longitude_deg, 360.0));
             const double north_m = meridian_m * radFromDeg(to.latitude_deg - from.latitude_deg);
             const Point moved_m = eastNorth_mps(content, step_m, at_m);
-            // 10 m of 36 km and more from a pole; the plane is stretched by 1e-5 there.
+            // 10 m at 36 km and more from a pole; the plane is stretched by 1e-5 there.
             COMPARE_NEAR((moved_m - Point(east_m, north_m)).norm(), 0, 0.02);
             COMPARE_NEAR(moved_m.norm(), 10, 1e-7);
             const double true_deg = trueHeading_deg(content, heading_deg, at_m);
@@ -324,7 +326,7 @@ private slots:
         QCOMPARE(trueHeading_deg(content, -90, origin_m), 270.0);
     }
 
-    void refusals_data()
+    void impossibleOptionsAreRejected_data()
     {
         QTest::addColumn<QString>("option");
         QTest::addColumn<int>("row");
@@ -334,16 +336,19 @@ private slots:
             QTest::addRow("%s %d", option, row) << QString::fromLatin1(option) << row, ++row;
     }
 
-    void refusals()
+    void impossibleOptionsAreRejected()
     {
         QFETCH(QString, option);
         QFETCH(int, row);
         const Scenario windy = changed([](Scenario& s) { s.wind_mps = Point(10, 0); });
-        const std::vector<ExportOptions> options{
-            {.what = ExportWhat::Track}, {.uav = "uav-9"},
-            {.altitude_m = 0},           {.airspeed_mps = std::nan("")},
-            {.airspeed_mps = 10},        {.acceptance_m = -1},
-            {.loiterTurns = -1},         {.loiterTurns = 256}};
+        const std::vector<ExportOptions> options{{.what = ExportScope::Track},
+                                                 {.uav = "uav-9"},
+                                                 {.altitude_m = 0},
+                                                 {.airspeed_mps = std::nan("")},
+                                                 {.airspeed_mps = 10},
+                                                 {.acceptance_m = -1},
+                                                 {.loiterTurns = -1},
+                                                 {.loiterTurns = 256}};
         const std::optional<Error> error = errorOf([&] {
             (void)planContent(windy, fourIcebergPlan(), options[static_cast<std::size_t>(row)]);
         });
@@ -352,14 +357,14 @@ private slots:
         QCOMPARE(QString::fromStdString(error->subject()), option);
     }
 
-    void whatNoFileCanHoldIsRefused_data()
+    void contentThatNoFileCanHoldIsRejected_data()
     {
         QTest::addColumn<int>("row");
         QTest::newRow("not finite") << 0;
         QTest::newRow("off the plane") << 1;
         QTest::newRow("later than any date") << 2;
     }
-    void whatNoFileCanHoldIsRefused()
+    void contentThatNoFileCanHoldIsRejected()
     {
         QFETCH(const int, row);
         const std::vector<Scenario> scenarios{
@@ -379,13 +384,13 @@ private slots:
         QVERIFY(std::string(error->what()).find("cannot be exported") != std::string::npos);
     }
 
-    /** Limited endurance makes home the end of a path, unless that is not wanted. */
-    void pathWithoutTheWayHomeEndsOverTheLastIceberg()
+    /** Limited endurance makes home the end of a path, unless the user deselects it. */
+    void pathWithoutLegHomeEndsOverTheLastIceberg()
     {
         const Scenario scenario = changed([](Scenario& s) { s.uavs[0].spec.endurance_s = 400; });
-        const ExportUav home = planned({.what = ExportWhat::Path}, scenario);
+        const ExportUav home = planned({.what = ExportScope::Path}, scenario);
         QCOMPARE(home.visits.back().iceberg, -1);
-        const ExportUav stays = planned({.what = ExportWhat::Path, .returnHome = false}, scenario);
+        const ExportUav stays = planned({.what = ExportScope::Path, .returnHome = false}, scenario);
         QCOMPARE(stays.visits.size() + 1, home.visits.size());
         QVERIFY(!stays.visits.empty());
         QVERIFY(stays.track.back().time_s <= stays.visits.back().time_s);

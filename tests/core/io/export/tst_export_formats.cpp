@@ -1,4 +1,4 @@
-// The table of formats: what every one of them must stand, and what it says about itself.
+// Tests of the table of formats: common requirements, and the notes of each format.
 
 #include "core/io/export/export_files.h"
 #include "core/io/export/export_notes.h"
@@ -54,7 +54,7 @@ class TestExportFormats : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void table()
+    void tableListsEveryFormatOnce()
     {
         QStringList ids;
         for (const ExportFormat& row : exportFormats()) {
@@ -71,7 +71,7 @@ private slots:
         QVERIFY(findExportFormat("mission") == nullptr);
     }
 
-    /** Every format, whatever the place, the names and the way. */
+    /** Covers every format with various places, names and paths. */
     void isWellFormed_data() { exportRows(); }
 
     void isWellFormed()
@@ -97,7 +97,7 @@ private slots:
         QVERIFY(allTexts(mission) == expected);
     }
 
-    void oneFileForEachUav()
+    void formatsOfOneUavGiveAFileForEach()
     {
         const ExportContent content = planContent(changed([](Scenario& s) {
             s.uavs.resize(3, s.uavs[0]);
@@ -121,12 +121,12 @@ private slots:
         QVERIFY(error && error->code() == ErrorCode::InvalidInput);
     }
 
-    /** Of both UAVs in one file, and of the one that is chosen. */
+    /** The painter gets both UAVs for one file, or the chosen one. */
     void painterGetsTheContentOfEachFile()
     {
         const ExportContent content =
             planContent(changed([](Scenario& s) { s.uavs.resize(2, s.uavs[0]); }),
-                        fourIcebergPlan(), {.what = ExportWhat::FirstLeg, .altitude_m = 90});
+                        fourIcebergPlan(), {.what = ExportScope::FirstLeg, .altitude_m = 90});
         std::vector<std::string_view> painted;
         const ExportPainter painter = [&](const ExportFormat& row, const ExportContent& given) {
             painted.push_back(row.id);
@@ -184,11 +184,11 @@ private slots:
         }));
         QCOMPARE(noteIds(format("brief"), timeless).join(u' '), QStringLiteral("no-times"));
         const Mission mission = flown(fourIcebergs(), 60);
-        const ExportContent chosen = runContent(mission, {.what = ExportWhat::Order});
+        const ExportContent chosen = runContent(mission, {.what = ExportScope::Order});
         for (const char* ending : {"pdf", "svg", "png"}) {
             const ExportFormat& map = format((std::string("map-") + ending).c_str());
             const ExportFormat& charts = format((std::string("charts-") + ending).c_str());
-            QVERIFY(noteIds(map, timeless).isEmpty()); // a map has no dates in any case
+            QVERIFY(noteIds(map, timeless).isEmpty()); // a map never has dates
             QCOMPARE(noteIds(map, planContent(fourIcebergs(), planOf({}))).join(u' '),
                      QStringLiteral("nothing-to-fly"));
             QCOMPARE(noteIds(charts, chosen).join(u' '), QStringLiteral("choice-not-used"));
@@ -214,8 +214,8 @@ private slots:
         QVERIFY(noteIds(format("plan"), high).contains(QStringLiteral("no-heights")));
     }
 
-    /** Where a flight goes round, straight legs do not: that is said of all formats. */
-    void legsThroughAreasAreTold()
+    /** Straight legs do not avoid areas as a flight does; a note says so for all formats. */
+    void legsThroughAreasAreNoted()
     {
         const auto walled = [](Scenario& s) {
             s.uavs[0].position_m = {0, 0};
@@ -226,20 +226,20 @@ private slots:
         };
         Scenario scenario = changed(walled);
         const QString id = QStringLiteral("legs-cross");
-        const auto told = [&](const char* name, ExportWhat what) {
+        const auto isNoted = [&](const char* name, ExportScope what) {
             const ExportContent content =
                 planContent(scenario, planFromStart(scenario), {.what = what});
             return noteIds(format(name), content).contains(id);
         };
         for (const char* name : {"plan", "kml", "gpx", "csv"})
-            QVERIFY(told(name, ExportWhat::Order));
-        QVERIFY(told("plan", ExportWhat::FirstLeg));
-        QVERIFY(!told("plan", ExportWhat::Path));
-        scenario.uavs[0].spec.altitude_m = 90; // below it
-        QVERIFY(!told("plan", ExportWhat::Order));
+            QVERIFY(isNoted(name, ExportScope::Order));
+        QVERIFY(isNoted("plan", ExportScope::FirstLeg));
+        QVERIFY(!isNoted("plan", ExportScope::Path));
+        scenario.uavs[0].spec.altitude_m = 90; // the UAV is below the area
+        QVERIFY(!isNoted("plan", ExportScope::Order));
     }
 
-    void notes()
+    void notesNameWhatIsLeftOut()
     {
         const Scenario scenario = changed([](Scenario& s) {
             s.startUtc.clear();
@@ -265,10 +265,10 @@ private slots:
         QCOMPARE(noteIds(format("gpx"), calm).join(u' '), QStringLiteral("option-not-used"));
         const Mission mission = flown(fourIcebergs(), 60);
         QCOMPARE(noteIds(format("wpl"), runContent(mission))[0], QStringLiteral("visits-only"));
-        QCOMPARE(noteIds(format("zeta-csv"), runContent(mission, {.what = ExportWhat::Path})),
+        QCOMPARE(noteIds(format("zeta-csv"), runContent(mission, {.what = ExportScope::Path})),
                  QStringList(QStringLiteral("choice-not-used")));
         const ExportContent path =
-            planContent(fourIcebergs(), fourIcebergPlan(), {.what = ExportWhat::Path});
+            planContent(fourIcebergs(), fourIcebergPlan(), {.what = ExportScope::Path});
         QCOMPARE(noteIds(format("plan"), path).join(u' '), QStringLiteral("path-as-waypoints"));
         QCOMPARE(noteIds(format("plan"), planContent(fourIcebergs(), planOf({})))[0],
                  QStringLiteral("nothing-to-fly"));
@@ -276,7 +276,7 @@ private slots:
                     .contains(QStringLiteral("fence-across-180")));
     }
 
-    /** Ids that make one name of two files, and names that are taken by the way out of it. */
+    /** Ids that give two files the same name, and names that the disambiguation would produce. */
     void everyUavHasAFileOfItsOwn()
     {
         const ExportContent content = planContent(changed([](Scenario& s) {
@@ -291,33 +291,33 @@ private slots:
         QCOMPARE(names.size(), std::size_t{3});
     }
 
-    /** Of an order for several sorties the first one is written, and that is told. */
-    void laterSortiesAreTold()
+    /** Only the first sortie of an order is exported; a note says so. */
+    void laterSortiesAreNoted()
     {
         Scenario scenario = fourIcebergs();
         scenario.uavs[0].spec.endurance_s = 1e6;
         const ExportContent whole = planContent(scenario);
         QVERIFY(!noteIds(format("plan"), whole).contains(QStringLiteral("later-sorties")));
         scenario.uavs[0].spec.endurance_s = whole.uavs[0].visits.back().time_s;
-        for (const ExportWhat what : {ExportWhat::Order, ExportWhat::Path}) {
+        for (const ExportScope what : {ExportScope::Order, ExportScope::Path}) {
             const ExportContent content = planContent(scenario, fourIcebergPlan(), {.what = what});
             const std::size_t visits = content.uavs[0].visits.size();
             QVERIFY(visits > 1 && visits < 5);
-            QCOMPARE(content.uavs[0].laterSorties, 5 - visits); // one is home
+            QCOMPARE(content.uavs[0].laterSorties, 5 - visits); // one of the visits is home
             for (const char* id : {"plan", "gpx", "brief"}) {
                 const std::vector<ExportNote> notes = exportNotes(format(id), content);
-                const auto told =
+                const auto note =
                     std::ranges::find(notes, ExportNoteKind::LaterSorties, &ExportNote::kind);
-                QVERIFY(told != notes.end());
-                QCOMPARE(told->value, double(content.uavs[0].laterSorties));
+                QVERIFY(note != notes.end());
+                QCOMPARE(note->value, double(content.uavs[0].laterSorties));
             }
         }
         const ExportContent first =
-            planContent(scenario, fourIcebergPlan(), {.what = ExportWhat::FirstLeg});
+            planContent(scenario, fourIcebergPlan(), {.what = ExportScope::FirstLeg});
         QVERIFY(!noteIds(format("plan"), first).contains(QStringLiteral("later-sorties")));
     }
 
-    void thinnedWayKeepsWithinTheTolerance()
+    void thinnedPathKeepsWithinTheTolerance()
     {
         std::vector<TimedPoint> circle;
         for (int i = 0; i <= 360; ++i)
@@ -325,7 +325,7 @@ private slots:
                 {.position_m = 100 * Point(std::cos(i * M_PI / 180), std::sin(i * M_PI / 180)),
                  .time_s = double(i)});
         const std::vector<TimedPoint> corners = thinnedPath(circle, 5);
-        // A chord of angle a is r (1 - cos(a/2)) off: 5 m of 100 m at 36 degrees.
+        // A chord of angle a deviates by r (1 - cos(a/2)): 5 m of 100 m at 36 degrees.
         QVERIFY(corners.size() >= 11 && corners.size() <= 20);
         for (const TimedPoint& point : circle) {
             double nearest_m = 1e9;
@@ -345,8 +345,8 @@ private slots:
         QVERIFY(zipFile("doc.kml", "").starts_with("PK\x03\x04"));
     }
 
-    /** To and fro over the antimeridian, more points than are kept in memory. */
-    void longTracksAreWhole()
+    /** Flies back and forth across the antimeridian, with more points than are held in memory. */
+    void longTracksAreExportedCompletely()
     {
         Scenario scenario = at180();
         scenario.startUtc = "2026-03-01T06:00:00Z";
@@ -365,7 +365,7 @@ private slots:
         QCOMPARE(count("csv", QStringLiteral("\n")), 4'001);
         QCOMPARE(count("gpx", QStringLiteral("<trkpt ")), 4'000);
         QCOMPARE(count("gpx", QStringLiteral("<trkseg>")), parts);
-        // A vertex on either side of the border where it is crossed.
+        // There is a vertex on either side of the border at each crossing.
         const qsizetype vertices = 4'000 + 2 * (parts - 1);
         QCOMPARE(count("kml", QStringLiteral("<gx:coord>")), vertices);
         QCOMPARE(count("kml", QStringLiteral("</when>\n")), vertices);
@@ -380,14 +380,14 @@ private slots:
         QVERIFY(unzipped(kmz, ".kml", budget) == kmlText(content));
     }
 
-    void golden_data()
+    void textMatchesTheGoldenFile_data()
     {
         QTest::addColumn<QString>("id");
         for (const char* id : {"gpx", "kml", "czml"})
             QTest::newRow(id) << QString::fromLatin1(id);
     }
 
-    void golden()
+    void textMatchesTheGoldenFile()
     {
         QFETCH(QString, id);
         const std::string text =
@@ -395,7 +395,7 @@ private slots:
                 .text(planContent(changed([](Scenario& s) { s.geofence = true; }),
                                   fourIcebergPlan(), {.returnHome = true}));
         const QByteArray expected = berg::test::golden(u"four_icebergs."_s + id, bytes(text));
-        // Numbers may differ as another processor rounds, by 1e-9 of 48 degrees: 5 mm.
+        // Numbers may differ by the rounding of another processor, 1e-9 of 48 degrees: 5 mm.
         const QString found = numbersDifference(bytes(text), expected, 1e-9);
         QVERIFY2(found.isEmpty(), qPrintable(found));
     }

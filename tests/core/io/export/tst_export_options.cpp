@@ -1,4 +1,4 @@
-// Options that a user gives: what does not change a file is told, and nothing else.
+// Tests of user options: options without effect on a file are noted, and only those.
 
 #include "core/io/export/export_notes.h"
 #include "tests/support/export_fixtures.h"
@@ -19,7 +19,7 @@ QStringList notUsed(const ExportFormat& row, const ExportContent& content)
     return options;
 }
 
-/** Each alone, and all of them other than what `fourIcebergs` has. */
+/** Options, one at a time, each different from the value in `fourIcebergs`. */
 std::vector<ExportOptions> eachOption()
 {
     return {{.altitude_m = 333},
@@ -36,13 +36,13 @@ class TestExportOptions : public QObject
     Q_OBJECT
 
 private slots:
-    /** The note comes if and only if the file is the same without the option. */
+    /** The note appears if and only if the file is the same without the option. */
     void notesAreTrue_data()
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<int>("what");
         for (const ExportFormat& row : exportFormats())
-            for (const auto& [what, name] : kExportWhatNames)
+            for (const auto& [what, name] : kExportScopeNames)
                 if (!row.holds.painted)
                     QTest::addRow("%s, %s", row.id.data(), name.data())
                         << QString::fromLatin1(row.id.data(), qsizetype(row.id.size()))
@@ -55,10 +55,10 @@ private slots:
         QFETCH(int, what);
         const ExportFormat& row = *findExportFormat(id.toStdString());
         const Mission mission = flown(fourIcebergs(), 1500);
-        QVERIFY(mission.visits(0) > 0); // else there is nothing to circle over
+        QVERIFY(mission.visits(0) > 0); // otherwise there is nothing to circle over
         const PlanAnswer plan;
         const auto contentOf = [&](ExportOptions options) {
-            options.what = static_cast<ExportWhat>(what);
+            options.what = static_cast<ExportScope>(what);
             return row.content({.scenario = mission.scenario(), .plan = plan, .mission = &mission},
                                options);
         };
@@ -66,63 +66,66 @@ private slots:
         QVERIFY(notUsed(row, contentOf({})).isEmpty());
         for (const ExportOptions& options : eachOption()) {
             const ExportContent content = contentOf(options);
-            const QStringList told = notUsed(row, content);
-            QCOMPARE(told.size(), row.text(content) == plain ? 1 : 0);
+            const QStringList unused = notUsed(row, content);
+            QCOMPARE(unused.size(), row.text(content) == plain ? 1 : 0);
         }
     }
 
-    /** A path leads round what is closed at its altitude, and volumes have heights. */
+    /** A path avoids areas that are closed at its altitude, and volumes have heights. */
     void altitudeMatters()
     {
-        const ExportOptions options{.what = ExportWhat::Path, .altitude_m = 333};
+        const ExportOptions options{.what = ExportScope::Path, .altitude_m = 333};
         const ExportFormat& csv = *findExportFormat("csv");
         const ExportFormat& map = *findExportFormat("map-svg");
-        const auto told = [&](const ExportFormat& row, const Scenario& scenario) {
+        const auto unused = [&](const ExportFormat& row, const Scenario& scenario) {
             return notUsed(row, planContent(scenario, fourIcebergPlan(), options)).join(u' ');
         };
         const QString altitude = QStringLiteral("altitude");
-        QCOMPARE(told(csv, fourIcebergs()), altitude);
-        QCOMPARE(told(map, fourIcebergs()), altitude);
+        QCOMPARE(unused(csv, fourIcebergs()), altitude);
+        QCOMPARE(unused(map, fourIcebergs()), altitude);
         const Scenario low = changed([](Scenario& s) {
             s.noFly = {{.corners_m = {{9000, 0}, {9500, 0}, {9500, 500}}, .ceiling_m = 200}};
         });
-        QCOMPARE(told(csv, low), QString());
-        QCOMPARE(told(map, low), QString());
+        QCOMPARE(unused(csv, low), QString());
+        QCOMPARE(unused(map, low), QString());
         const Scenario volume = changed([](Scenario& s) { s.operation = Operation{}; });
-        QCOMPARE(told(csv, volume), altitude);
-        QCOMPARE(told(map, volume), QString());
+        QCOMPARE(unused(csv, volume), altitude);
+        QCOMPARE(unused(map, volume), QString());
     }
 
-    /** Turns over icebergs have no acceptance radius; a file about the flight holds none of it. */
-    void severalAreTold()
+    /**
+     * With turns over icebergs the acceptance radius is unused; a file about the flight uses no
+     * option.
+     */
+    void severalUnusedOptionsAreNoted()
     {
         const ExportOptions options{
             .altitude_m = 333, .acceptance_m = 77, .loiterTurns = 3, .returnHome = false};
         const ExportContent content = planContent(fourIcebergs(), fourIcebergPlan(), options);
-        const auto told = [&](const char* id) {
+        const auto unused = [&](const char* id) {
             return notUsed(*findExportFormat(id), content).join(u' ');
         };
-        QCOMPARE(told("plan"), QStringLiteral("acceptance"));
-        QCOMPARE(told("brief"), QString());
-        QCOMPARE(told("gpx"), QStringLiteral("acceptance loiter"));
-        QCOMPARE(told("csv"), QStringLiteral("altitude acceptance loiter no-return-home"));
-        QCOMPARE(told("log"), QStringLiteral("altitude acceptance loiter no-return-home"));
+        QCOMPARE(unused("plan"), QStringLiteral("acceptance"));
+        QCOMPARE(unused("brief"), QString());
+        QCOMPARE(unused("gpx"), QStringLiteral("acceptance loiter"));
+        QCOMPARE(unused("csv"), QStringLiteral("altitude acceptance loiter no-return-home"));
+        QCOMPARE(unused("log"), QStringLiteral("altitude acceptance loiter no-return-home"));
         const ExportContent one =
             planContent(fourIcebergs(), fourIcebergPlan(), {.uav = fourIcebergs().uavs[0].id});
         QCOMPARE(notUsed(*findExportFormat("zeta-csv"), one).join(u' '), QStringLiteral("uav"));
         QVERIFY(notUsed(*findExportFormat("csv"), one).isEmpty());
     }
 
-    /** The log of a flight is about the flight: its map has what was flown in any case. */
-    void aWholeFlightIsAsTheScenarioSays()
+    /** The log concerns the whole flight, so its map always shows the flown track. */
+    void formatsOfAWholeFlightIgnoreOptions()
     {
         const Mission mission = flown(fourIcebergs(), 60);
         const PlanAnswer plan;
         const ExportSource source{
             .scenario = mission.scenario(), .plan = plan, .mission = &mission};
-        const ExportContent content =
-            findExportFormat("log")->content(source, {.what = ExportWhat::Path, .altitude_m = 333});
-        QVERIFY(content.what == ExportWhat::Track);
+        const ExportContent content = findExportFormat("log")->content(
+            source, {.what = ExportScope::Path, .altitude_m = 333});
+        QVERIFY(content.what == ExportScope::Track);
         QVERIFY(content.uavs[0].uav.spec.altitude_m != 333);
         QVERIFY_THROWS_EXCEPTION(Error,
                                  (void)findExportFormat("log")->content(source, {.uav = "nobody"}));

@@ -20,8 +20,8 @@ class TestFlightLog : public QObject
     Q_OBJECT
 
 private slots:
-    /** Against Qt's, over the lengths at which the padding changes. */
-    void hashIsSha256()
+    /** Compares with Qt's hash at the lengths at which the padding changes. */
+    void hashAgreesWithQt()
     {
         for (int length = 0; length < 200; ++length) {
             const QByteArray text(length, char('a' + length % 26));
@@ -30,7 +30,7 @@ private slots:
         }
     }
 
-    void tellsPlannedAndFlown()
+    void logHasPlannedAndFlownFigures()
     {
         const Mission mission = flown(fourIcebergs());
         ExportContent content = runContent(mission);
@@ -47,7 +47,8 @@ private slots:
         QCOMPARE(log.uavs.size(), std::size_t{1});
         const LogUav& uav = log.uavs.front();
         QCOMPARE(uav.plannedVisits, std::size_t{4});
-        // As plan panel and brief tell it: in straight legs to where the icebergs will be.
+        // The legs are straight to the future positions of the icebergs, which the plan panel and
+        // the brief show, too.
         const Scenario& scenario = mission.scenario();
         Point from_m = scenario.uavs[0].position_m;
         double length_m = 0;
@@ -73,7 +74,7 @@ private slots:
         QCOMPARE(visits, mission.metrics().visits);
     }
 
-    /** The hash is that of the file which the plan before take-off is exported as. */
+    /** The hash is that of the exported plan before take-off. */
     void planIsNamedByItsFile()
     {
         const Scenario scenario = fourIcebergs();
@@ -83,7 +84,7 @@ private slots:
         QCOMPARE(flightLog(runContent(mission)).uavs.front().planHash, sha256(file));
     }
 
-    void timeOutsideTheGeographyCounts()
+    void timeOutsideTheGeographyIsCounted()
     {
         Scenario scenario = fourIcebergs();
         scenario.operation = Operation{};
@@ -93,7 +94,7 @@ private slots:
         QVERIFY(flightLog(runContent(flown(scenario))).uavs.front().outside_s > 0);
     }
 
-    void changesInFlightAreTold()
+    void changesInFlightAreDeviations()
     {
         Mission mission(fourIcebergs());
         mission.advance(100);
@@ -108,8 +109,47 @@ private slots:
         }));
     }
 
-    /** A drag of tau is many changes; what was added and removed is named. */
-    void interventionsAreTold()
+    /** Reports by radio: of a known iceberg seen earlier, and of a new one. */
+    void reportsOfOthersAreSightings()
+    {
+        Mission mission(fourIcebergs());
+        mission.advance(100);
+        const std::vector<LogIceberg> before = flightLog(runContent(mission)).icebergs;
+        const auto unseen = std::ranges::find_if(
+            before, [](const LogIceberg& iceberg) { return !iceberg.first_s; });
+        QVERIFY(unseen != before.end());
+        const std::size_t far = unseen->iceberg;
+        mission.intervene({.seen = mission.icebergs()[far].id, .seenAge_s = 30});
+        mission.intervene({.appears = Iceberg{.id = "late", .position_m = {4000, 4000}}});
+        mission.advance(101);
+        const FlightLog log = flightLog(runContent(mission));
+        QCOMPARE(log.icebergs[far].first_s, std::optional(70.0));
+        QCOMPARE(log.icebergs[far].last_s, std::optional(70.0));
+        QCOMPARE(log.icebergs[far].longestUnseen_s, 70.0); // 70 s before the report, 31 s after it
+        QCOMPARE(log.icebergs.back().first_s, std::optional(100.0));
+        QCOMPARE(log.icebergs.back().longestUnseen_s, 1.0);
+        const std::string page = flightLogHtml(runContent(mission));
+        QVERIFY(page.find("reported seen") != std::string::npos);
+    }
+
+    void takeOffAndLandingAreTimed()
+    {
+        Mission mission(fourIcebergs());
+        mission.advance(100);
+        const LogUav before = flightLog(runContent(mission)).uavs.front();
+        QCOMPARE(before.tookOff_s, std::optional(0.0));
+        QVERIFY(!before.landed_s);
+        mission.intervene({.commanded = UavCommand{.uav = mission.scenario().uavs[0].id,
+                                                   .order = FlightOrder::ReturnNow}});
+        mission.advance(1e9);
+        const LogUav after = flightLog(runContent(mission)).uavs.front();
+        QCOMPARE(after.tookOff_s, std::optional(0.0));
+        QVERIFY(after.landed_s && *after.landed_s > 100);
+        COMPARE_NEAR(*after.landed_s, after.aloft_s, 1.5); // of the samples
+    }
+
+    /** A drag of tau is many changes but one deviation; added and removed icebergs are named. */
+    void dragOfTauIsOneDeviation()
     {
         Mission mission(fourIcebergs());
         mission.advance(100);
@@ -121,10 +161,10 @@ private slots:
         mission.intervene({.removed = mission.icebergs()[0].id});
         mission.advance(1e9);
         const FlightLog log = flightLog(runContent(mission));
-        const std::vector<MissionEvent>& told = log.deviations;
-        QCOMPARE(told.size(), std::size_t{3});
-        QVERIFY(log.icebergs[0].longestUnseen_s <= 104); // then it was removed
-        QCOMPARE(told[0].tau, 1.3);
+        const std::vector<MissionEvent>& deviations = log.deviations;
+        QCOMPARE(deviations.size(), std::size_t{3});
+        QVERIFY(log.icebergs[0].longestUnseen_s <= 104); // until it was removed
+        QCOMPARE(deviations[0].tau, 1.3);
         const std::string page = flightLogHtml(runContent(mission));
         for (const char* part : {"Planned from now on by: visitation, τ = 1.3",
                                  "<bdi>late</bdi> added", "</bdi> removed"})

@@ -9,7 +9,7 @@
 using namespace berg;
 using namespace berg::test;
 
-// The shapes are looked at as a map program draws them: in the exported GeoJSON.
+// The shapes are checked as a map program draws them, in the exported GeoJSON.
 
 namespace {
 
@@ -31,8 +31,8 @@ double distanceToRoute_m(const Point& p, const std::vector<Point>& route)
 }
 
 /**
- * Largest distance of the drawn lines from the route flown, seen at `samples` points of each
- * line segment, which is straight in longitude and latitude.
+ * Largest distance of the drawn lines from the flown route, at `samples` points of each line
+ * segment, which is straight in longitude and latitude.
  */
 double largestDeviation_m(const LocalFrame& frame, const QJsonObject& feature,
                           const std::vector<Point>& route, int samples = 8)
@@ -92,7 +92,7 @@ private slots:
         QTest::newRow("Wrangel Island") << 71.0 << -179.99 << 2;
         QTest::newRow("89 N") << 89.0 << 30.0 << 1;
         QTest::newRow("89 N, antimeridian") << 89.0 << 179.99 << 2;
-        // 1 km from the pole, which the route goes round.
+        // The route goes around the pole at 1 km.
         QTest::newRow("beside the pole") << 89.99 << 100.0 << 0;
         QTest::newRow("the pole") << 90.0 << 0.0 << 0;
         QTest::newRow("the south pole") << -90.0 << 0.0 << 0;
@@ -109,7 +109,7 @@ private slots:
         if (lines > 0) // crossed once or not at all
             QCOMPARE(parts(plan).size() > 1, lines > 1);
         const std::vector<Point> route = plannedRoute(scenario);
-        // The promise is a metre at the middle of a segment; a little more beside it.
+        // The limit is a metre at the middle of a segment; elsewhere it may be slightly more.
         QVERIFY(largestDeviation_m(frame, plan, route) < 1.1);
         double length_m = 0;
         for (const QJsonArray& part : parts(plan)) {
@@ -120,7 +120,7 @@ private slots:
         double expected_m = 0;
         for (std::size_t i = 1; i < route.size(); ++i)
             expected_m += (route[i] - route[i - 1]).norm();
-        // Parts meet where they are cut: nothing of the route is missing.
+        // Parts meet at the cuts, so no part of the route is missing.
         QVERIFY(std::abs(length_m - expected_m) < 1);
     }
 
@@ -140,7 +140,7 @@ private slots:
             QCOMPARE(begin.longitude_deg, -end.longitude_deg);
             QCOMPARE(begin.latitude_deg, end.latitude_deg);
             QCOMPARE(times[i].toArray().first(), times[i - 1].toArray().last());
-            // The UAV flies at constant speed: the time is cut as the way is.
+            // The UAV flies at constant speed, so the time is divided like the path.
             const QJsonArray before = times[i - 1].toArray();
             const QJsonArray after = times[i].toArray();
             const auto seconds = [](const QJsonValue& from, const QJsonValue& to) {
@@ -155,7 +155,7 @@ private slots:
             const double part =
                 (cut_m - a_m).norm() / ((cut_m - a_m).norm() + (b_m - cut_m).norm());
             const double leg_s = seconds(before[before.size() - 2], after[1]);
-            // Milliseconds, and a metre of 22 m/s beside the straight leg.
+            // Tolerance: milliseconds, and a metre at 22 m/s beside the straight leg.
             QVERIFY(std::abs(seconds(before[before.size() - 2], after[0]) - part * leg_s) < 0.05);
         }
     }
@@ -168,7 +168,7 @@ private slots:
         QTest::addColumn<int>("polygons");
         const std::vector<Point> box{Point(-3000, -2000), Point(3000, -2000), Point(3000, 2000),
                                      Point(-3000, 2000)};
-        // Arms that reach across the antimeridian three times.
+        // These arms cross the antimeridian three times.
         const std::vector<Point> comb{Point(-3000, -3000), Point(3000, -3000),  Point(3000, -2000),
                                       Point(-2000, -2000), Point(-2000, -1000), Point(3000, -1000),
                                       Point(3000, 0),      Point(-2000, 0),     Point(-2000, 1000),
@@ -225,7 +225,7 @@ private slots:
             std::vector<Point> closed = area_m;
             closed.push_back(area_m.front());
             if (distanceToRoute_m(p, closed) < 1.5)
-                continue; // too near to the edge to tell
+                continue; // too near the edge to decide
             QCOMPARE(drawnInside(rings, frame.toGeographic(p)), insidePolygon(area_m, p));
         }
     }

@@ -15,8 +15,10 @@ Point vectorOf(const QJsonValue& pair)
     return {pair[0].toDouble(), pair[1].toDouble()};
 }
 
-/** To first order: meridians converge by the sine of the latitude, true north lies left of the y
- * axis east of the origin. */
+/**
+ * First-order direction of true north: meridians converge by the sine of the latitude, so it is
+ * left of the y axis east of the origin.
+ */
 Point alongTrueNorth(const Point& vector, const LatLon& place, const LatLon& origin)
 {
     const double turn_rad = radFromDeg(place.longitude_deg - origin.longitude_deg) *
@@ -111,7 +113,7 @@ private slots:
         QVERIFY2(found.startsWith(fault), qPrintable(u"found: "_s + found));
     }
 
-    void planFeatures()
+    void planHasItsFeatures()
     {
         const Scenario scenario = fourIcebergs();
         const QByteArray text = planText(scenario);
@@ -153,7 +155,7 @@ private slots:
             QCOMPARE(visits[i]["geometry"_L1]["coordinates"_L1],
                      plan["geometry"_L1]["coordinates"_L1][i + 1]);
         }
-        // Past midnight, and back to the seconds of the visit.
+        // The visit is past midnight, and its time agrees to the second.
         const QDateTime first = QDateTime::fromString(times[1].toString(), Qt::ISODateWithMs);
         QCOMPARE(first.date(), QDate(2026, 5, 2));
         const QDateTime start = QDateTime::fromString(times[0].toString(), Qt::ISODateWithMs);
@@ -178,7 +180,7 @@ private slots:
                              visits[static_cast<std::size_t>(i)].time_s) <= 0.00051);
     }
 
-    void runFeatures()
+    void runHasItsFeatures()
     {
         const Mission mission = flown(fourIcebergs());
         const QByteArray text = runText(mission);
@@ -215,7 +217,7 @@ private slots:
         QCOMPARE(features(runText(mission), u"iceberg"_s).size(), 3);
     }
 
-    void golden()
+    void textMatchesTheGoldenFile()
     {
         const QByteArray actual = planText(fourIcebergs());
         const QByteArray expected = berg::test::golden(u"four_icebergs.geojson"_s, actual);

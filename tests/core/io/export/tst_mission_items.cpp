@@ -11,7 +11,7 @@ class TestMissionItems : public QObject
     Q_OBJECT
 
 private slots:
-    void acceptanceRadius_data()
+    void acceptanceRadiusFitsTheFieldOfView_data()
     {
         QTest::addColumn<double>("along_m");
         QTest::addColumn<double>("across_m");
@@ -28,7 +28,7 @@ private slots:
         QTest::newRow("never 0, the autopilot's default") << 600.0 << 600.0 << body << 0.4 << 1.0;
     }
 
-    void acceptanceRadius()
+    void acceptanceRadiusFitsTheFieldOfView()
     {
         QFETCH(double, along_m);
         QFETCH(double, across_m);
@@ -43,13 +43,13 @@ private slots:
         QCOMPARE(acceptanceRadius_m(planContent(scenario).uavs[0]), expected_m);
     }
 
-    void loiterRadius_data()
+    void loiterRadiusIsNeverBelowTheTightestTurn_data()
     {
         QTest::addColumn<double>("airspeed_mps");
         QTest::addColumn<double>("bank_deg");
         QTest::addColumn<double>("wind_mps");
         QTest::addColumn<double>("expected_m");
-        // U^2 / (9.81 tan(bank)) by hand: 105.81, 210.05, 257.35, 423.2 m.
+        // U^2 / (9.81 tan(bank)), computed by hand: 105.81, 210.05, 257.35, 423.2 m.
         QTest::newRow("default, rounded up") << 22.0 << 25.0 << 0.0 << 106.0;
         QTest::newRow("faster") << 31.0 << 25.0 << 0.0 << 211.0;
         QTest::newRow("above 255 m in steps of 10") << 34.31 << 25.0 << 0.0 << 260.0;
@@ -57,7 +57,7 @@ private slots:
         QTest::newRow("never 0") << 1.0 << 45.0 << 0.0 << 1.0;
     }
 
-    void loiterRadius()
+    void loiterRadiusIsNeverBelowTheTightestTurn()
     {
         QFETCH(double, airspeed_mps);
         QFETCH(double, bank_deg);
@@ -70,7 +70,7 @@ private slots:
         QCOMPARE(loiterRadius_m(planContent(scenario).uavs[0]), expected_m);
     }
 
-    /** The last item of a plan with endurance loiters at home, which the file names as such. */
+    /** The last item of a plan with endurance loiters at home, the home of the file. */
     void enduranceEndsAtHome()
     {
         Scenario scenario = fourIcebergs();
@@ -84,7 +84,7 @@ private slots:
         const Point home_m = LocalFrame(scenario.origin).toPlane(mission.home);
         QVERIFY((home_m - Point(500, -700)).norm() < 0.1);
 
-        scenario.uavs[0].spec.endurance_s = 60; // not enough for any
+        scenario.uavs[0].spec.endurance_s = 60; // too short for any visit
         const MavMission none = mavMission(planContent(scenario, plan));
         QCOMPARE(none.items.size(), std::size_t{2});
     }

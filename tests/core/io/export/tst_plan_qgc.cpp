@@ -25,7 +25,7 @@ std::vector<Reader> readers()
             {"Mission Planner", missionPlannerRules()}};
 }
 
-/** "reader: rule" of every rule that the text breaks. */
+/** Returns "reader: rule" for every rule that the text breaks. */
 QStringList brokenRules(const PlanText& plan)
 {
     QStringList broken;
@@ -36,13 +36,13 @@ QStringList brokenRules(const PlanText& plan)
     return broken;
 }
 
-/** With the area as a geofence. */
+/** Returns the scenario with its area as a geofence. */
 Scenario fenced()
 {
     return changed([](Scenario& s) { s.geofence = true; });
 }
 
-/** Two no-fly areas, one of them above the UAV, and a stand-off ring. */
+/** Returns a scenario with two no-fly areas, one of them above the UAV, and a stand-off ring. */
 Scenario withAreas()
 {
     return changed([](Scenario& s) {
@@ -73,7 +73,7 @@ QByteArray runText(const Scenario& scenario, double until_s = 1e9)
 
 std::vector<std::pair<const char*, QByteArray>> documents()
 {
-    ExportOptions path{.what = ExportWhat::Path};
+    ExportOptions path{.what = ExportScope::Path};
     ExportOptions loiter{.altitude_m = 80.5, .loiterTurns = 3, .returnHome = true};
     return {{"plan", planFileText(fourIcebergs())},
             {"geofence", planFileText(fenced())},
@@ -193,7 +193,7 @@ private slots:
             QVERIFY2(found.contains(rule), qPrintable(rule));
     }
 
-    void everyRuleCanFail()
+    void everyRuleIsBrokenBySomeMutation()
     {
         QStringList caught = everywhere(u"JSON"_s);
         for (const Mutation& mutation : mutations())
@@ -227,8 +227,7 @@ private slots:
             const bool loiter = row == 5;
             const QJsonArray params = items[row]["params"_L1].toArray();
             QCOMPARE(items[row]["command"_L1].toInt(), loiter ? 17 : 16);
-            // The field of view is 600 m, half of it more than 8 bits hold; the turn radius is
-            // 105.8 m.
+            // The field of view is 600 m, half of which exceeds 8 bits; the turn radius is 105.8 m.
             QCOMPARE(params[1].toInt(), loiter ? 0 : 255);
             QCOMPARE(params[2].toInt(), loiter ? 106 : 0);
             QCOMPARE(params[6].toInt(), 120);
@@ -241,7 +240,7 @@ private slots:
         }
     }
 
-    void speeds_data()
+    void speedsAreRoundedButExactInTheMission_data()
     {
         QTest::addColumn<double>("airspeed_mps");
         QTest::addColumn<int>("cruise_mps");
@@ -251,7 +250,7 @@ private slots:
         QTest::newRow("never 0") << 0.3 << 1;
     }
 
-    void speeds()
+    void speedsAreRoundedButExactInTheMission()
     {
         QFETCH(double, airspeed_mps);
         QFETCH(int, cruise_mps);
@@ -334,7 +333,7 @@ private slots:
                  (QJsonArray{QJsonArray{home[0], home[1], 120}}));
     }
 
-    void golden()
+    void textMatchesTheGoldenFile()
     {
         const QByteArray actual = planFileText(fenced());
         const QByteArray expected = berg::test::golden(u"four_icebergs.plan"_s, actual);

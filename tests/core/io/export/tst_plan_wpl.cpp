@@ -48,7 +48,7 @@ private slots:
                                          {.loiterTurns = 2, .returnHome = true})))
             << 6;
         QTest::newRow("first leg") << bytes(wplText(planContent(scenario, fourIcebergPlan(),
-                                                                {.what = ExportWhat::FirstLeg})))
+                                                                {.what = ExportScope::FirstLeg})))
                                    << 3;
         scenario.icebergs.clear();
         QTest::newRow("no icebergs") << planText(scenario, planOf({})) << 2;
@@ -83,7 +83,7 @@ private slots:
         }
     }
 
-    void bytesAreWhatTheStrictestWants()
+    void bytesSatisfyTheStrictestReader()
     {
         const QByteArray text = planText(fourIcebergs());
         QVERIFY(text.startsWith("QGC WPL 110\n"));
@@ -134,7 +134,8 @@ private slots:
         QVERIFY(good.contains(from));
         QByteArray text = good;
         text.replace(from, to);
-        // A reader fails when it says so or reads another mission than from the good text.
+        // A reader rejects the text if it reports an error or reads a mission other than the
+        // original.
         QStringList failed;
         for (const WplReader& reader : readers()) {
             const WplMission mission = reader.read(text);
@@ -151,7 +152,7 @@ private slots:
         QVERIFY(planText(fourIcebergs()) == expected);
     }
 
-    void golden()
+    void textMatchesTheGoldenFile()
     {
         const QByteArray actual = planText(fourIcebergs());
         const QByteArray expected =

@@ -16,7 +16,7 @@ namespace {
 
 const QString kFolder = QStringLiteral(BERG_TEST_DATA "/broken/");
 
-/** One line of EXPECTED.tsv: file, error code, texts that the message contains. */
+/** A line of EXPECTED.tsv: file, error code, texts that the message contains. */
 struct Row
 {
     QString file;
@@ -38,13 +38,13 @@ QList<Row> manifest()
     return rows;
 }
 
-/** Reads a file as the kind its name ends with. */
+/** Reads a file in the format of its name. */
 void loadByName(const QString& path)
 {
     const std::string name = path.toStdString();
     if (path.endsWith(".berg"))
         (void)loadScenario(name);
-    else if (path.endsWith(".json"))
+    else if (path.endsWith(".json") || path.endsWith("tsp"))
         (void)loadProblem(name);
     else if (path.endsWith(".bergrun"))
         (void)loadRun(name);
@@ -52,7 +52,7 @@ void loadByName(const QString& path)
         QFAIL("a file of unknown kind");
 }
 
-/** Reads a file as the kind its `format` member says, as the command line does. */
+/** Reads a file in the format of its `format` member, as the command line does. */
 void loadByFormat(const QString& path)
 {
     const std::string name = path.toStdString();
@@ -97,7 +97,7 @@ private slots:
         QVERIFY(present.size() >= 45);
     }
 
-    void refused_data()
+    void brokenFilesAreRejected_data()
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("code");
@@ -105,7 +105,7 @@ private slots:
         for (const Row& row : manifest())
             QTest::newRow(row.file.toUtf8().constData()) << row.file << row.code << row.texts;
     }
-    void refused()
+    void brokenFilesAreRejected()
     {
         QFETCH(const QString, file);
         QFETCH(const QString, code);
@@ -120,23 +120,23 @@ private slots:
         QVERIFY2(message.startsWith(path + ": "), error->what());
         for (const QString& text : texts)
             QVERIFY2(!text.isEmpty() && message.contains(text), error->what());
-        // A message is for a terminal: readable text without control characters.
+        // A message is shown on a terminal, so it must be readable text without control characters.
         QVERIFY(QString::fromUtf8(error->what()).toUtf8() == QByteArray(error->what()));
         for (const QChar c : message)
             QVERIFY(c.isPrint() || c == '\n');
     }
 
-    void refusedByFormatToo_data() { refused_data(); }
-    void refusedByFormatToo()
+    void brokenFilesAreRejectedByFormatToo_data() { brokenFilesAreRejected_data(); }
+    void brokenFilesAreRejectedByFormatToo()
     {
         QFETCH(const QString, file);
         QVERIFY(errorOf([&] { loadByFormat(kFolder + file); }));
     }
 
-    void faultsComeOneByOne_data() { refused_data(); }
-    void faultsComeOneByOne()
+    void everyBrokenFileHasOneFault_data() { brokenFilesAreRejected_data(); }
+    void everyBrokenFileHasOneFault()
     {
-        // One way to be wrong per file: a single complaint, not a cascade of them.
+        // Each file has one error and must give a single fault, not a series of consequences.
         QFETCH(const QString, file);
         const std::optional<Error> error = errorOf([&] { loadByName(kFolder + file); });
         QVERIFY(error);
@@ -144,19 +144,19 @@ private slots:
             QVERIFY2(error->issues().size() == 1, error->what());
     }
 
-    void wrongKindIsRefused_data()
+    void otherFormatsAreRejected_data()
     {
         QTest::addColumn<QString>("file");
         QTest::newRow("scenario") << "plain.berg";
         QTest::newRow("problem") << "small-problem.json";
         QTest::newRow("run") << "small.bergrun";
     }
-    void wrongKindIsRefused()
+    void otherFormatsAreRejected()
     {
         QFETCH(const QString, file);
         const std::string path = BERG_TEST_DATA "/scenarios/" + file.toStdString();
         const std::string own = formatOf(readFile(path), path);
-        loadByName(QString::fromStdString(path)); // whole as it is
+        loadByName(QString::fromStdString(path)); // the unchanged file is readable
         const auto check = [&](const std::string& format, auto load) {
             if (own == format)
                 return;
@@ -170,7 +170,7 @@ private slots:
         check("bergwatch-run", [](const std::string& path) { return loadRun(path); });
     }
 
-    void tooLarge()
+    void tooLargeFileIsRejected()
     {
         const QTemporaryDir dir;
         const QString path = dir.filePath("large.berg");
@@ -178,7 +178,7 @@ private slots:
         QCOMPARE(codeOf([&] { loadByName(path); }), std::string("FileTooLarge"));
     }
 
-    void tooManyValues()
+    void tooManyValuesAreRejected()
     {
         // 20 million values in 40 MB would take a gigabyte of memory.
         std::string text = kStart + R"("icebergs": [], "x": [1)";
@@ -188,8 +188,8 @@ private slots:
         QCOMPARE(codeOf([&] { (void)scenarioFromJson(text, "x"); }), std::string("FileTooLarge"));
     }
 
-    /** Reading so many takes more memory than their text may. */
-    void tooManyIcebergs_data()
+    /** Reading so many icebergs takes more memory than their text allows. */
+    void tooManyIcebergsAreRejected_data()
     {
         QTest::addColumn<int>("count");
         QTest::addColumn<QString>("reason");
@@ -198,7 +198,7 @@ private slots:
                                      "x: icebergs: must hold at most 1000 entries, not 2000");
         QTest::newRow("a million") << 1'000'000 << QStringLiteral("x: would take more than");
     }
-    void tooManyIcebergs()
+    void tooManyIcebergsAreRejected()
     {
         QFETCH(int, count);
         QFETCH(QString, reason);
@@ -222,7 +222,7 @@ private slots:
         QVERIFY(scenarioFromJson(scenarioToJson(scenario), "x") == scenario);
     }
 
-    void everyPrefixOfAFileIsRefused()
+    void everyPrefixOfAFileIsRejected()
     {
         const std::string text = readFile(BERG_TEST_DATA "/scenarios/small.bergrun");
         const std::size_t end = text.find_last_of('}');
@@ -233,7 +233,8 @@ private slots:
 
     void damagedBytesNeverCrash()
     {
-        // Each byte in turn replaced by several others: read, or refused with an `Error`.
+        // Replaces each byte in turn by several others; the file is read, or rejected with an
+        // `Error`.
         for (const char* name : {"every-field.berg", "small-problem.json", "small.bergrun"}) {
             const std::string path = std::string(BERG_TEST_DATA "/scenarios/") + name;
             const std::string text = readFile(path);

@@ -10,7 +10,7 @@ class TestIcebergJson : public QObject
     Q_OBJECT
 
 private slots:
-    void everyFieldComesBack()
+    void everyFieldIsReadBack()
     {
         for (std::uint64_t seed = 1; seed <= 50; ++seed) {
             const Scenario scenario = test::AnyScenario(seed).draw();
@@ -20,8 +20,8 @@ private slots:
         }
     }
 
-    /** Whoever adds them names them anew. */
-    void idsMayBeAnything()
+    /** The program that inserts them gives them new ids. */
+    void idsMayBeEmptyOrEqual()
     {
         const std::vector<Iceberg> icebergs = icebergsFromJson(
             R"({"format":"bergwatch-icebergs","version":1,"icebergs":[
@@ -32,7 +32,7 @@ private slots:
         QVERIFY(icebergs[2].id.empty());
     }
 
-    /** The format of scenario files is not an object of this one. */
+    /** A scenario file is not an object of this format. */
     void faultsAreNamed_data()
     {
         QTest::addColumn<QByteArray>("text");

@@ -81,10 +81,10 @@ private slots:
         QCOMPARE(d_m(2, 1), d_m(1, 2));
     }
 
-    void weights_data()
+    void muFollowsFromTau_data()
     {
         QTest::addColumn<QByteArray>("members");
-        QTest::addColumn<double>("tau"); // -1: none
+        QTest::addColumn<double>("tau"); // −1 means no tau
         QTest::addColumn<double>("mu");
         // Eq. (10)-(14): F1max = 0*0 + 1*3 + 2*7.5 = 18, D_est = 2 * mean distance.
         const double mean_m = (900 + 1500 + 901 + 700 + 1500 + 702) / 6.0;
@@ -95,7 +95,7 @@ private slots:
         QTest::newRow("mu") << QByteArray(R"(, "mu": 0.25)") << -1.0 << 0.25;
         QTest::newRow("mu 0") << QByteArray(R"(, "mu": 0)") << -1.0 << 0.0;
     }
-    void weights()
+    void muFollowsFromTau()
     {
         QFETCH(const QByteArray, members);
         QFETCH(const double, tau);
@@ -106,14 +106,14 @@ private slots:
         QVERIFY(std::abs(file.problem.mu - mu) <= 1e-14);
     }
 
-    void noIceberg()
+    void problemWithoutIcebergsIsValid()
     {
         const ProblemFile file = read(R"("sigma": [0], "distance_m": [[0]])");
         QCOMPARE(file.problem.icebergCount(), 0);
         QCOMPARE(file.problem.mu, 0.0);
     }
 
-    void closedRoute()
+    void closedRouteIsRead()
     {
         QVERIFY(read(kSigma + ", " + kDistance + R"(, "route": "closed")").problem.route ==
                 Route::Closed);
@@ -125,7 +125,7 @@ private slots:
                     .problem.distance_m.allFinite());
     }
 
-    void sizeLimit()
+    void tooManyNodesAreRejected()
     {
         const auto text = [](int nodes) {
             std::string sigma = "0";
@@ -157,7 +157,7 @@ private slots:
             QVERIFY2(names(error->issues(), field), field);
     }
 
-    void roundTrip_data()
+    void writtenProblemIsReadBack_data()
     {
         QTest::addColumn<int>("icebergs");
         QTest::addColumn<bool>("closed");
@@ -167,7 +167,7 @@ private slots:
         QTest::newRow("UAV alone") << 0 << false << true;
         QTest::newRow("many") << 60 << false << false;
     }
-    void roundTrip()
+    void writtenProblemIsReadBack()
     {
         QFETCH(const int, icebergs);
         QFETCH(const bool, closed);

@@ -10,7 +10,7 @@ class TestRecoveryJson : public QObject
     Q_OBJECT
 
 private slots:
-    void everyFieldComesBack()
+    void everyFieldIsReadBack()
     {
         const RecoveryNote note{.originalPath = "/home/\"\u00c5se\"\n/watch.berg",
                                 .editedUtc = "2021-05-02T03:04:05.678Z",
@@ -20,8 +20,8 @@ private slots:
         QVERIFY(recoveryFromJson("{}", "note") == RecoveryNote{});
     }
 
-    /** Written by a version that kept the name as well. */
-    void earlierOnesAreRead()
+    /** A note written by a version that also stored the name. */
+    void earlierNotesAreRead()
     {
         const RecoveryNote note = recoveryFromJson(
             R"({"edited_utc": "2021-05-02T03:04:05.678Z", "host": "bridge", "name": "Watch",
@@ -33,7 +33,7 @@ private slots:
         QCOMPARE(note.host, std::string("bridge"));
     }
 
-    void damagedOnesAreRefused()
+    void damagedNotesAreRejected()
     {
         QVERIFY_THROWS_EXCEPTION(Error, (void)recoveryFromJson("{\"pid\": 7", "note"));
         QVERIFY_THROWS_EXCEPTION(Error, (void)recoveryFromJson("[]", "note"));

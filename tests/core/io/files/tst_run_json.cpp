@@ -24,7 +24,7 @@ Iceberg newcomer()
     return iceberg;
 }
 
-/** 200 s of a random field with three changes in flight; 12 icebergs are solved exactly. */
+/** A run of 200 s in a random field with three interventions; 12 icebergs are solved exactly. */
 RunFile flownRun()
 {
     Scenario scenario = randomScenario(3);
@@ -32,7 +32,7 @@ RunFile flownRun()
     Mission mission(scenario, {.gap = 0, .keyframeInterval_s = 20});
     mission.advance(60);
     mission.intervene({.time_s = 0, .tau = 2.5, .policy = {}, .appears = {}});
-    mission.advance(90.05); // between two steps: rounds to one
+    mission.advance(90.05); // between two steps; it is rounded to one
     mission.intervene({.time_s = 0, .tau = {}, .policy = {}, .appears = newcomer()});
     mission.advance(120);
     mission.intervene({.time_s = 0, .tau = 0.5, .policy = PolicyKind::Nearest, .appears = {}});
@@ -40,7 +40,7 @@ RunFile flownRun()
     return runOf(mission);
 }
 
-/** With aim points, the last keyframe on a leg that is flown with one. */
+/** A run with aim points whose last keyframe is on such a leg. */
 RunFile coverageRun()
 {
     Scenario scenario = randomScenario(4);
@@ -56,7 +56,7 @@ RunFile coverageRun()
     return runOf(mission);
 }
 
-/** With holds, as measurements make them worth while. */
+/** A run with holds, which measurements make worthwhile. */
 RunFile holdRun()
 {
     Scenario scenario = randomScenario(4);
@@ -69,7 +69,7 @@ RunFile holdRun()
     return runOf(mission);
 }
 
-/** The one run that most tests look at. */
+/** The run that most tests use. */
 const RunFile& recorded()
 {
     static const RunFile run = flownRun();
@@ -174,7 +174,7 @@ private slots:
         QCOMPARE(compareRun(run, other)[0].field, path);
     }
 
-    /** Of one iceberg, by its id. */
+    /** Interventions that name an iceberg by its id. */
     void namedIcebergsReplay_data()
     {
         QTest::addColumn<QByteArray>("field");
@@ -240,7 +240,7 @@ private slots:
         QVERIFY(std::signbit(read.keyframes[3].uavs[0].pose.psi_rad));
     }
 
-    void savedAndLoaded()
+    void savedRunIsLoadedUnchanged()
     {
         const QTemporaryDir dir;
         const std::string path = dir.filePath("a.bergrun").toStdString();
@@ -266,9 +266,9 @@ private slots:
         QCOMPARE(progress_s, 200.0);
     }
 
-    void replayOfAPart()
+    void partOfARunReplaysToItsEnd()
     {
-        // A run that was stopped in flight replays until there.
+        // A run that was stopped in flight is replayed up to its end.
         Mission mission(recorded().scenario, recorded().options);
         mission.advance(33.3);
         const RunFile part = runOf(mission);
@@ -288,7 +288,7 @@ private slots:
         QCOMPARE(mission.simulation().time_s(), 30.0);
     }
 
-    void differences_data()
+    void firstDifferencesAreReported_data()
     {
         QTest::addColumn<int>("change");
         QTest::addColumn<QString>("field");
@@ -320,7 +320,7 @@ private slots:
         QTest::newRow("end") << 12 << "flown_until_s"
                              << "recorded 199, replayed 200";
     }
-    void differences()
+    void firstDifferencesAreReported()
     {
         QFETCH(const int, change);
         QFETCH(const QString, field);
@@ -328,10 +328,10 @@ private slots:
         RunFile run = recorded();
         WorldState& state = run.keyframes[4];
         switch (change) {
-        case 0: // the last bit
+        case 0: // changes the last bit
             state.uavs[0].pose.position_m.y() =
                 std::nextafter(state.uavs[0].pose.position_m.y(), 1e9);
-            run.keyframes[8].zeta_m2s += 1; // later ones are not told
+            run.keyframes[8].zeta_m2s += 1; // later differences are not reported
             break;
         case 1:
             run.keyframes[2].tracks[7].sigma_m2 += 1e-12;
@@ -380,7 +380,7 @@ private slots:
 
     void everyNumberOfAKeyframeIsCompared()
     {
-        // Whatever field of the text is changed, the comparison names one.
+        // Whatever field of the text is changed, the comparison names a field.
         const WorldState& state = recorded().keyframes[1];
         std::vector<WorldState> changed(32, state);
         changed[0].uavs[0].pose.position_m.x() += 1;
@@ -424,7 +424,7 @@ private slots:
         }
     }
 
-    void timeLimitIsNoPromise()
+    void timeLimitAddsAWarning()
     {
         RunFile run = recorded();
         run.options.timeLimit_s = 1;
@@ -450,7 +450,7 @@ private slots:
         QCOMPARE(run.keyframes.back().step, std::int64_t{4000});
         QVERIFY(again(run) == run);
         QVERIFY(compareRun(run, runOf(replay(run))).empty());
-        // As programs before this one kept them: every third.
+        // Earlier versions recorded every third keyframe.
         RunFile other = run;
         std::erase_if(other.keyframes, [](const WorldState& state) { return state.step % 3 != 0; });
         other.keyframes.push_back(run.keyframes.back());
@@ -461,7 +461,7 @@ private slots:
         QCOMPARE(compareRun(other, run).size(), std::size_t{1});
     }
 
-    void formats_data()
+    void formatIsThatOfTheMember_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("format");
@@ -485,7 +485,7 @@ private slots:
         QTest::newRow("no JSON") << QByteArray("{") << ""
                                  << "SyntaxError";
     }
-    void formats()
+    void formatIsThatOfTheMember()
     {
         QFETCH(const QByteArray, text);
         QFETCH(const QString, format);

@@ -10,15 +10,17 @@
 using namespace berg;
 using namespace berg::test;
 
-/** What run files tell of when icebergs were last seen. */
+/** Tests of the times of last sightings in run files. */
 class TestRunSightings : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** Where velocities change the anchor of an estimate is no sighting: files tell both. Older
-     * ones tell the anchor alone, and are compared as far as they tell. */
-    void lastSightingsAreKept()
+    /**
+     * If velocities change, the anchor of an estimate is not a sighting, so files record both.
+     * Older files have the anchor only, and only that is compared.
+     */
+    void lastSightingsAreReadBack()
     {
         Scenario scenario = randomScenario(4);
         test::letVelocitiesChange(scenario);

@@ -21,7 +21,7 @@ namespace {
 
 const std::string kData = BERG_TEST_DATA "/scenarios/";
 
-/** Scenario text with the given members in place of the defaults. */
+/** Returns scenario text with the given members in place of the defaults. */
 std::string textWith(const std::string& members)
 {
     return R"({"format": "bergwatch-scenario", "version": 1, )" + members + "}";
@@ -34,7 +34,9 @@ Scenario read(const std::string& text)
     return scenarioFromJson(text, "text");
 }
 
-/** What a comma locale does to C++ streams and, where the system has one, to C functions. */
+/**
+ * Sets a locale with decimal commas for C++ streams and, where the system has one, for C functions.
+ */
 class CommaLocale
 {
 public:
@@ -117,7 +119,7 @@ private slots:
         QCOMPARE(s.extraJson, std::string(R"({"camera":{"tilt_deg":10}})"));
     }
 
-    /** Written by the present name, which counts when both are there. */
+    /** They are written by the present name, which takes precedence if both are given. */
     void formerNamesAreRead()
     {
         const auto planned = [](const std::string& planner) {
@@ -236,7 +238,8 @@ private slots:
 
     void missingIdsAreNamedByRow()
     {
-        // Row 1 would be berg-1, which row 2 has claimed: the first number after the last row.
+        // Row 1 would be berg-1, which row 2 has already, so it gets the first number after the
+        // last row.
         const Scenario s = loadScenario(kData + "every-field.berg");
         QCOMPARE(s.uavs[1].id, std::string("uav-2"));
         QCOMPARE(s.icebergs[0].id, std::string("berg-3"));
@@ -311,7 +314,7 @@ private slots:
         QCOMPARE(s.uavs[0].position_m.x(), number);
     }
 
-    void wholeNumbersMayBeWrittenInAnyWay_data()
+    void wholeNumbersMayBeWrittenInAnyForm_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<qint64>("seed");
@@ -321,7 +324,7 @@ private slots:
         QTest::newRow("largest") << QByteArray("9007199254740992") << qint64{9007199254740992};
         QTest::newRow("zero") << QByteArray("0") << qint64{0};
     }
-    void wholeNumbersMayBeWrittenInAnyWay()
+    void wholeNumbersMayBeWrittenInAnyForm()
     {
         QFETCH(const QByteArray, text);
         QFETCH(const qint64, seed);
@@ -438,12 +441,12 @@ private slots:
         QVERIFY(names(error->issues(), "icebergs[0].position_m"));
     }
 
-    /** Each field is in range: it can be put right, but not flown. */
-    void whatDoesNotFitIsReadForEditing()
+    /** Each field is in range but the scenario cannot be flown, so it can be corrected. */
+    void unflyableScenarioIsReadForEditing()
     {
         Scenario scenario = randomScenario(1);
         scenario.area_m = {{9000, 0}, {9900, 0}, {9900, 900}};
-        scenario.geofence = true; // with the UAV outside
+        scenario.geofence = true; // the UAV is outside
         scenario.wind_mps = {100, 0};
         const std::string text = scenarioToJson(scenario);
         QVERIFY(scenarioFromJson(text, "file", ScenarioUse::Editing) == scenario);
@@ -477,7 +480,7 @@ private slots:
         QVERIFY(again == defaultScenario());
     }
 
-    void savedAndLoaded()
+    void savedScenarioIsLoadedUnchanged()
     {
         const QTemporaryDir dir;
         const std::string path = dir.filePath("scenario.berg").toStdString();

@@ -13,7 +13,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** A star-shaped polygon round a place. */
+/** Returns a star-shaped polygon around a place. */
 std::vector<Point> star(std::uint64_t seed, const Point& middle_m, double radius_m, int corners)
 {
     Random random(seed, 3);
@@ -26,7 +26,7 @@ std::vector<Point> star(std::uint64_t seed, const Point& middle_m, double radius
     return polygon_m;
 }
 
-/** Fingers from south to north, so that a meridian is crossed again and again. */
+/** Returns fingers from south to north, so that a meridian is crossed many times. */
 std::vector<Point> comb(int fingers, double size_m)
 {
     std::vector<Point> polygon_m{Point(-size_m, -size_m)};
@@ -41,7 +41,7 @@ std::vector<Point> comb(int fingers, double size_m)
     return polygon_m;
 }
 
-/** As files hold them. */
+/** Rings in the form of files. */
 std::vector<std::vector<LatLon>> exported(const LocalFrame& frame, const std::vector<Point>& area_m)
 {
     std::vector<std::vector<LatLon>> rings = geographicPolygon(frame, area_m);
@@ -52,10 +52,10 @@ std::vector<std::vector<LatLon>> exported(const LocalFrame& frame, const std::ve
     return rings;
 }
 
-/** Empty when the corners are the same, wherever they begin and whatever their sense. */
+/** Returns an empty text if the corners are the same, from any start and in either sense. */
 QString difference(std::vector<Point> found_m, std::vector<Point> expected_m)
 {
-    constexpr double kNear_m = 0.001; // nine decimals
+    constexpr double kNear_m = 0.001; // the rounding to nine decimals
     if (found_m.size() != expected_m.size())
         return u"%1 corners, not %2"_s.arg(found_m.size()).arg(expected_m.size());
     if (signedArea(expected_m) < 0)
@@ -72,13 +72,13 @@ QString difference(std::vector<Point> found_m, std::vector<Point> expected_m)
 
 } // namespace
 
-/** The corners of an area come back from the rings of a map. */
+/** Tests that the corners of an area are recovered from the rings of a map. */
 class TestAreaOutline : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void cornersComeBack_data()
+    void cornersAreRecovered_data()
     {
         QTest::addColumn<double>("latitude_deg");
         QTest::addColumn<double>("longitude_deg");
@@ -91,7 +91,7 @@ private slots:
         QTest::newRow("South Pole") << -89.99 << 180.0;
     }
 
-    void cornersComeBack()
+    void cornersAreRecovered()
     {
         QFETCH(double, latitude_deg);
         QFETCH(double, longitude_deg);
@@ -110,7 +110,7 @@ private slots:
             }
     }
 
-    void manyCuts()
+    void outlineWithManyCutsIsJoined()
     {
         for (const double latitude_deg : {0.0, 70.0, -80.0}) {
             const LocalFrame frame({.latitude_deg = latitude_deg, .longitude_deg = 180});
@@ -123,7 +123,7 @@ private slots:
     }
 
     /** Rings may come in any order and begin anywhere. */
-    void shuffledRings()
+    void ringsMayComeInAnyOrder()
     {
         const LocalFrame frame({.latitude_deg = 60, .longitude_deg = 180});
         const std::vector<Point> area_m = comb(5, 1e4);
@@ -137,8 +137,8 @@ private slots:
         QVERIFY2(fault.isEmpty(), qPrintable(fault));
     }
 
-    /** In the plane of another origin the same water. */
-    void otherOrigin()
+    /** The area is the same in the plane of another origin. */
+    void outlineIsTheSameFromAnotherOrigin()
     {
         const LocalFrame from({.latitude_deg = 72, .longitude_deg = 179});
         const LocalFrame to({.latitude_deg = 70, .longitude_deg = -175});
@@ -155,8 +155,8 @@ private slots:
             QVERIFY(distanceToEdges(expected_m, corner_m) < 30);
     }
 
-    /** An edge along the antimeridian is one when there is nothing on the other side of it. */
-    void edgeOnTheAntimeridian()
+    /** An edge along the antimeridian is a real edge if there is nothing on its other side. */
+    void edgeOnTheAntimeridianIsKept()
     {
         const LocalFrame frame({.latitude_deg = 10, .longitude_deg = 179.9});
         const std::vector<std::vector<LatLon>> rings{
@@ -165,7 +165,7 @@ private slots:
         QVERIFY((areaOutline(rings, frame)[1] - frame.toPlane({10, 180})).norm() < 0.001);
     }
 
-    void severalParts()
+    void severalPartsAreNoOutline()
     {
         const LocalFrame frame({.latitude_deg = 10, .longitude_deg = 20});
         const std::vector<LatLon> here{{10, 20}, {10, 20.1}, {10.1, 20.1}};
@@ -176,7 +176,7 @@ private slots:
         QVERIFY(areaOutline({}, frame).empty());
     }
 
-    void tooFewCorners()
+    void tooFewCornersAreReturned()
     {
         const LocalFrame frame({.latitude_deg = 10, .longitude_deg = 20});
         using Rings = std::vector<std::vector<LatLon>>;

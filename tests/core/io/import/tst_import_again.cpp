@@ -10,14 +10,14 @@
 using namespace berg;
 using namespace berg::test;
 
-/** Imports into a scenario that holds something already. */
+/** Imports into a scenario that has icebergs already. */
 class TestImportAgain : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** Name and everything the file does not hold stay the user's. */
-    void reimportUpdates()
+    /** The name, and all values that the file does not give, stay those of the user. */
+    void reimportUpdatesIcebergs()
     {
         Scenario base = importSightings(openSea(), northward(3)).scenario;
         base.icebergs[0].name = "mine";
@@ -50,7 +50,7 @@ private slots:
         QVERIFY(result.scenario == base);
     }
 
-    /** Seen at the same time elsewhere: the variance is that of the new place. */
+    /** An iceberg seen at the same time at another place gets the variance of that place. */
     void anotherPlaceHasItsOwnVariance()
     {
         const Scenario base =
@@ -64,8 +64,8 @@ private slots:
         }
     }
 
-    /** Without times there is no track: each place is an iceberg. */
-    void oneNameAtSeveralPlaces()
+    /** Without times there is no track, so each place is an iceberg. */
+    void oneNameAtSeveralPlacesIsSeveralIcebergs()
     {
         const ImportResult result = importSightings(
             openSea(), readSightings("id,lat,lon\nBerg,60,-50\nBerg,60,-50.1\nBerg,60,-50\n"
@@ -78,8 +78,8 @@ private slots:
         QVERIFY(has(result.icebergs[0], ImportNote::Repeated));
     }
 
-    /** It is not passed over in silence that one without a time counts as seen now. */
-    void sightingsWithoutATimeAreTold()
+    /** A note says that a sighting without a time counts as seen now. */
+    void sightingsWithoutATimeAreNoted()
     {
         const auto waypoints = [](const std::string& time) {
             return readSightings("<gpx xmlns=\"http://www.topografix.com/GPX/1/1\">"
@@ -95,10 +95,10 @@ private slots:
         QVERIFY(!has(result.icebergs[0], ImportNote::TimeUnknown));
         QVERIFY(has(result.icebergs[1], ImportNote::TimeUnknown));
         const ImportResult undated = importSightings(openSea(), waypoints({}));
-        QVERIFY(!has(undated.icebergs[0], ImportNote::TimeUnknown)); // there are no times at all
+        QVERIFY(!has(undated.icebergs[0], ImportNote::TimeUnknown)); // no sighting has a time
     }
 
-    /** One sighting does not tell a velocity: that of before carries it on. */
+    /** One sighting does not show a velocity, so the previous one moves it on. */
     void oneSightingKeepsTheVelocity()
     {
         const Scenario base = importSightings(openSea(), northward(9)).scenario;
@@ -113,8 +113,8 @@ private slots:
         QVERIFY(now.velocitySd_mps < 0.15);
     }
 
-    /** What was there drifts on to the new start. */
-    void restIsCarriedAlong()
+    /** Existing icebergs drift on to the new start. */
+    void otherIcebergsDriftToTheNewStart()
     {
         Scenario base = emptySea();
         base.startUtc = "2024-05-01T00:00:00Z";
@@ -146,19 +146,19 @@ private slots:
         Scenario base = openSea();
         const ImportResult result = importSightings(base, readFixture("metno.geojson"));
         QVERIFY(!result.at && result.scenario.startUtc.empty());
-        QCOMPARE(result.added, std::size_t{3});
+        QCOMPARE(result.added, std::size_t{4});
         QCOMPARE(result.scenario.icebergs[1].id, std::string("59.61N 42.87W"));
         base.startUtc = "2024-05-01T00:00:00Z";
         QCOMPARE(importSightings(base, readFixture("metno.geojson")).scenario.startUtc,
                  base.startUtc);
     }
 
-    /** Without ids: the same file again says nothing new, another file means other icebergs. */
-    void unnamedOnes()
+    /** Without ids, the same file again changes nothing, and another file means other icebergs. */
+    void unnamedIcebergsAreNamedByPlaceOrTime()
     {
         const Scenario base = importSightings(openSea(), readFixture("metno.geojson")).scenario;
         const ImportResult again = importSightings(base, readFixture("metno.geojson"));
-        QCOMPARE(again.unchanged, std::size_t{3});
+        QCOMPARE(again.unchanged, std::size_t{4});
         const ImportResult other = importSightings(
             base, readSightings("lat,lon\n59.53,-42.6\n59.54,-42.6\n", "other.csv"));
         QCOMPARE(other.added, std::size_t{2});
@@ -169,7 +169,7 @@ private slots:
         QCOMPARE(track.icebergs.at(0).sightings, std::size_t{2});
     }
 
-    void idOfAnAircraft()
+    void idOfAUavIsLeftOut()
     {
         const ImportResult result =
             importSightings(openSea(), csv("uav-1,2024-05-01,60,-50\nb,2024-05-01,60,-50\n"));

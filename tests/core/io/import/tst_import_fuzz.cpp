@@ -12,7 +12,7 @@ using namespace berg::test;
 
 namespace {
 
-/** Breaks texts in the ways that files break, and some they do not. */
+/** Damages texts realistically and unrealistically. */
 class Mutator
 {
 public:
@@ -61,7 +61,7 @@ private:
         case 2:
             text.insert(at, kPieces[m_random.below(kPieces.size())]);
             break;
-        case 3: { // a digit, so that the file stays whole and its numbers go astray
+        case 3: { // changes a digit, so that the file stays well-formed but its numbers are wrong
             const std::size_t digit = text.find_first_of("0123456789", at);
             if (digit != std::string::npos)
                 text[digit] = static_cast<char>('0' + m_random.below(10));
@@ -79,14 +79,14 @@ private:
     Random m_random;
 };
 
-/** Imports a text in every way; false when a scenario comes out that is not valid. */
+/** Imports a text with various options. Returns false if the resulting scenario is not valid. */
 bool survives(const std::string& text, const Scenario& base, const char* format)
 {
     SightingTable table;
     try {
         table = readSightings(text, "mutant", {.format = format, .mapping = {}});
     } catch (const Error&) {
-        return true; // refused with a reason
+        return true; // rejected with a reason
     }
     const std::optional<UtcTime> times[] = {std::nullopt, table.sightings.front().time};
     for (const std::optional<UtcTime>& at : times)
@@ -99,7 +99,7 @@ bool survives(const std::string& text, const Scenario& base, const char* format)
                 if (scenarioFromJson(scenarioToJson(result.scenario), "mutant") != result.scenario)
                     return false;
             } catch (const Error& error) {
-                // Only what is in the scenario already may stand in the way.
+                // Only existing objects of the scenario may prevent the import.
                 if (base.icebergs.empty() || error.code() != ErrorCode::InvalidInput)
                     return false;
             }
@@ -108,13 +108,13 @@ bool survives(const std::string& text, const Scenario& base, const char* format)
 
 } // namespace
 
-/** Whatever is in a file, it is refused with an `Error` or gives a scenario that is in order. */
+/** Any file is either rejected with an `Error` or gives a valid scenario. */
 class TestImportFuzz : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void mutants_data()
+    void mutantsAreRejectedOrValid_data()
     {
         QTest::addColumn<QByteArray>("file");
         for (const ImportFixture& fixture : kImportFixtures)
@@ -122,7 +122,7 @@ private slots:
         QTest::newRow("waypoints.gpx") << QByteArray("waypoints.gpx");
     }
 
-    void mutants()
+    void mutantsAreRejectedOrValid()
     {
         QFETCH(QByteArray, file);
         const std::string text = importFixture(file.toStdString());
@@ -135,8 +135,8 @@ private slots:
         }
     }
 
-    /** A file read as any other format than its own. */
-    void wrongFormats()
+    /** Each file is read in every other format than its own. */
+    void filesReadAsOtherFormatsAreRejectedOrValid()
     {
         for (const ImportFixture& fixture : kImportFixtures)
             for (const ImportFormat& format : importFormats()) {
@@ -146,7 +146,7 @@ private slots:
             }
     }
 
-    void noise()
+    void noiseIsRejectedOrValid()
     {
         Random random(1, 5);
         for (int i = 0; i < 500; ++i) {

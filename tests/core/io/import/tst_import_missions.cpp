@@ -1,3 +1,4 @@
+#include "core/base/geometry.h"
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_scenario.h"
 #include "tests/support/approx.h"
@@ -6,6 +7,7 @@
 
 #include <QtTest>
 
+#include <cmath>
 #include <set>
 
 using namespace berg;
@@ -18,14 +20,14 @@ bool isAt(const LatLon& place, double latitude_deg, double longitude_deg)
     return place.latitude_deg == latitude_deg && place.longitude_deg == longitude_deg;
 }
 
-/** A plan with these members of its mission. */
+/** Returns a plan with these members of its mission. */
 std::string plan(const std::string& mission)
 {
     return R"({"fileType": "Plan", "version": 1, "groundStation": "x", "mission": {)" + mission +
            "}}";
 }
 
-/** A plan with one more item behind one that is in order. */
+/** Returns a plan with one more item behind a valid one. */
 std::string planWith(const std::string& item)
 {
     return plan(R"("items": [{"type": "SimpleItem", "command": 16, "frame": 3,
@@ -39,7 +41,7 @@ std::string simple(const char* command, const char* frame, const char* params)
            frame + R"(, "params": )" + params + "}";
 }
 
-/** A mission of ArduPilot: its home and these rows. */
+/** Returns a mission of ArduPilot with its home and these rows. */
 std::string wplFile(const std::string& rows)
 {
     return "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t60\t-50\t0\t1\n" + rows;
@@ -57,13 +59,13 @@ SightingTable read(const std::string& text)
 
 } // namespace
 
-/** Missions and routes of ground stations: what is flown to becomes icebergs. */
+/** Tests of missions and routes of ground stations, whose waypoints become icebergs. */
 class TestImportMissions : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void planOfQGroundControl()
+    void planOfQGroundControlIsRead()
     {
         const SightingTable table = readFixture("qgc.plan");
         QVERIFY(isAt(table.sightings[0].place, 69.25, -51.2));
@@ -76,10 +78,10 @@ private slots:
         const SceneUav& uav = table.scene.uavs.at(0);
         QVERIFY(isAt(uav.home.value(), 69.22, -51.1) && uav.start == uav.home);
         QCOMPARE(uav.altitude_m, std::optional(50.0));
-        QCOMPARE(uav.airspeed_mps, std::optional(22.0)); // rather than its cruise speed
+        QCOMPARE(uav.airspeed_mps, std::optional(22.0)); // instead of its cruise speed
     }
 
-    void rowsOfArduPilot()
+    void rowsOfArduPilotAreRead()
     {
         const SightingTable table = readFixture("ardupilot.waypoints");
         QVERIFY(isAt(table.sightings[0].place, 69.25, -51.2));
@@ -88,7 +90,8 @@ private slots:
         QCOMPARE(table.sightings[1].name, std::string("two, \xC3\x85rn"));
         QVERIFY(isAt(table.sightings[2].place, 69.35, -51.1));
         QCOMPARE(table.sightings[2].name, std::string());
-        QVERIFY(faultAt(table, 13).starts_with("latitude is no number from -90 to 90"));
+        QVERIFY(faultAt(table, 13).starts_with(
+            "latitude must be between -90 and 90, minutes below 60"));
         QCOMPARE(faultAt(table, 14), std::string("has no position"));
         QCOMPARE(faultAt(table, 15), std::string("has no position: \"frame 1\""));
         const SceneUav& uav = table.scene.uavs.at(0);
@@ -97,8 +100,8 @@ private slots:
         QCOMPARE(uav.airspeed_mps, std::optional(22.0));
     }
 
-    /** 120 has no home row, and neither have some files that say 110. */
-    void rowsWithoutHome()
+    /** Version 120 has no home row, and neither have some files that declare 110. */
+    void rowsWithoutHomeAreRead()
     {
         const std::string row = "0\t1\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n";
         QCOMPARE(read("QGC WPL 120\n" + row).sightings.size(), std::size_t{1});
@@ -113,8 +116,8 @@ private slots:
         QVERIFY(!homeOf(takeOff));
     }
 
-    /** Mission Planner writes 0, 0 where it knows no home; the return to a home is no iceberg. */
-    void homes()
+    /** Mission Planner writes 0, 0 for an unknown home; the return to a home is not an iceberg. */
+    void unknownHomesAreIgnored()
     {
         const std::string nowhere = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t0\t0\t0\t1\n";
         const std::string row = "1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n";
@@ -137,7 +140,7 @@ private slots:
         QCOMPARE(scenario.icebergs[0].id, std::string("69.25N 51.2W"));
     }
 
-    /** What a scenario in use has is moved by nobody. */
+    /** An import does not move existing objects of a scenario in use. */
     void homeIsNotTakenIntoAScenarioInUse()
     {
         const Scenario used = importSightings(openSea(), readFixture("points.geojson")).scenario;
@@ -157,8 +160,8 @@ private slots:
         QVERIFY(result.scenario.uavs == openSea().uavs);
     }
 
-    /** Speeds of climbs are none of the flight; heights above the sea are taken above home. */
-    void speedAndAltitude()
+    /** Climb speeds are ignored; altitudes above the sea are converted to above home. */
+    void speedAndAltitudeAreThoseOfTheFlight()
     {
         const auto uav = [](const std::string& rows) {
             return read("QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t60\t-50\t30\t1\n" + rows +
@@ -177,8 +180,8 @@ private slots:
                  std::optional(100.0));
     }
 
-    /** A fence of another program: what a scenario cannot hold is told. */
-    void fenceOfQGroundControl()
+    /** For a fence of another program, unsupported parts are reported. */
+    void fenceOfQGroundControlIsRead()
     {
         const SightingTable table = readFixture("fence.plan");
         const SceneArea& area = table.scene.area.value();
@@ -193,16 +196,111 @@ private slots:
         QVERIFY((result.scene ==
                  std::vector<SceneFinding>{{.note = SceneNote::UavsTaken},
                                            {.note = SceneNote::FenceTaken},
-                                           {.note = SceneNote::NoFlyTaken},
+                                           {.note = SceneNote::NoFlyTaken, .count = 2},
                                            {.note = SceneNote::AreaUnreadable, .count = 2},
-                                           {.note = SceneNote::AreasMore},
-                                           {.note = SceneNote::FenceCircles, .count = 2}}));
-        QCOMPARE(sceneFindingText(result.scene[2]), std::string("1 no-fly area taken over"));
-        QCOMPARE(result.scenario.noFly.size(), std::size_t{1});
+                                           {.note = SceneNote::AreasMore, .count = 2}}));
+        QCOMPARE(sceneFindingText(result.scene[2]), std::string("2 no-fly areas taken over"));
+        QCOMPARE(result.scenario.noFly.size(), std::size_t{2});
     }
 
-    /** Whatever a fence is, it takes nothing of the mission away. */
-    void brokenFences()
+    /** An exclusion circle is covered by its polygon; an inclusion circle contains its polygon. */
+    void circlesOfAFenceBecomePolygons()
+    {
+        for (const bool isInside : {false, true}) {
+            std::string text = plan(R"("plannedHomePosition": [60.1, -50, 0], "items": [
+                {"type": "SimpleItem", "command": 16, "frame": 3,
+                 "params": [0, 0, 0, null, 60.1, -50.01, 0]}])");
+            text.insert(1, std::string(R"("geoFence": {"version": 2, "circles": [{"inclusion": )") +
+                               (isInside ? "true" : "false") +
+                               R"(, "circle": {"center": [60, -50], "radius": 2000}}]}, )");
+            const SightingTable table = read(text);
+            const std::vector<SceneArea> areas =
+                isInside ? std::vector{table.scene.area.value()} : table.scene.noFly;
+            QCOMPARE(areas.size(), std::size_t{1});
+            const LocalFrame frame({60, -50});
+            std::vector<Point> corners_m;
+            for (const LatLon& corner : areas[0].rings.at(0))
+                corners_m.push_back(frame.toPlane(corner));
+            for (int i = 0; i < 360; ++i) {
+                const Point rim_m = turned({2000, 0}, i * std::acos(-1.0) / 180);
+                QCOMPARE(insidePolygon(corners_m, 0.999 * rim_m) ||
+                             distanceToEdges(corners_m, 0.999 * rim_m) < 10,
+                         true);
+                QCOMPARE(insidePolygon(corners_m, (isInside ? 1.0001 : 0.9999) * rim_m), !isInside);
+            }
+        }
+    }
+
+    /** A fence written by QGroundControl in 2018: a polygon without a name. */
+    void fenceOfVersionOneIsRead()
+    {
+        std::string text = plan(R"("items": [{"type": "SimpleItem", "command": 16, "frame": 3,
+            "params": [0, 0, 0, null, 60.1, -50, 0]}])");
+        text.insert(1, R"("geoFence": {"breachReturn": [60, -50], "polygon": [[60, -50.2],
+            [60.2, -50.2], [60.2, -49.8], [60, -49.8]], "version": 1}, )");
+        const SceneArea area = read(text).scene.area.value();
+        QVERIFY(area.geofence && area.rings.at(0).size() == 4);
+        QVERIFY(isAt(area.rings[0][2], 60.2, -49.8));
+    }
+
+    /**
+     * Multirotors fly at the hover speed, others at the cruise speed, VTOLs at that of their flight
+     * mode.
+     */
+    void speedDependsOnTheVehicleType()
+    {
+        const auto speed = [](const std::string& members, const std::string& item = {}) {
+            return read(plan(members + R"("items": [)" + item +
+                             R"({"type": "SimpleItem", "command": 16, "frame": 3,
+                             "params": [0, 0, 0, null, 60, -50, 50]}])"))
+                .scene.uavs.at(0)
+                .airspeed_mps;
+        };
+        const std::string both = R"("cruiseSpeed": 15, "hoverSpeed": 5, )";
+        QCOMPARE(speed(both), std::optional(15.0));
+        for (const int type : {2, 3, 4, 13, 14, 15, 29, 20, 22})
+            QCOMPARE(speed(both + "\"vehicleType\": " + std::to_string(type) + ", "),
+                     std::optional(5.0));
+        for (const int type : {0, 1, 10, 11})
+            QCOMPARE(speed(both + "\"vehicleType\": " + std::to_string(type) + ", "),
+                     std::optional(15.0));
+        const std::string vtol = both + R"("vehicleType": 20, )";
+        const auto item = [](const char* command, const char* param) {
+            return std::string(R"({"type": "SimpleItem", "command": )") + command +
+                   R"(, "frame": 2, "params": [)" + param + ", 7, 0, 0, 0, 0, 0]}, ";
+        };
+        QCOMPARE(speed(vtol, item("84", "0")), std::optional(15.0));
+        QCOMPARE(speed(vtol, item("3000", "4")), std::optional(15.0));
+        QCOMPARE(speed(vtol, item("3000", "3")), std::optional(5.0));
+        QCOMPARE(speed(both + R"("vehicleType": 2, )", item("178", "1")), std::optional(7.0));
+        QCOMPARE(speed(R"("cruiseSpeed": 15, "vehicleType": 2, )"), std::optional(15.0));
+    }
+
+    /** Items and missions that QGroundControl wrote before plans had a version. */
+    void olderMissionsAreRead()
+    {
+        const char* const first = R"({"MAV_AUTOPILOT": 3, "complexItems": [],
+            "groundStation": "QGroundControl", "items": [{"autoContinue": true, "command": 16,
+            "coordinate": [60.1, -50.2, 70], "frame": 3, "id": 1, "param1": 0, "param2": 0,
+            "param3": 0, "param4": 0, "type": "missionItem"}], "plannedHomePosition":
+            {"autoContinue": true, "command": 16, "coordinate": [60, -50, 0], "frame": 0, "id": 0,
+            "param1": 0, "param2": 0, "param3": 0, "param4": 0, "type": "missionItem"},
+            "version": "1.0"})";
+        const char* const second = R"({"fileType": "Mission", "groundStation": "QGroundControl",
+            "items": [{"autoContinue": true, "command": 16, "coordinate": [60.1, -50.2, 70],
+            "frame": 3, "doJumpId": 1, "params": [0, 0, 0, 0], "type": "SimpleItem"}],
+            "plannedHomePosition": [60, -50, 0], "version": 2})";
+        for (const char* text : {first, second}) {
+            const SightingTable table = read(text);
+            QCOMPARE(table.sightings.size(), std::size_t{1});
+            QVERIFY(isAt(table.sightings[0].place, 60.1, -50.2));
+            QVERIFY(isAt(homeOf(table).value(), 60, -50));
+            QCOMPARE(table.scene.uavs.at(0).altitude_m, std::optional(70.0));
+        }
+    }
+
+    /** A faulty fence does not affect the mission. */
+    void brokenFencesDoNotAffectTheMission()
     {
         const std::string places = R"("items": [{"type": "SimpleItem", "command": 16, "frame": 3,
             "params": [0, 0, 0, null, 60, -50, 0]}])";
@@ -221,7 +319,7 @@ private slots:
         }
     }
 
-    void severalRallyPoints()
+    void severalRallyPointsAreReported()
     {
         std::string text = plan(R"("plannedHomePosition": [60, -50, 0], "items": [
             {"type": "SimpleItem", "command": 16, "frame": 3,
@@ -233,7 +331,7 @@ private slots:
                  std::vector<SceneFinding>{{.note = SceneNote::RallyPoints, .count = 2}}));
     }
 
-    void routes()
+    void cornersOfRoutesAreIcebergs()
     {
         for (const char* file : {"route.gpx", "route.geojson"}) {
             const SightingTable table = readFixture(file);
@@ -246,7 +344,7 @@ private slots:
         QCOMPARE(readFixture("route.gpx").sightings[0].id, std::string("North <1>"));
     }
 
-    void refused_data()
+    void faultyMissionsAreRejected_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("code");
@@ -257,8 +355,14 @@ private slots:
                                 << QByteArray(says);
         };
         const std::string params = "[0, 0, 0, 0, 61, -50, 0]";
-        row("old mission", R"({"fileType": "Mission", "groundStation": ""})", "WrongFormat",
+        row("other file", R"({"fileType": "Parameters", "groundStation": ""})", "WrongFormat",
             "fileType");
+        row("old mission without items", R"({"fileType": "Mission", "groundStation": ""})",
+            "InvalidInput", "items");
+        row("short coordinate",
+            planWith(
+                R"({"type": "SimpleItem", "command": 16, "frame": 3, "coordinate": [61, -50]})"),
+            "InvalidInput", "mission.items[1].coordinate");
         row("newer plan", R"({"fileType": "Plan", "groundStation": "", "version": 2})",
             "UnsupportedVersion", "version");
         row("no mission", R"({"fileType": "Plan", "groundStation": "", "version": 1})",
@@ -315,7 +419,7 @@ private slots:
             "InvalidInput", "line 3: latitude");
     }
 
-    void refused()
+    void faultyMissionsAreRejected()
     {
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, code);
@@ -327,7 +431,7 @@ private slots:
         QVERIFY2(QByteArray(error->what()).contains(says), error->what());
     }
 
-    void tooManyItems()
+    void tooManyItemsAreRejected()
     {
         std::string rows;
         for (std::size_t i = 0; i <= 1'000'000; ++i)
@@ -335,8 +439,8 @@ private slots:
         QCOMPARE(codeOf([&] { (void)read(wplFile(rows)); }), std::string("FileTooLarge"));
     }
 
-    /** Ids have the place to 11 m; nearer waypoints are icebergs of their own all the same. */
-    void waypointsNearEachOtherAreTwo()
+    /** Ids contain the place to 11 m, but nearer waypoints are separate icebergs all the same. */
+    void nearWaypointsAreSeparateIcebergs()
     {
         const std::string row = "\t0\t3\t16\t0\t0\t0\t0\t";
         const std::string text = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t47\t-48\t0\t1\n1" + row +

@@ -19,8 +19,8 @@ class TestImportScenario : public QObject
     Q_OBJECT
 
 private slots:
-    /** Waypoints within 11 m have one id but for a number: looking for it took their square. */
-    void manyWaypointsAtOnePlace()
+    /** Waypoints within 11 m share an id except for a number, whose search was quadratic. */
+    void manyWaypointsAtOnePlaceAreFast()
     {
         std::string text = "lat,lon\n";
         for (int i = 0; i < 50'000; ++i)
@@ -39,7 +39,7 @@ private slots:
         QCOMPARE(result.added, std::size_t{1});
         const Iceberg& iceberg = result.scenario.icebergs.at(0);
         QCOMPARE(iceberg.id, std::string("b"));
-        QVERIFY(iceberg.position_m.norm() < 5); // the origin is where it was seen last
+        QVERIFY(iceberg.position_m.norm() < 5); // the origin is at its last place
         COMPARE_NEAR(iceberg.velocity_mps.y(), kNorthward_mps, 0.01);
         QCOMPARE(iceberg.observed_s, 0.0);
         COMPARE_NEAR(result.scenario.origin.latitude_deg, 60.012, 1e-9);
@@ -47,8 +47,8 @@ private slots:
         QVERIFY(!hasErrors(validate(result.scenario)));
     }
 
-    /** What was wrong before stands in the way of no import. */
-    void intoWhatCannotBeFlown()
+    /** Existing errors of the scenario do not prevent an import. */
+    void existingErrorsDoNotPreventAnImport()
     {
         Scenario base = openSea();
         base.wind_mps = {100, 0};
@@ -58,8 +58,8 @@ private slots:
         QVERIFY(hasErrors(validate(result.scenario)));
     }
 
-    /** Drift and uncertainty from the last sighting to the start asked for. */
-    void advancedToTheReferenceTime()
+    /** Drift and uncertainty are advanced from the last sighting to the chosen start. */
+    void sightingsAreAdvancedToTheStart()
     {
         const ImportOptions options{.at = utc("2024-05-01T03:00:00Z"),
                                     .track = {},
@@ -69,7 +69,7 @@ private slots:
         const Iceberg& iceberg = result.scenario.icebergs.at(0);
         const double age_s = 3 * 3600 - 1200;
         QCOMPARE(iceberg.observed_s, age_s);
-        QCOMPARE(iceberg.q_m2ps, 0.5); // three sightings are too few to tell
+        QCOMPARE(iceberg.q_m2ps, 0.5); // three sightings are too few for an estimate
         COMPARE_NEAR(iceberg.position_m.y(), kNorthward_mps * age_s, 3);
         QCOMPARE(initialSigma_m2(iceberg), 5 + 0.5 * age_s);
     }
@@ -86,7 +86,7 @@ private slots:
         COMPARE_NEAR(iceberg.position_m.y(), kNorthward_mps * 9600, 3);
     }
 
-    void velocityOfTheFile_data()
+    void velocityOfTheFileIsUsed_data()
     {
         QTest::addColumn<double>("latitude_deg");
         QTest::newRow("middle latitude") << 60.0;
@@ -95,7 +95,7 @@ private slots:
         QTest::newRow("south pole") << -90.0;
     }
 
-    void velocityOfTheFile()
+    void velocityOfTheFileIsUsed()
     {
         QFETCH(double, latitude_deg);
         const std::string row = std::to_string(latitude_deg) + ",20,0.3,90\n";
@@ -105,7 +105,7 @@ private slots:
         COMPARE_NEAR(iceberg.velocity_mps.norm(), 0.3, 2e-5);
         QVERIFY(has(result.icebergs[0], ImportNote::VelocityGiven));
         if (std::abs(latitude_deg) < 80)
-            COMPARE_NEAR(iceberg.velocity_mps.x(), 0.3, 1e-4); // the origin is here: x is east
+            COMPARE_NEAR(iceberg.velocity_mps.x(), 0.3, 1e-4); // the origin is here, so x is east
     }
 
     void fastOnesAreClamped()
@@ -145,7 +145,7 @@ private slots:
         QCOMPARE(result.scenario.icebergs[0].id, std::string("b"));
     }
 
-    void boxes_data()
+    void boxContainsItsEdges_data()
     {
         QTest::addColumn<double>("west_deg");
         QTest::addColumn<double>("east_deg");
@@ -161,7 +161,7 @@ private slots:
         QTest::newRow("all") << -180.0 << 180.0 << 12.0 << true;
     }
 
-    void boxes()
+    void boxContainsItsEdges()
     {
         QFETCH(double, west_deg);
         QFETCH(double, east_deg);
@@ -171,7 +171,7 @@ private slots:
         QCOMPARE(box.contains({.latitude_deg = 10, .longitude_deg = longitude_deg}), inside);
     }
 
-    void acrossTheAntimeridian()
+    void importWorksAcrossTheAntimeridian()
     {
         const ImportResult result = importSightings(openSea(),
                                                     csv("a,2024-05-01T00:00:00Z,70,179.9\n"
@@ -202,14 +202,28 @@ private slots:
     {
         const ImportResult result =
             importSightings(openSea(), northward(4),
-                            {.at = utc("2024-12-01T00:00:00Z"), .track = {}}); // 3400 km on
+                            {.at = utc("2024-12-01T00:00:00Z"), .track = {}}); // 3400 km away
         QCOMPARE(result.leftOut, std::size_t{1});
         QVERIFY(has(result.icebergs[0], ImportNote::DriftedAway));
         QVERIFY(result.scenario.icebergs.empty());
     }
 
-    /** A drift that fades is carried back as far as it is carried on. */
-    void earlierStart()
+    /** A chosen start is kept if no sighting is later, also without icebergs. */
+    void chosenStartIsKept()
+    {
+        Scenario base = openSea();
+        base.startUtc = "2024-05-01T03:00:00Z";
+        const ImportResult result = importSightings(base, northward(13));
+        QCOMPARE(result.scenario.startUtc, base.startUtc);
+        QCOMPARE(result.scenario.icebergs.at(0).observed_s, 3600.0);
+
+        base.startUtc = "2024-05-01T01:00:00Z";
+        QCOMPARE(importSightings(base, northward(13)).scenario.startUtc,
+                 std::string("2024-05-01T02:00:00Z"));
+    }
+
+    /** A fading drift is moved back as far as it is moved on. */
+    void earlierStartMovesBackwards()
     {
         Scenario base = openSea();
         base.startUtc = "2024-05-03T00:00:00Z";
@@ -239,7 +253,7 @@ private slots:
         QCOMPARE(result.scenario.icebergs.front().id, std::string("b200"));
     }
 
-    void tracksAreWhatCameAfter()
+    void tracksHoldLaterSightings()
     {
         const ImportOptions options{
             .at = utc("2024-05-01T01:05:00Z"), .withTracks = true, .tolerance_m = 1};
@@ -251,7 +265,7 @@ private slots:
         QCOMPARE(iceberg.track.time_s.size(), std::size_t{2}); // a straight line
         const LocalFrame frame(result.scenario.origin);
         const Point at_m = frame.toPlane({.latitude_deg = 60.009, .longitude_deg = -50});
-        QVERIFY((iceberg.track.at(1500) - at_m).norm() < 1); // 01:30, by the tolerance
+        QVERIFY((iceberg.track.at(1500) - at_m).norm() < 1); // 01:30, within the tolerance
         QVERIFY(result.outsideTime == 0);
         Mission mission(result.scenario);
         mission.advance(600);
@@ -263,7 +277,7 @@ private slots:
         QVERIFY(none.scenario.icebergs[0].track.empty());
     }
 
-    void seenOnlyLater()
+    void icebergsSeenOnlyLaterAreLeftOut()
     {
         const ImportOptions options{.at = utc("2024-04-01T00:00:00Z"), .withTracks = true};
         const ImportResult result = importSightings(openSea(), northward(3), options);
@@ -296,8 +310,8 @@ private slots:
                  std::string("InvalidInput"));
     }
 
-    /** From a scenario to a table and back: places, velocities and the rest. */
-    void roundTrip()
+    /** Writes a scenario as a table and reads it: places, velocities and the rest agree. */
+    void writtenTableIsImportedUnchanged()
     {
         Scenario scenario = openSea();
         scenario.origin = {.latitude_deg = 61.5, .longitude_deg = -55.25};
@@ -331,7 +345,7 @@ private slots:
             Iceberg got = result.scenario.icebergs[i];
             const Iceberg& expected = scenario.icebergs[i];
             QVERIFY((got.position_m - expected.position_m).norm() < 0.02);
-            // North at 20 km from the origin is off the plane's y by 0.3 degrees.
+            // At 20 km from the origin, north differs from the plane's y axis by 0.3 degrees.
             QVERIFY((got.velocity_mps - expected.velocity_mps).norm() < 0.25 * 0.007);
             got.position_m = expected.position_m;
             got.velocity_mps = expected.velocity_mps;
@@ -340,10 +354,10 @@ private slots:
     }
 
     /**
-     * A real beacon, 1997_12995 of the Canadian Ice Service, whose file is not ours to pass on: a
-     * drift of the right size, and a track.
+     * A real beacon, 1997_12995 of the Canadian Ice Service (its file may not be distributed),
+     * gives a plausible drift and a track.
      */
-    void realBeacon()
+    void realBeaconIsImported()
     {
         const std::string path = qgetenv("BERGWATCH_BEACON_FILE").toStdString();
         if (path.empty())
@@ -364,7 +378,7 @@ private slots:
         QVERIFY(!hasErrors(validate(result.scenario)));
     }
 
-    void reportIsJson()
+    void reportIsValidJson()
     {
         const SightingTable table = readFixture("iip.csv");
         const ImportResult result = importSightings(openSea(), table);
@@ -372,11 +386,13 @@ private slots:
             QJsonDocument::fromJson(QByteArray::fromStdString(importJson(table, result)));
         const QJsonObject report = document.object();
         QCOMPARE(report["format"].toString(), QString("iip"));
-        QCOMPARE(report["sightings"].toInt(), 7);
-        QCOMPARE(report["rejected"].toInt(), 7);
-        QCOMPARE(report["added"].toInt(), 4);
-        QCOMPARE(report["icebergs"].toArray().size(), 4);
+        QCOMPARE(report["sightings"].toInt(), 10);
+        QCOMPARE(report["rejected"].toInt(), 4);
+        QCOMPARE(report["added"].toInt(), 7);
+        QCOMPARE(report["icebergs"].toArray().size(), 7);
         QCOMPARE(report["rejected_rows"].toArray()[0].toObject()["line"].toInt(), 7);
+        QCOMPARE(report["noted"].toInt(), 3);
+        QCOMPARE(report["noted_rows"].toArray()[0].toObject()["line"].toInt(), 8);
     }
 };
 

@@ -14,15 +14,15 @@ using namespace berg::test;
 
 namespace {
 
-// Places are exported to 1e-9 degrees and taken in to a centimetre.
+// Places are exported to 1e-9 degrees and imported to a centimetre.
 constexpr double kPlace_m = 0.011;
 
-/** What a format holds of a scene. */
+/** Parts of a scene that a format can hold. */
 struct SceneFormat
 {
     const char* name;
     std::string (*write)(const ExportContent&);
-    bool mission = false; ///< of one UAV: its home, altitude and speed
+    bool mission = false; ///< one UAV: its home, altitude and speed
     bool area = true;
     bool asset = true;
 };
@@ -46,7 +46,7 @@ Scenario with(Scenario scenario, const LatLon& origin)
     return scenario;
 }
 
-/** How far apart places of two planes are. */
+/** Distance between places of two planes. */
 double apart_m(const ExportContent& content, const Point& at_m, const Scenario& found,
                const Point& found_m)
 {
@@ -100,7 +100,7 @@ QString lossOfAsset(const ExportContent& content, const Scenario& found)
         return u"place of the asset"_s;
     if (content.asset->name != found.asset->name)
         return u"name of the asset"_s;
-    // Near a pole the centimetre of the place would turn it.
+    // The heading uses the file's place: near a pole the rounding of the place would turn it.
     const LatLon place = content.frame.toGeographic(place_m);
     const double north_rad = LocalFrame(found.origin).trueNorth_rad(place);
     const Point velocity_mps = turned(found.asset->velocity_mps, -north_rad);
@@ -125,13 +125,13 @@ QString lossOf(const SceneFormat& format, const ExportContent& content, const Sc
 
 } // namespace
 
-/** What exports say beside the icebergs comes back into a new scenario. */
+/** Tests that the scene of an export is restored in a new scenario. */
 class TestImportScene : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void roundTrip_data()
+    void sceneIsReadBack_data()
     {
         QTest::addColumn<int>("format");
         QTest::addColumn<Scenario>("scenario");
@@ -159,11 +159,11 @@ private slots:
                         << i << scenario << options;
                 };
                 row("order", {});
-                row("path", {.what = ExportWhat::Path, .altitude_m = 77, .airspeed_mps = 30});
+                row("path", {.what = ExportScope::Path, .altitude_m = 77, .airspeed_mps = 30});
             }
     }
 
-    void roundTrip()
+    void sceneIsReadBack()
     {
         QFETCH(int, format);
         QFETCH(Scenario, scenario);
@@ -184,7 +184,7 @@ private slots:
         QCOMPARE(result.scene.front().count, content.uavs.size());
     }
 
-    void noFlyAreasComeBack_data()
+    void noFlyAreasAreReadBack_data()
     {
         QTest::addColumn<int>("format");
         for (int i = 0; i < int(kFormats.size()); ++i)
@@ -193,7 +193,7 @@ private slots:
         QTest::newRow("czml") << -1;
     }
 
-    void noFlyAreasComeBack()
+    void noFlyAreasAreReadBack()
     {
         QFETCH(int, format);
         Scenario scenario = twoUavsAndAsset();
@@ -231,17 +231,17 @@ private slots:
         QVERIFY(found.asset->standoff_m == 450.0 && found.asset->standoffCeiling_m == 90.0);
     }
 
-    /** Later: from where the UAV is, with the asset where it has got to. */
-    void roundTripOfARun()
+    /** During a run: from the present place of the UAV, with the asset at its present place. */
+    void sceneOfARunIsReadBack()
     {
         const Mission mission = flown(twoUavsAndAsset(), 100);
         for (const SceneFormat& row : kFormats)
-            for (const ExportWhat what : {ExportWhat::Order, ExportWhat::Track}) {
+            for (const ExportScope what : {ExportScope::Order, ExportScope::Track}) {
                 ExportOptions options{.what = what};
                 if (row.mission)
                     options.uav = "ravn";
-                if (row.mission && what == ExportWhat::Track)
-                    continue; // its places are not icebergs alone
+                if (row.mission && what == ExportScope::Track)
+                    continue; // its places are not only icebergs
                 const ExportContent content = runContent(mission, options);
                 const QString loss =
                     lossOf(row, content, importedAsNew(row.write(content)).scenario);
@@ -249,8 +249,8 @@ private slots:
             }
     }
 
-    /** The asset goes on until the start that is asked for. */
-    void assetAtAnotherTime()
+    /** The asset moves on to the chosen start. */
+    void assetMovesToTheStart()
     {
         const std::string text = geoJson(planContent(twoUavsAndAsset()));
         const ImportResult result =

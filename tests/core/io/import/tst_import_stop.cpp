@@ -21,14 +21,14 @@ using namespace berg::test;
 
 namespace {
 
-/** JSON written with single quotes. */
+/** Returns JSON for text written with single quotes. */
 std::string json(std::string text)
 {
     std::ranges::replace(text, '\'', '"');
     return text;
 }
 
-constexpr int kRows = 50'000; // what was read of them is given back first, which takes time as well
+constexpr int kRows = 50'000; // their memory is freed first, which takes time as well
 
 std::string csvRow(int i)
 {
@@ -74,13 +74,13 @@ std::string planItem(int i)
            std::to_string(47 + i * 1e-6) + ",-48.5678,100]}";
 }
 
-/** One entry of a list of numbers, as files of our own have them by the thousand. */
+/** Returns an entry of a list of numbers, of which Bergwatch files have thousands. */
 std::string entry(int i)
 {
     return std::string(i == 0 ? "" : ",") + "[" + std::to_string(i) + ", 0.123456789]";
 }
 
-/** A file of many rows. */
+/** Returns a file of many rows. */
 std::string large(const std::string& head, std::string (*row)(int), const std::string& tail)
 {
     std::string text = head;
@@ -89,7 +89,7 @@ std::string large(const std::string& head, std::string (*row)(int), const std::s
     return text + tail;
 }
 
-/** Processor time of the thread, s. */
+/** Processor time of the thread, in s. */
 double used_s(pthread_t thread)
 {
     clockid_t clock{};
@@ -99,8 +99,10 @@ double used_s(pthread_t thread)
     return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9;
 }
 
-/** Work of this thread between a request to stop after `after_s` of it and its end; none: it came
- * to its own end. */
+/**
+ * Returns the work of this thread between a stop request after `after_s` and its end, or nullopt if
+ * it ended by itself.
+ */
 template <class Work>
 std::optional<double> workAfterStop_s(double after_s, const Work& work)
 {
@@ -117,7 +119,7 @@ std::optional<double> workAfterStop_s(double after_s, const Work& work)
     try {
         work(source.get_token());
         return std::nullopt;
-    } catch (const Error&) { // what the file says at its end
+    } catch (const Error&) { // the file's errors at its end
         return std::nullopt;
     } catch (const Stopped&) {
         const double ended_s = used_s(self);
@@ -128,7 +130,7 @@ std::optional<double> workAfterStop_s(double after_s, const Work& work)
 
 } // namespace
 
-/** An import that nobody wants any more ends soon, however large its file. */
+/** A cancelled import ends soon, however large its file is. */
 class TestImportStop : public QObject
 {
     Q_OBJECT
@@ -139,14 +141,14 @@ private:
 #ifdef __SANITIZE_THREAD__
         constexpr double kLongest_s = 2;
 #else
-        constexpr double kLongest_s = 0.2; // 0.1 is wanted; sanitizers are slow
+        constexpr double kLongest_s = 0.2; // the aim is 0.1, but sanitizers are slow
 #endif
         double worst_s = 0;
         int stopped = 0;
         for (double after_s = 0.002; after_s < 4; after_s *= 1.5) {
             const std::optional<double> after = workAfterStop_s(after_s, work);
             if (!after)
-                break; // done sooner
+                break; // it ended before the stop
             worst_s = std::max(worst_s, *after);
             ++stopped;
         }
@@ -156,7 +158,7 @@ private:
     }
 
 private slots:
-    void reading_data()
+    void readingStopsSoon_data()
     {
         QTest::addColumn<QByteArray>("text");
         const auto add = [](const char* name, const std::string& text) {
@@ -176,7 +178,7 @@ private slots:
             zipFile("doc.kml", large("<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document>",
                                      placemark, "</Document></kml>")));
     }
-    void reading()
+    void readingStopsSoon()
     {
         QFETCH(const QByteArray, text);
         checkStops([&](const std::stop_token& stop) {
@@ -185,14 +187,14 @@ private slots:
         });
     }
 
-    void filesOfOurOwn_data()
+    void readingOfOwnFilesStopsSoon_data()
     {
         QTest::addColumn<QByteArray>("format");
         for (const char* format : {"scenario", "run", "study", "problem"})
             QTest::newRow(format) << QByteArray("bergwatch-") + format;
     }
-    /** Their lists are read to the last entry, and so are the members that nobody knows. */
-    void filesOfOurOwn()
+    /** Lists of Bergwatch files are read to the last entry, and unknown members as well. */
+    void readingOfOwnFilesStopsSoon()
     {
         QFETCH(const QByteArray, format);
         const std::string list = large("[", entry, "]");
@@ -214,7 +216,7 @@ private slots:
         });
     }
 
-    /** Also by those that read a file by its name, or a text that is never large. */
+    /** Also covers readers by file name, and texts that are never large. */
     void nothingIsReadOnceStopped()
     {
         std::stop_source source;
@@ -229,7 +231,7 @@ private slots:
             QVERIFY_THROWS_EXCEPTION(Stopped, read(source.get_token()));
     }
 
-    void makingTheScenario()
+    void importStopsSoon()
     {
         const SightingTable table =
             readSightings(large("id,latitude,longitude,time\n", csvRow, ""), "file");

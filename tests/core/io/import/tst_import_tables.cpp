@@ -9,14 +9,17 @@
 using namespace berg;
 using namespace berg::test;
 
-/** Tables with a header: which column is what, and how their cells are read. */
+/** Tests of tables with a header: the fields of columns and the reading of cells. */
 class TestImportTables : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** Semicolons, decimal commas, quotes over two lines, hemispheres, units in the header. */
-    void anyTable()
+    /**
+     * A table with semicolons, decimal commas, quotes over two lines, hemispheres, units in the
+     * header.
+     */
+    void tableInLocalNotationIsRead()
     {
         const SightingTable table = readFixture("table.csv");
         const Sighting first = at(table, 2);
@@ -29,16 +32,17 @@ private slots:
         QCOMPARE(at(table, 4).place.longitude_deg, -51.25);
         QCOMPARE(timeOf(at(table, 4)), std::string("2024-05-01T06:00:00Z"));
         QCOMPARE(timeOf(at(table, 11)), std::string("2024-05-01T04:30:00Z"));
-        QCOMPARE(faultAt(table, 5), std::string("a number is out of range: \"sigma: -4\""));
+        QCOMPARE(noteAt(table, 5),
+                 std::string("taken without a number that is out of range: \"sigma: -4\""));
         QVERIFY(faultAt(table, 6).starts_with("latitude"));
         QCOMPARE(faultAt(table, 7), std::string("text follows a closing quote"));
         QVERIFY(faultAt(table, 8).starts_with("longitude"));
-        QVERIFY(faultAt(table, 12).starts_with("id is too long"));
+        QVERIFY(noteAt(table, 12).starts_with("its id is too long and is shortened"));
         QCOMPARE(faultAt(table, 13), std::string("a quote is opened and never closed"));
     }
 
-    /** As they are written at sea; each row is the same place. */
-    void placesInDegreesAndMinutes_data()
+    /** Notations of navigators; each row is the same place. */
+    void placesInDegreesAndMinutesAreRead_data()
     {
         QTest::addColumn<QByteArray>("row");
         QTest::addColumn<bool>("isRead");
@@ -50,12 +54,12 @@ private slots:
         row("N 47 01.5,W 48 30", true);
         row("47\xC2\xB0 01.5\xE2\x80\xB2 N,48.5W", true);
         row("47 01.5,-48 30", true);
-        row("-47 01.5 N,48 30.0 W", false); // sign and letter
-        row("48 30.0 W,47 01.5 N", false);  // in each other's column
+        row("-47 01.5 N,48 30.0 W", false); // both sign and letter
+        row("48 30.0 W,47 01.5 N", false);  // in the wrong columns
         row("47 61.5 N,48 30.0 W", false);
         row("47 01.5 N,", false);
     }
-    void placesInDegreesAndMinutes()
+    void placesInDegreesAndMinutesAreRead()
     {
         QFETCH(QByteArray, row);
         QFETCH(bool, isRead);
@@ -70,7 +74,7 @@ private slots:
 
     void columnsAreGuessed_data()
     {
-        QTest::addColumn<QByteArray>("field"); ///< empty: none
+        QTest::addColumn<QByteArray>("field"); ///< empty if the column is unused
         QTest::addColumn<double>("factor");
         const auto row = [](const char* column, const char* field, double factor = 1) {
             QTest::newRow(column) << QByteArray(field) << factor;
@@ -81,12 +85,12 @@ private slots:
         row("Lon (dd)", "longitude");
         row("lng", "longitude");
         row("datetime_utc", "time");
-        row("BaseDateTime", "time"); // of AIS
+        row("BaseDateTime", "time"); // as in AIS
         row("Date", "date");
         row("speed_kn", "speed", 1852.0 / 3600);
         row("Speed (km/h)", "speed", 1 / 3.6);
         row("speed", "speed");
-        row("SOG", "speed", 1852.0 / 3600); // of AIS
+        row("SOG", "speed", 1852.0 / 3600); // as in AIS
         row("sog_mps", "speed");
         row("COG", "direction");
         row("sigma_m2", "sigma");
@@ -130,15 +134,15 @@ private slots:
         QVERIFY(table.mapping[0] == (FieldColumn{SightingField::Latitude, "A"}));
     }
 
-    /** A unit stands behind a blank or another mark: a draft is not in feet. */
-    void unitsOfMappedColumns_data()
+    /** A unit must follow a blank or another separator: a draft is not in feet. */
+    void unitsOfMappedColumnsAreUsed_data()
     {
         QTest::addColumn<double>("radius_m");
         QTest::newRow("Draft") << 100.0;
         QTest::newRow("Draft_ft") << 30.48;
         QTest::newRow("Draft (km)") << 100'000.0;
     }
-    void unitsOfMappedColumns()
+    void unitsOfMappedColumnsAreUsed()
     {
         QFETCH(const double, radius_m);
         const std::string column = QTest::currentDataTag();
@@ -147,8 +151,8 @@ private slots:
         COMPARE_NEAR(*table.sightings[0].radius_m, radius_m, 1e-9);
     }
 
-    /** Hemisphere, minutes and seconds in columns of their own. */
-    void placesInParts_data()
+    /** Hemisphere, minutes and seconds have columns of their own. */
+    void placesInPartsAreJoined_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::newRow("letters") << QByteArray("lat,N/S,lon,E/W\n60.75,N,50.5,W\n");
@@ -160,7 +164,7 @@ private slots:
         QTest::newRow("seconds") << QByteArray("lat,lat_min,lat_sec,NS,lon,lon_min,lon_sec,EW\n"
                                                "60,44,60,N,50,30,0,W\n60,45,0,N,50,30,0,W\n");
     }
-    void placesInParts()
+    void placesInPartsAreJoined()
     {
         QFETCH(const QByteArray, text);
         const SightingTable table = readText(text.toStdString());
@@ -170,27 +174,28 @@ private slots:
         QVERIFY(table.unused.empty());
     }
 
-    void columnsNotUsedAreTold()
+    void unusedColumnsAreListed()
     {
         const SightingTable table = readText("lat,lon,lat_min,lat_max,depth\n60,-50,59,61,9\n");
         QCOMPARE(table.unused, (std::vector<std::string>{"lat_min", "lat_max", "depth"}));
         QCOMPARE(table.sightings[0].place.latitude_deg, 60.0);
     }
 
-    void aZoneThatIsNotUnderstoodIsRefused()
+    void unknownZoneIsRejected()
     {
-        const auto said = [](const std::string& text) {
+        const auto messageOf = [](const std::string& text) {
             const std::optional<Error> error = errorOf([&] { (void)readText(text); });
             return error ? std::string(error->what()) : std::string("nothing");
         };
         const std::string row = "\n60,-50,2021-06-02 07:30,2021-06-02 12:30\n";
-        QVERIFY(said("lat,lon,time (EST),sent" + row).find("\"time (EST)\"") != std::string::npos);
-        QCOMPARE(said("lat,lon,time (EST),time (UTC)" + row), std::string("nothing"));
-        QVERIFY(said("lat,lon,hemisphere\n60,50,W\n").find("hemisphere") != std::string::npos);
+        QVERIFY(messageOf("lat,lon,time (EST),sent" + row).find("\"time (EST)\"") !=
+                std::string::npos);
+        QCOMPARE(messageOf("lat,lon,time (EST),time (UTC)" + row), std::string("nothing"));
+        QVERIFY(messageOf("lat,lon,hemisphere\n60,50,W\n").find("hemisphere") != std::string::npos);
     }
 
-    /** Above the header; a comment may be that itself. */
-    void linesAboveTheHeader_data()
+    /** Lines above the header are skipped; a comment may be the header itself. */
+    void linesAboveTheHeaderAreSkipped_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<int>("line");
@@ -199,7 +204,7 @@ private slots:
                                   << 5;
         QTest::newRow("header") << QByteArray("#id,lat,lon\na,60.1,-50.5\n") << 2;
     }
-    void linesAboveTheHeader()
+    void linesAboveTheHeaderAreSkipped()
     {
         QFETCH(const QByteArray, text);
         QFETCH(const int, line);
@@ -212,11 +217,15 @@ private slots:
 
     void wordsAreNoNumbers()
     {
-        const SightingTable table = readText("lat,lon,speed,direction\n60,-50,1,NE\n60,-50,1,45\n");
-        QCOMPARE(faultAt(table, 2), std::string("\"direction: NE\" is no number"));
+        const SightingTable table =
+            readText("lat,lon,speed,direction\n60,-50,1,inshore\n60,-50,1,45\n");
+        QCOMPARE(noteAt(table, 2),
+                 std::string("taken without a value that cannot be read: \"direction: inshore\""));
+        QVERIFY(!table.sightings[0].direction_deg);
+        QCOMPARE(table.sightings[1].direction_deg, std::optional(45.0));
     }
 
-    void mappingOfMissingColumn()
+    void mappingOfAMissingColumnIsRejected()
     {
         const std::optional<Error> error = errorOf([] {
             (void)readText("lat,lon\n1,2\n", {.mapping = {{SightingField::Time, "when"}}});
@@ -234,15 +243,15 @@ private slots:
                  std::string("a"));
     }
 
-    void dateAndTimeApart()
+    void dateAndTimeMayHaveTheirOwnColumns()
     {
         const SightingTable table = readText("id,date,time,lat,lon\na,5/1/2024,605,60,-50\n"
                                              "b,5/1/2024,,60,-50\nc,5/13/2024,06:07,60,-50\n"
                                              "d,,6:07,60,-50\n");
         QCOMPARE(timeOf(at(table, 2)), std::string("2024-05-01T06:05:00Z"));
-        QCOMPARE(faultAt(table, 3), std::string("has no time"));
+        QCOMPARE(noteAt(table, 3), std::string("taken without a time, which it does not have"));
         QCOMPARE(timeOf(at(table, 4)), std::string("2024-05-13T06:07:00Z"));
-        QCOMPARE(faultAt(table, 5), std::string("has no time"));
+        QVERIFY(!at(table, 5).time);
         const SightingTable both =
             readText("date,time,datetime,lat,lon\n2024-05-01,06:00,2024-05-02T07:00:00Z,60,-50\n");
         QCOMPARE(timeOf(both.sightings[0]), std::string("2024-05-02T07:00:00Z"));
@@ -252,14 +261,14 @@ private slots:
         QCOMPARE(timeOf(feature.sightings.at(0)), std::string("2024-05-01T06:00:00Z"));
     }
 
-    void rowsWithoutIds()
+    void rowsWithoutIdsAreOneTrack()
     {
         QVERIFY(readText("time,lat,lon\n2024-01-01T00:00:00Z,1,2\n2024-01-01T01:00:00Z,1,2\n")
                     .oneIceberg);
         QVERIFY(!readText("time,lat,lon\n2024-01-01T00:00:00Z,1,2\n2024-01-01T00:00:00Z,1,3\n")
                      .oneIceberg);
         QVERIFY(!readText("lat,lon\n1,2\n1,3\n").oneIceberg);
-        // A column of names tells them apart as one of ids does.
+        // A column of names distinguishes the rows like a column of ids.
         const SightingTable named =
             readText("name;lat;lon;time\nA;1;2;2024-05-01T00:00:00Z\nB;1;3;2024-05-01T01:00:00Z\n"
                      "A;1;2;2024-05-01T02:00:00Z\n");
@@ -271,10 +280,10 @@ private slots:
                     .oneIceberg);
     }
 
-    void commasAmongDigits_data()
+    void commasAmongDigitsFollowThePlace_data()
     {
         QTest::addColumn<QByteArray>("row");
-        QTest::addColumn<double>("radius_m"); // below 0: the row is rejected
+        QTest::addColumn<double>("radius_m"); // below 0 if the number is left out
         QTest::newRow("points elsewhere") << QByteArray("60.5;-50.5;1,200") << 1200.0;
         QTest::newRow("millions") << QByteArray("60.5;-50.5;1,200,000") << -1.0;
         QTest::newRow("commas elsewhere") << QByteArray("60,5;-50,5;1,200") << 1.2;
@@ -283,25 +292,26 @@ private slots:
         QTest::newRow("no group of three") << QByteArray("60.5;-50.5;1234,567") << 1234.567;
         QTest::newRow("thousands") << QByteArray("60.5;-50.5;12,000") << 12000.0;
     }
-    void commasAmongDigits()
+    void commasAmongDigitsFollowThePlace()
     {
         QFETCH(const QByteArray, row);
         QFETCH(const double, radius_m);
         const SightingTable table =
             readText("lat;lon;radius_m\n" + row.toStdString() + "\n1.5;1.5;1\n");
-        QCOMPARE(table.rejected.count, std::size_t{radius_m < 0 ? 1U : 0U});
-        if (radius_m >= 0)
-            QCOMPARE(table.sightings[0].radius_m, std::optional(radius_m));
+        QCOMPARE(table.noted.count, std::size_t{radius_m < 0 ? 1U : 0U});
+        QCOMPARE(table.sightings[0].radius_m,
+                 radius_m < 0 ? std::nullopt : std::optional(radius_m));
     }
 
-    void commasThatMayMeanEitherAreTold()
+    void ambiguousCommasAreNoted()
     {
         const SightingTable table = readText("lat;lon;radius_m\n60;-50;1,200\n1.5;1.5;1\n");
-        QCOMPARE(faultAt(table, 2), std::string("\"1,200\" is no number: decimals follow a point"));
+        QCOMPARE(noteAt(table, 2),
+                 std::string("taken without a value that cannot be read: \"radius: 1,200\""));
     }
 
-    /** 05/02/2021 is the fifth of February or the second of May. */
-    void datesThatCanBeReadTwoWays()
+    /** 05/02/2021 is 5 February or 2 May. */
+    void ambiguousDatesAreDecidedOrGuessed()
     {
         const std::string open = "lat,lon,time\n60,-50,05/02/2021\n";
         const SightingTable guessed = readText(open);
@@ -315,8 +325,8 @@ private slots:
         QCOMPARE(readText("lat,lon,time\n60,-50,05/05/2021\n").guessedDate, std::string());
     }
 
-    /** Of maps as of tables: told by a later date, asked for, or guessed. */
-    void datesOfMaps_data()
+    /** Dates of maps, as in tables, are decided by a later date, by the user, or by a guess. */
+    void ambiguousDatesOfMapsAreDecidedOrGuessed_data()
     {
         QTest::addColumn<QByteArray>("head");
         QTest::addColumn<QByteArray>("before"); ///< the date
@@ -338,7 +348,7 @@ private slots:
                                      R"("}, "position": {"cartographicDegrees": [-50, 60]}})")
                               << QByteArray("]");
     }
-    void datesOfMaps()
+    void ambiguousDatesOfMapsAreDecidedOrGuessed()
     {
         QFETCH(const QByteArray, head);
         QFETCH(const QByteArray, before);
@@ -352,11 +362,11 @@ private slots:
             readText(open + tail.toStdString(), {.mapping = {}, .dates = DateOrder::DayFirst});
         QCOMPARE(asked.guessedDate, std::string());
         QCOMPARE(timeOf(asked.sightings[0]), std::string("2021-02-05T00:00:00Z"));
-        const SightingTable told =
+        const SightingTable decided =
             readText(open + (before + "13/02/2021" + behind + tail).toStdString());
-        QCOMPARE(told.guessedDate, std::string());
-        QCOMPARE(told.sightings.size(), std::size_t{2});
-        QCOMPARE(timeOf(told.sightings[0]), std::string("2021-02-05T00:00:00Z"));
+        QCOMPARE(decided.guessedDate, std::string());
+        QCOMPARE(decided.sightings.size(), std::size_t{2});
+        QCOMPARE(timeOf(decided.sightings[0]), std::string("2021-02-05T00:00:00Z"));
     }
 };
 

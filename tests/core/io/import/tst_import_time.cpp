@@ -9,9 +9,9 @@ class TestImportTime : public QObject
     Q_OBJECT
 
 private slots:
-    void readsAsWritten_data()
+    void timesAreReadAsWritten_data()
     {
-        QTest::addColumn<QByteArray>("utc"); ///< empty: cannot be read
+        QTest::addColumn<QByteArray>("utc"); ///< empty if it cannot be read
         const auto row = [](const char* text, const char* utc) {
             QTest::newRow(text) << QByteArray(utc);
         };
@@ -41,6 +41,11 @@ private slots:
         row("6/2/2021 12:05 AM", "2021-06-02T00:05:00Z");
         row("6/2/2021 12:05 pm", "2021-06-02T12:05:00Z");
         row("2024-02-29", "2024-02-29T00:00:00Z");
+        row("2021-06-02 24:00", "2021-06-03T00:00:00Z");
+        row("2021-06-02 12:00:60", "2021-06-02T12:01:00Z");
+        row("20080909T133622Z", "2008-09-09T13:36:22Z");
+        row("2008-09-09T133622.5+0230", "2008-09-09T11:06:22.500Z");
+        row("2008-09-09T13:36:22.123456789-00:00", "2008-09-09T13:36:22.123Z");
 
         for (const char* bad : {"",
                                 "yesterday",
@@ -48,10 +53,11 @@ private slots:
                                 "04/31/2021 900",
                                 "13/13/2021",
                                 "2021-06",
-                                "2021-06-02 24:00",
+                                "2021-06-02 24:01",
+                                "2021-06-02 12:00:61",
+                                "0000-00-00T00:00:00Z",
                                 "2021-06-02 2460",
                                 "2021-06-02 12:60",
-                                "2021-06-02 12:00:60",
                                 "2021-06-02 12:00 xyz",
                                 "2021-06-02 12:00Zjunk",
                                 "2021-06-02 13:05 PM",
@@ -70,7 +76,7 @@ private slots:
             row(bad, "");
     }
 
-    void readsAsWritten()
+    void timesAreReadAsWritten()
     {
         QFETCH(QByteArray, utc);
         const std::optional<UtcTime> time =
@@ -80,7 +86,7 @@ private slots:
             QCOMPARE(QByteArray::fromStdString(utcText(*time, 0)), utc);
     }
 
-    void dayFirst()
+    void datesMayHaveTheDayFirst()
     {
         const std::optional<UtcTime> time = parseSightingTime("03/04/2021", DateOrder::DayFirst);
         QVERIFY(time);
@@ -90,7 +96,7 @@ private slots:
         QVERIFY(parseTypedTime("13/04/2021") == parseTypedTime("2021-04-13"));
     }
 
-    void timesOfADay()
+    void timesOfDayAreRead()
     {
         QVERIFY(parseTimeOfDay("1200Z") == std::chrono::hours(12));
         QVERIFY(parseTimeOfDay("12:30 UTC") == std::chrono::minutes(750));
@@ -99,7 +105,30 @@ private slots:
         QVERIFY(!parseTimeOfDay(""));
     }
 
-    void orderIsTold()
+    void zonesAreRead_data()
+    {
+        QTest::addColumn<int>("minutes"); // ahead of UTC; −9999 means no offset
+        QTest::newRow("UTC") << 0;
+        QTest::newRow("z") << 0;
+        QTest::newRow("GMT+1") << 60;
+        QTest::newRow("UTC-03:30") << -210;
+        QTest::newRow("+0545") << 345;
+        QTest::newRow(" -3 ") << -180;
+        QTest::newRow("EST") << -9999;
+        QTest::newRow("America/St_Johns") << -9999;
+        QTest::newRow("2") << -9999;
+        QTest::newRow("+15") << -9999;
+        QTest::newRow("") << -9999;
+    }
+
+    void zonesAreRead()
+    {
+        QFETCH(int, minutes);
+        const auto zone = parseZone(QTest::currentDataTag());
+        QCOMPARE(zone ? static_cast<int>(zone->count()) : -9999, minutes);
+    }
+
+    void orderIsThatOfAnUnambiguousDate()
     {
         QVERIFY(dateOrderOf("31/12/2015 23:59") == DateOrder::DayFirst);
         QVERIFY(dateOrderOf("12/31/2015") == DateOrder::MonthFirst);

@@ -12,7 +12,7 @@ using Kind = MapShape::Kind;
 
 namespace {
 
-/** With quotation marks in place of apostrophes. */
+/** Replaces apostrophes by quotation marks. */
 std::string json(std::string text)
 {
     std::ranges::replace(text, '\'', '"');
@@ -38,6 +38,8 @@ std::string collection(const std::string& features)
 constexpr const char* kSquare =
     "{'type': 'Polygon', 'coordinates': [[[-50, 60], [-49, 60], [-49, 61], [-50, 60]]]}";
 
+constexpr const char* kPlace = "{'type': 'Point', 'coordinates': [-49, 60]}";
+
 std::string kml(const std::string& content)
 {
     return "<?xml version=\"1.0\"?><kml><Document>" + content + "</Document></kml>";
@@ -52,13 +54,13 @@ constexpr const char* kRing = "<Polygon><outerBoundaryIs><LinearRing><coordinate
 
 } // namespace
 
-/** What files of map programs draw. */
+/** Tests of the shapes of map program files. */
 class TestMapShapes : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void everyGeometryOfGeoJson()
+    void everyGeometryOfGeoJsonIsRead()
     {
         const auto shapes = shapesOf(collection(
             feature("{'type': 'Point', 'coordinates': [-50, 60]}", "{'name': 'Nuuk'}") + "," +
@@ -83,8 +85,8 @@ private slots:
         QCOMPARE(shapesOf(json(kSquare)).size(), std::size_t{1}); // a geometry by itself
     }
 
-    /** One bad place spoils its shape, not the file. */
-    void whatIsNoPlaceIsLeftOut()
+    /** One invalid place removes its shape, not the file. */
+    void invalidPlacesAreLeftOut()
     {
         const auto shapes = shapesOf(
             collection(feature("{'type': 'LineString', 'coordinates': [[-50, 60], [-51, 95]]}") +
@@ -93,7 +95,7 @@ private slots:
         QCOMPARE(shapes.size(), std::size_t{1});
     }
 
-    void coloursOfIceAndSimplestyle_data()
+    void coloursOfIceAndSimplestyleAreRead_data()
     {
         QTest::addColumn<QByteArray>("properties");
         QTest::addColumn<quint32>("fill");
@@ -109,7 +111,7 @@ private slots:
         QTest::newRow("fast ice") << QByteArray("{'CT': '92', 'FA': '08'}") << 0x99969696U;
     }
 
-    void coloursOfIceAndSimplestyle()
+    void coloursOfIceAndSimplestyleAreRead()
     {
         QFETCH(QByteArray, properties);
         QFETCH(quint32, fill);
@@ -118,15 +120,15 @@ private slots:
         QCOMPARE(*shapes.front().fill, fill);
     }
 
-    void codesThatSayNothingHaveNoColour()
+    void codesWithoutConcentrationHaveNoColour()
     {
         for (const char* properties : {"{'CT': '99'}", "{'CT': '-9'}", "{'CT': ''}",
                                        "{'fill': 'red'}", "{'fill': '#12345g'}", "{}"})
             QVERIFY(!shapesOf(feature(kSquare, properties)).front().fill);
     }
 
-    /** Of the Placemark, by its url, by way of a style map, and after what has it. */
-    void stylesOfKml()
+    /** Styles of the Placemark, by its url, through a style map, and defined after their use. */
+    void stylesOfKmlAreResolved()
     {
         const std::string placemark = "<Placemark><name>a</name><styleUrl>#%</styleUrl>";
         const auto with = [&](const std::string& url) {
@@ -150,7 +152,7 @@ private slots:
         QCOMPARE(shapes[3].fill.value_or(1), 0U);
     }
 
-    void linesAndPlacesOfKml()
+    void linesAndPlacesOfKmlAreRead()
     {
         const std::string text =
             kml("<Placemark><name>St. John's</name><Point><coordinates>-52.7,47.5</coordinates>"
@@ -166,7 +168,27 @@ private slots:
         }
     }
 
-    /** A hole without what it is a hole of would be painted as an area. */
+    /** The supported encodings are those of sightings. */
+    void otherEncodingsAreRead()
+    {
+        const auto utf16 = [](const std::string& text) {
+            std::string bytes = "\xFF\xFE";
+            for (const char c : text)
+                (bytes += c) += '\0';
+            return bytes;
+        };
+        const std::string place = "<Placemark><name>Cape</name><Point><coordinates>-52.7,47.5"
+                                  "</coordinates></Point></Placemark>";
+        for (const std::string& text :
+             {utf16(kml(place)), utf16(feature(kPlace, "{'name': 'Cape'}"))}) {
+            QCOMPARE(shapesOf(text).size(), std::size_t{1});
+            QCOMPARE(shapesOf(text).front().name, std::string("Cape"));
+        }
+        const std::string windows = feature(kPlace, "{'name': 'Nuuk \xC5'}");
+        QCOMPARE(shapesOf(windows).front().name, std::string("Nuuk \xC3\x85"));
+    }
+
+    /** A hole without its outline would be painted as an area. */
     void polygonsWithAWrongRingAreLeftOut()
     {
         const auto ring = [](const char* boundary, const char* places) {
@@ -183,7 +205,7 @@ private slots:
         QCOMPARE(count("0,0 9,0 9,9", "3,2 4,2 4,95"), std::size_t{0});
     }
 
-    void otherFilesAreRefused()
+    void otherFilesAreRejected()
     {
         for (const std::string text : {"", "a,b\n1,2\n", "{\"x\": 1}", "<gpx></gpx>", "\xFF\xFE"})
             QVERIFY_THROWS_EXCEPTION(Error, static_cast<void>(shapesOf(text)));

@@ -26,7 +26,7 @@ using namespace berg::test;
 
 namespace {
 
-/** A crowd, for a while flown on a route that knows no clusters. */
+/** A dense field flown partly with a route policy that ignores clusters. */
 RunFile crowdedRun()
 {
     Scenario scenario = crowd(3);
@@ -47,7 +47,7 @@ const RunFile& recorded()
     return run;
 }
 
-/** The first keyframe on the way to a cluster. */
+/** Returns the first keyframe on the leg to a cluster. */
 std::size_t keyframeWithMembers(const RunFile& run)
 {
     const auto found = std::ranges::find_if(
@@ -55,7 +55,7 @@ std::size_t keyframeWithMembers(const RunFile& run)
     return static_cast<std::size_t>(found - run.keyframes.begin());
 }
 
-/** Icebergs 0 and 2 of the four, drifting, within one view. */
+/** Icebergs 0 and 2 of the four drift within one field of view. */
 Scenario twoTogether()
 {
     Scenario scenario = fourIcebergs();
@@ -78,7 +78,7 @@ class TestClusterFiles : public QObject
     Q_OBJECT
 
 private slots:
-    void settingIsKept()
+    void settingIsReadBack()
     {
         Scenario scenario = fourIcebergs();
         QVERIFY(scenarioToJson(scenario).find("clusters") == std::string::npos);
@@ -88,7 +88,7 @@ private slots:
         QVERIFY(scenarioFromJson(text, "text") == scenario);
     }
 
-    void runsAreKeptExactly()
+    void runsAreReadBackExactly()
     {
         const RunFile& run = recorded();
         QVERIFY(keyframeWithMembers(run) < run.keyframes.size());
@@ -99,7 +99,7 @@ private slots:
         QCOMPARE(runToJson(read), text);
     }
 
-    void apartIsKept()
+    void unclusteredIcebergsAreReadBack()
     {
         RunFile run = recorded();
         run.keyframes[2].unclustered = {5, 1};
@@ -115,7 +115,7 @@ private slots:
         QVERIFY(compareRun(read, flown).empty());
     }
 
-    void withTheRestOfTheWorld_data()
+    void clustersWorkWithSearchesSortiesAndFences_data()
     {
         QTest::addColumn<bool>("measured");
         QTest::addColumn<bool>("sorties");
@@ -124,8 +124,8 @@ private slots:
         QTest::newRow("all of it") << true << true;
     }
 
-    /** Clusters among searches, ways home and round a fence: all icebergs are flown to, in time. */
-    void withTheRestOfTheWorld()
+    /** With searches, legs home and fences, all icebergs of clusters are visited in time. */
+    void clustersWorkWithSearchesSortiesAndFences()
     {
         QFETCH(const bool, measured);
         QFETCH(const bool, sorties);
@@ -179,7 +179,7 @@ private slots:
         QCOMPARE(compareRun(recorded(), other).front().field, std::string("plans[0].clusters"));
     }
 
-    void brokenRuns_data()
+    void brokenRunsAreRejected_data()
     {
         QTest::addColumn<QString>("from");
         QTest::addColumn<QString>("to");
@@ -204,7 +204,7 @@ private slots:
                                 << "keyframes[1].members";
     }
 
-    void brokenRuns()
+    void brokenRunsAreRejected()
     {
         QFETCH(const QString, from);
         QFETCH(const QString, to);
@@ -219,7 +219,7 @@ private slots:
         QVERIFY2(names(error->issues(), field.toStdString()), error->what());
     }
 
-    void inTwoClusters()
+    void icebergInTwoClustersIsRejected()
     {
         RunFile run = recorded();
         run.plans[0].clusters.push_back(run.plans[0].clusters.front());
@@ -228,7 +228,7 @@ private slots:
         QVERIFY(error && error->issues().front().message() == "must not repeat an iceberg");
     }
 
-    /** Both drift, and so does the middle that the waypoint is put to. */
+    /** Both icebergs drift, and so does their midpoint, the place of the waypoint. */
     void plannedVisitIsTheMiddle()
     {
         const Scenario scenario = twoTogether();
@@ -272,7 +272,7 @@ private slots:
         QVERIFY(clusters >= 3);
     }
 
-    void oneWaypointForAll()
+    void clusterHasOneWaypoint()
     {
         const Scenario scenario = twoTogether();
         const PlanAnswer plan = planOfTwoTogether();
@@ -283,7 +283,7 @@ private slots:
             return item.command == MavCommand::NavWaypoint;
         });
         QCOMPARE(waypoints.size(), std::size_t{3});
-        // 300 m less the distance of each member, so that both are in view when it counts.
+        // 300 m less the distance of each member, so that both are in view on arrival.
         QCOMPARE(waypoints[1].params[1], std::floor(300 - visits[1].spread_m));
         QVERIFY(waypoints[1].params[1] < 130);
         QCOMPARE(waypoints[0].params[1], 255.0);
@@ -292,18 +292,18 @@ private slots:
         COMPARE_NEAR(waypoints[1].place.longitude_deg, place.longitude_deg, 1e-8);
     }
 
-    void tableHasARowForEach()
+    void tableHasARowForEachMember()
     {
         const QString table =
             QString::fromStdString(planCsv(planContent(twoTogether(), planOfTwoTogether())));
         const QStringList rows = table.split('\n', Qt::SkipEmptyParts);
-        QCOMPARE(rows.size(), 6); // one name is of two lines
+        QCOMPARE(rows.size(), 6); // one name has two lines
         QVERIFY(rows[2].startsWith("2,berg-1,"));
         QVERIFY(rows[3].startsWith("2,berg-3,"));
         QVERIFY(rows[4].startsWith("3,berg-2,"));
     }
 
-    void geojsonNamesThem()
+    void geojsonNamesTheMembers()
     {
         const QByteArray text = planText(twoTogether(), planOfTwoTogether());
         const QList<QJsonObject> visits = features(text, u"visit"_s);
@@ -313,7 +313,7 @@ private slots:
         QVERIFY(!visits[0][u"properties"].toObject().contains(u"cluster"));
     }
 
-    void curvesNameAllOfThem()
+    void curvesNameAllMembers()
     {
         const TauCurve curve;
         const Scenario scenario = twoTogether();
@@ -325,7 +325,7 @@ private slots:
         QCOMPARE(icebergNumbers(report, {3, 1, 2}), (std::vector<int>{4, 1, 3, 2}));
     }
 
-    void planPrintsThem()
+    void planNamesTheMembers()
     {
         PlanReport report{
             .problem = {}, .outcome = {}, .uavs = {{.id = {}, .order = {1, 3}, .ids = {"a", "c"}}}};

@@ -10,7 +10,7 @@ using namespace berg;
 
 namespace {
 
-/** From the start along the order, and back on a closed route. */
+/** Returns the distance from the start along the order, and back on a closed route. */
 double lengthOf_m(const Scenario& scenario, const UavReport& uav)
 {
     const auto start = std::ranges::find(scenario.uavs, uav.id, &Uav::id);
@@ -32,15 +32,15 @@ class TestPlanResult : public QObject
     Q_OBJECT
 
 private slots:
-    /** One UAV told its distance without the way home, several with it. */
-    void distancesAreOfTheRoute_data()
+    /** One UAV and several UAVs used to count the leg home differently. */
+    void distancesIncludeTheLegHomeOfAClosedRoute_data()
     {
         QTest::addColumn<PolicyKind>("policy");
         for (const Named<PolicyKind>& policy : kPolicyNames)
             if (policy.value != PolicyKind::Tour && policy.value != PolicyKind::Coverage)
                 QTest::newRow(policy.name.data()) << policy.value;
     }
-    void distancesAreOfTheRoute()
+    void distancesIncludeTheLegHomeOfAClosedRoute()
     {
         QFETCH(PolicyKind, policy);
         for (int k = 0; k < 24; ++k) {
@@ -60,8 +60,8 @@ private slots:
         }
     }
 
-    /** Two icebergs in line, one beside the other way: 5000 m, and 3606 m home. */
-    void latencyCountsTheWayHome()
+    /** Two icebergs are in line and one is beside the path: 5000 m, and 3606 m home. */
+    void latencyCountsTheLegHome()
     {
         Scenario scenario;
         scenario.planner = {.policy = PolicyKind::Latency, .route = Route::Closed};

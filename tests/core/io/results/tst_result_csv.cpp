@@ -19,7 +19,10 @@ namespace {
 
 using Record = QList<QByteArray>;
 
-/** RFC 4180 reader of its own: quoted fields may hold separators, line ends and doubled quotes. */
+/**
+ * An independent reader of RFC 4180: quoted fields may hold separators, line ends and doubled
+ * quotes.
+ */
 QList<Record> csvRecords(const QByteArray& text)
 {
     QList<Record> records;
@@ -60,8 +63,8 @@ class TestResultCsv : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    /** What a spreadsheet would run; an import takes the apostrophe off. */
-    void formulasAreTexts()
+    /** A spreadsheet would run these texts; an import removes the apostrophe. */
+    void formulasBecomeTexts()
     {
         QCOMPARE(csvField("=1+1"), std::string("'=1+1"));
         QCOMPARE(csvField("@a,b"), std::string("\"'@a,b\""));
@@ -71,7 +74,7 @@ private slots:
                  std::string("a\uFFFD[31m\uFFFD\uFFFD\u00e5"));
     }
 
-    void fields_data()
+    void fieldsAreQuotedIfNecessary_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("field");
@@ -84,7 +87,7 @@ private slots:
         QTest::newRow("carriage return") << QByteArray("a\rb") << QByteArray("\"a\rb\"");
     }
 
-    void fields()
+    void fieldsAreQuotedIfNecessary()
     {
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, field);
@@ -147,7 +150,7 @@ private slots:
                 QCOMPARE(record[3].toDouble(), iceberg.truth_m.x());
                 QCOMPARE(record[4].toDouble(), iceberg.truth_m.y());
                 QCOMPARE(record[5], QByteArray(iceberg.inView ? "1" : "0"));
-                // In view and sigma 0 are the same thing here.
+                // In view and sigma 0 are equivalent here.
                 QCOMPARE(record[5] == "1", record[2] == "0");
             }
         }
@@ -155,7 +158,7 @@ private slots:
         QCOMPARE(next, 1 + 4 * 101 - 50);
     }
 
-    void eventsInOrder()
+    void eventsAreWrittenInOrder()
     {
         Scenario scenario = fourIcebergs();
         scenario.icebergs[3].id = "odd, \"id\"";
@@ -193,8 +196,8 @@ private slots:
         QVERIFY(count["sighted"] >= count["reached"]);
     }
 
-    /** These texts are in files: they stay as they are. */
-    void detailsOfEvents_data()
+    /** These texts are in files, so they must not change. */
+    void detailsOfEventsAreStable_data()
     {
         QTest::addColumn<MissionEvent>("event");
         QTest::addColumn<QByteArray>("detail");
@@ -218,7 +221,7 @@ private slots:
             "uav-2, 143 m");
     }
 
-    void detailsOfEvents()
+    void detailsOfEventsAreStable()
     {
         QFETCH(MissionEvent, event);
         Scenario scenario = fourIcebergs();
@@ -248,7 +251,7 @@ private slots:
             QCOMPARE(csvRecords(text).size(), 1);
     }
 
-    void planTable()
+    void planTableHasTheOrder()
     {
         const Scenario scenario = fourIcebergs();
         const PlanAnswer plan = fourIcebergPlan();
@@ -307,11 +310,11 @@ private slots:
         QVERIFY(trajectoryCsv(mission) == expected);
     }
 
-    void golden()
+    void tableMatchesTheGoldenFile()
     {
         const QByteArray actual = bytes(planCsv(planContent(fourIcebergs())));
         const QByteArray expected = berg::test::golden(QStringLiteral("four_icebergs.csv"), actual);
-        // Rounding of another processor.
+        // Tolerates the rounding of another processor.
         const QString found = tableDifference(actual, expected, ',', 1e-9);
         QVERIFY2(found.isEmpty(), qPrintable(found));
     }

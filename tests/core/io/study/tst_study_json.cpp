@@ -31,7 +31,7 @@ StudySpec smallSpec()
             .runs = 2};
 }
 
-/** Numbers with all their digits, some missions and one whole case not flown. */
+/** A study with numbers of all digits; some missions and one whole case are not flown. */
 Study partOfStudy()
 {
     Study study{.spec = smallSpec()};
@@ -60,14 +60,14 @@ class TestStudyJson : public QObject
     Q_OBJECT
 
 private slots:
-    void comesBack_data()
+    void studyIsReadBackExactly_data()
     {
         QTest::addColumn<int>("kind");
         QTest::newRow("nothing flown") << 0;
         QTest::newRow("a part") << 1;
         QTest::newRow("all") << 2;
     }
-    void comesBack()
+    void studyIsReadBackExactly()
     {
         QFETCH(const int, kind);
         const Study study = kind == 0   ? Study{.spec = smallSpec()}
@@ -80,7 +80,7 @@ private slots:
         QCOMPARE(formatOf(text, "text"), std::string("bergwatch-study"));
     }
 
-    void carriedOnGivesTheSameBytes()
+    void continuedStudyGivesTheSameBytes()
     {
         std::stop_source source;
         const auto stopAtFive = [&](const Study&, std::size_t done, std::size_t) {
@@ -95,7 +95,7 @@ private slots:
         QCOMPARE(studyToJson(study), studyToJson(flown(smallSpec())));
     }
 
-    void filesOnDisk()
+    void savedStudyIsLoadedUnchanged()
     {
         const QTemporaryDir dir;
         const std::string path = dir.filePath("a.bergstudy").toStdString();
@@ -106,7 +106,7 @@ private slots:
                  std::string("FileNotFound"));
     }
 
-    void readsWhatIsLeftOut()
+    void missingMembersHaveDefaults()
     {
         const Study study = studyFromJson(
             R"({"format": "bergwatch-study", "version": 1, "policies": ["path"], "random": 3})",
@@ -115,7 +115,7 @@ private slots:
         QVERIFY(study.outcomes.empty());
     }
 
-    void faults_data()
+    void faultsAreNamed_data()
     {
         QTest::addColumn<QString>("what");
         QTest::addColumn<QString>("by");
@@ -148,7 +148,7 @@ private slots:
         row("visits", ",0,7,", ",0.5,7,", "outcomes[0][0][1]: must be a whole number");
         row("stuck", ",1]", ",2]", "outcomes[0][0][4]: must be a whole number from 0 to 1");
     }
-    void faults()
+    void faultsAreNamed()
     {
         QFETCH(const QString, what);
         QFETCH(const QString, by);
@@ -158,12 +158,12 @@ private slots:
         const auto error = errorOf([&] { (void)studyFromJson(text, "a.bergstudy"); });
         QVERIFY(error);
         QCOMPARE(error->code(), ErrorCode::InvalidInput);
-        const QString told = QString::fromStdString(error->what());
-        QVERIFY2(told.startsWith("a.bergstudy: ") && told.contains(message), qPrintable(told));
+        const QString shown = QString::fromStdString(error->what());
+        QVERIFY2(shown.startsWith("a.bergstudy: ") && shown.contains(message), qPrintable(shown));
     }
 
-    /** Cut off anywhere: a clear error, and never a part of a study. */
-    void truncated()
+    /** A file cut off anywhere gives a clear error and never a part of a study. */
+    void truncatedFileIsRejected()
     {
         const std::string text = studyToJson(partOfStudy());
         for (std::size_t size = 0; size + 2 < text.size(); size += 7)
@@ -171,7 +171,7 @@ private slots:
                      std::string("SyntaxError"));
     }
 
-    void otherFiles()
+    void otherFilesAreRejected()
     {
         const std::string scenario = scenarioToJson(smallField(1));
         const std::string study = studyToJson(partOfStudy());
@@ -185,8 +185,8 @@ private slots:
                  std::string("UnsupportedVersion"));
     }
 
-    /** Said before anything is flown, not when the file has become too large. */
-    void tooLargeWhenFlown()
+    /** The error comes before the flights, not when the file has become too large. */
+    void studyTooLargeWhenFlownIsRejected()
     {
         Scenario scenario = smallField(1);
         scenario.notes = std::string(8U << 20U, 'x');
@@ -200,8 +200,8 @@ private slots:
         QVERIFY(!QFile::exists(path));
     }
 
-    /** 1000 scenarios in full and 40 tau: 40,000 outcomes. */
-    void manyScenarios()
+    /** 1000 complete scenarios and 40 tau give 40,000 outcomes. */
+    void manyScenariosAreReadBack()
     {
         StudySpec spec{.policies = {PolicyKind::Visitation}};
         for (int i = 0; i < 1000; ++i)

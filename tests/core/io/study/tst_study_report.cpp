@@ -1,10 +1,10 @@
-#include "core/io/figure/policy_looks.h"
+#include "core/io/figure/policy_style.h"
 #include "core/io/figure/report_style.h"
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/html_text.h"
-#include "core/io/text/machine_text.h"
+#include "core/io/text/system_info.h"
 #include "tests/support/approx.h"
 
 #include <QRegularExpression>
@@ -18,7 +18,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** Settings tau 0.5, 1, 2, then path; made-up outcomes, none flown. */
+/** A spec of tau 0.5, 1, 2, then path, with made-up outcomes and nothing flown. */
 Study madeUp(int cases)
 {
     Study study;
@@ -69,14 +69,14 @@ std::string reportOf(const Study& study)
                             .elapsed_s = 725.2});
 }
 
-/** The page as somebody else's parser sees it. */
+/** The page as read by an independent parser. */
 struct Page
 {
     QString error;
     QString title;
     QMap<QString, int> elements;
     QList<QStringList> rows; ///< texts of the cells of all tables
-    QString text;            ///< all of it but styles and scripts
+    QString text;            ///< all text except styles and scripts
 
     [[nodiscard]] QStringList row(const QString& name, int table) const
     {
@@ -146,10 +146,10 @@ class TestStudyReport : public QObject
 private slots:
     void initTestCase()
     {
-        std::setlocale(LC_ALL, "nb_NO.UTF-8"); // where there is one: it must not matter
+        std::setlocale(LC_ALL, "nb_NO.UTF-8"); // if it exists; it must not matter
     }
 
-    void wellFormed_data()
+    void pageIsWellFormed_data()
     {
         QTest::addColumn<Study>("study");
         QTest::newRow("three cases") << threeCases();
@@ -166,8 +166,8 @@ private slots:
         QTest::newRow("zeta 0 throughout") << nothing;
     }
 
-    /** XML, so HTML readers of any kind find the same tree; and what was flown is still in it. */
-    void wellFormed()
+    /** The page is XML, so all HTML readers find the same tree, and it still contains the study. */
+    void pageIsWellFormed()
     {
         QFETCH(Study, study);
         const std::string html = reportOf(study);
@@ -178,8 +178,8 @@ private slots:
         QVERIFY(studyFromJson(studyOfReport(html, "x"), "x") == study);
     }
 
-    /** Nothing is loaded or run, whoever reads the page. */
-    void selfContained()
+    /** The page loads and runs nothing. */
+    void pageIsSelfContained()
     {
         const std::string html = reportOf(threeCases());
         const QString text = QString::fromStdString(html);
@@ -189,7 +189,7 @@ private slots:
         QCOMPARE(parsed(html).elements.value(u"script"_s), 1);
     }
 
-    void numbersInTables()
+    void tablesHaveTheNumbers()
     {
         const Page page = parsed(reportOf(threeCases()));
         // Mean of 9000, 22000, 40000; standard error of the mean 8987.6.
@@ -209,7 +209,7 @@ private slots:
         QCOMPARE(difference[5], u"33.3 %"_s);
         QCOMPARE(difference[6], u"+10.0 %"_s);
         QCOMPARE(page.row(u"τ = 1"_s, 1).value(1), u"reference"_s);
-        // The best: 2, 0.5, and of three equal ones 0.5.
+        // The best are 2, 0.5, and 0.5 among three equal ones.
         QCOMPARE(page.row(u"τ = 0.5"_s, 2), (QStringList{u"τ = 0.5"_s, u"2"_s, u"66.7 %"_s}));
     }
 
@@ -238,7 +238,7 @@ private slots:
         QVERIFY(page.row(u"path"_s, 1).isEmpty());
     }
 
-    void saysWhatIsMissing()
+    void incompleteStudyIsMarked()
     {
         const Page page = parsed(reportOf(unfinished()));
         QVERIFY(page.text.contains("Missions flown: 11 of 12."_L1));
@@ -249,7 +249,7 @@ private slots:
         QVERIFY(!parsed(reportOf(threeCases())).text.contains("Not complete"_L1));
     }
 
-    void saysWhatWasFlown()
+    void setupIsListed()
     {
         Study study = threeCases();
         study.spec.firstSeed = 1001;
@@ -265,8 +265,8 @@ private slots:
             QVERIFY2(text.contains(words), qPrintable(words));
     }
 
-    /** All that is said, that is: what is left are names, numbers, units and commands. */
-    void saysItInAnotherLanguage()
+    /** Every sentence is translated; names, numbers, units and commands remain. */
+    void everySentenceIsTranslated()
     {
         const Study study = threeCases();
         ReportOrigin origin{
@@ -291,7 +291,7 @@ private slots:
         }
     }
 
-    void hostileNames_data()
+    void hostileNamesAreEscaped_data()
     {
         QTest::addColumn<QByteArray>("name");
         QTest::addColumn<QString>("shown");
@@ -314,7 +314,7 @@ private slots:
         QTest::newRow("backslashes") << QByteArray("\\u003c \\") << as("\\u003c \\");
     }
 
-    void hostileNames()
+    void hostileNamesAreEscaped()
     {
         QFETCH(QByteArray, name);
         QFETCH(QString, shown);
@@ -329,8 +329,8 @@ private slots:
         QCOMPARE(page.title, shown);
         QVERIFY(page.text.contains(shown + u": icebergs: 12, seed 1"_s));
         QCOMPARE(page.elements.value(u"script"_s), 1);
-        QCOMPARE(page.elements.value(u"bdi"_s), 2); // heading and scenario: direction kept inside
-        // An HTML reader ends a script at the first of these, whatever quotes are round it.
+        QCOMPARE(page.elements.value(u"bdi"_s), 2); // heading and scenario
+        // An HTML reader ends a script at the first of these, even within quotes.
         QCOMPARE(QString::fromStdString(html).count("</script"_L1), 1);
         QVERIFY(studyFromJson(studyOfReport(html, "x"), "x") == study);
     }
@@ -341,7 +341,7 @@ private slots:
         QCOMPARE(htmlName("a<b"), std::string("<bdi>a&lt;b</bdi>"));
     }
 
-    void loadedLikeAStudyFile()
+    void reportLoadsLikeAStudyFile()
     {
         const QTemporaryDir folder;
         const std::string path = folder.filePath(u"report.html"_s).toStdString();
@@ -358,7 +358,7 @@ private slots:
         }
     }
 
-    void cutReportIsNoStudy()
+    void truncatedReportIsRejected()
     {
         const std::string html = reportOf(threeCases());
         const std::size_t middle = html.find("\"outcomes\"");
@@ -366,7 +366,7 @@ private slots:
         QVERIFY_THROWS_EXCEPTION(Error, (void)studyOfReport(html.substr(0, middle), "x"));
     }
 
-    void tellsReportsFromStudyFiles()
+    void reportsAreDistinguishedFromStudyFiles()
     {
         QVERIFY(isReport(reportOf(oneCase())));
         QVERIFY(isReport("\xEF\xBB\xBF \r\n<!DOCTYPE html>"));
@@ -374,11 +374,14 @@ private slots:
         QVERIFY(!isReport(""));
     }
 
-    /** The same report but for where it comes from, at every run. */
-    void sameBytes() { QCOMPARE(reportOf(threeCases()), reportOf(threeCases())); }
+    /** The report is the same in every run, except for its origin. */
+    void reportIsReproducible() { QCOMPARE(reportOf(threeCases()), reportOf(threeCases())); }
 
-    /** DESIGN: lines 3 : 1 and text 4.5 : 1 against the page, light and dark. */
-    void coloursCanBeTold()
+    /**
+     * DESIGN requires contrasts to the page of 3 : 1 for lines and 4.5 : 1 for text, light and
+     * dark.
+     */
+    void coloursHaveEnoughContrast()
     {
         const QString style =
             QString::fromUtf8(kReportStyle.data(), qsizetype(kReportStyle.size()));
@@ -393,7 +396,7 @@ private slots:
             }
             QVERIFY(colours.size() >= 9);
             const bool isDark = &theme == &themes.back();
-            for (const PolicyLook& look : kPolicyLooks)
+            for (const PolicyStyle& look : kPolicyStyles)
                 if (!look.light.empty())
                     colours[QString::fromStdString(nameOf(kPolicyNames, look.policy))] = luminance(
                         QString::fromStdString(std::string(isDark ? look.dark : look.light)));
@@ -409,9 +412,9 @@ private slots:
         }
     }
 
-    void machineWithoutNames()
+    void systemInfoHasNoNames()
     {
-        const std::string machine = machineText();
+        const std::string machine = systemInfo();
         QVERIFY(machine.find(QSysInfo::kernelType() == "linux"_L1 ? "Linux" : "") !=
                 std::string::npos);
         QVERIFY(machine.find("core") != std::string::npos);

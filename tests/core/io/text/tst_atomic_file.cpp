@@ -38,7 +38,7 @@ unsigned modeOf(const std::string& path)
     return ::stat(path.c_str(), &status) == 0 ? status.st_mode & 07777U : 0U;
 }
 
-/** While it lives, no file of this process may grow beyond `bytes`: a disk that is full. */
+/** While it exists, no file of this process may grow beyond `bytes`, as on a full disk. */
 class FileSizeLimit
 {
 public:
@@ -62,7 +62,7 @@ private:
     void (*m_handler)(int) = SIG_DFL;
 };
 
-/** While it lives, a test of root is somebody who has to keep to permissions. */
+/** While it exists, a test run by root is subject to permissions like other users. */
 class OrdinaryUser
 {
 public:
@@ -84,7 +84,7 @@ private:
     bool m_isRoot;
 };
 
-/** While it lives, the folder has these permissions; its owner sets them. */
+/** While it exists, the folder has these permissions, set by its owner. */
 class FolderMode
 {
 public:
@@ -118,7 +118,7 @@ class TestAtomicFile : public QObject
 private:
     std::string path(const char* name) const { return m_dir->filePath(name).toStdString(); }
 
-    /** Writing to `target` must fail and leave the folder with the names it had. */
+    /** Writing to `target` must fail and leave the folder's names unchanged. */
     void refusesToWrite(const std::string& target)
     {
         const QStringList before = namesIn(*m_dir);
@@ -139,7 +139,7 @@ private slots:
         QVERIFY(m_dir->isValid());
     }
 
-    void contents_data()
+    void contentIsReadBack_data()
     {
         QTest::addColumn<QByteArray>("content");
         QTest::newRow("empty") << QByteArray();
@@ -149,7 +149,7 @@ private slots:
         QTest::newRow("above a chunk") << QByteArray((1 << 20) + 1, 'x');
         QTest::newRow("5 MB") << QByteArray(5'000'000, 'y');
     }
-    void contents()
+    void contentIsReadBack()
     {
         QFETCH(const QByteArray, content);
         const std::string file = path("file");
@@ -158,7 +158,7 @@ private slots:
         QCOMPARE(namesIn(*m_dir), QStringList{"file"});
     }
 
-    void replacesAll()
+    void existingContentIsReplaced()
     {
         const std::string file = path("file");
         writeFileAtomically(file, std::string(1000, 'a'));
@@ -216,7 +216,7 @@ private slots:
         QVERIFY(QFileInfo(m_dir->filePath("link")).isSymLink());
     }
 
-    void relativePath()
+    void relativePathIsWritten()
     {
         const QString before = QDir::currentPath();
         QVERIFY(QDir::setCurrent(m_dir->path()));
@@ -227,7 +227,7 @@ private slots:
         QCOMPARE(namesIn(*m_dir), QStringList{"here"});
     }
 
-    void longestName()
+    void longestNameIsWritten()
     {
         const std::string file = path(std::string(255, 'n').c_str());
         writeFileAtomically(file, "x");
@@ -236,7 +236,8 @@ private slots:
 
     void fileOfAnotherWriterIsLeftAlone()
     {
-        // The name this process would take first, of a writer under the same number elsewhere.
+        // This process would use this name first; here it belongs to a writer with the same id
+        // elsewhere.
         const std::string leftover = path(".file.") + std::to_string(::getpid()) + "-0.tmp";
         writeFileAtomically(leftover, "kept");
         const int fd = ::open(leftover.c_str(), O_WRONLY | O_CLOEXEC);
@@ -248,7 +249,7 @@ private slots:
         QCOMPARE(namesIn(*m_dir).size(), qsizetype{2});
     }
 
-    void failures_data()
+    void unwritableTargetsAreReported_data()
     {
         QTest::addColumn<QString>("name");
         QTest::newRow("folder is missing") << "missing/file";
@@ -260,7 +261,7 @@ private slots:
         QTest::newRow("name too long") << QString(256, 'n');
         QTest::newRow("no name") << "folder/.";
     }
-    void failures()
+    void unwritableTargetsAreReported()
     {
         QFETCH(const QString, name);
         writeFileAtomically(path("plain"), "plain");
@@ -272,7 +273,7 @@ private slots:
         QCOMPARE(readFile(path("plain")), std::string("plain"));
     }
 
-    void emptyPathIsRefused()
+    void emptyPathIsRejected()
     {
         QCOMPARE(codeOf([] { writeFileAtomically("", "x"); }), std::string("FileUnwritable"));
     }
@@ -285,14 +286,14 @@ private slots:
         refusesToWrite(path("new file"));
     }
 
-    void folderThatTakesNoTemporaryFile_data()
+    void fileInAClosedFolderIsOverwritten_data()
     {
         QTest::addColumn<QString>("name");
         QTest::newRow("file") << "file";
         QTest::newRow("link") << "link";
     }
-    /** The folder refuses a second file; the file itself may be written. */
-    void folderThatTakesNoTemporaryFile()
+    /** The folder refuses a second file, but the file itself may be written. */
+    void fileInAClosedFolderIsOverwritten()
     {
         QFETCH(const QString, name);
         writeFileAtomically(path("file"), std::string(1000, 'o'));
@@ -310,8 +311,8 @@ private slots:
         QCOMPARE(namesIn(*m_dir), before);
     }
 
-    /** In a sticky folder nobody may replace the file of another, however writable it is. */
-    void folderThatRefusesTheRenaming()
+    /** In a sticky folder nobody may replace the file of another user, however writable it is. */
+    void fileInAStickyFolderIsOverwritten()
     {
         if (::geteuid() != 0)
             QSKIP("needs a file of somebody else");
@@ -387,7 +388,7 @@ private slots:
 
     void readerSeesOldOrNew()
     {
-        // Writers of two contents against a reader that must never see a mixture or a part.
+        // Writers of two contents compete with a reader that must never see a mixture or a part.
         const std::string file = path("file");
         const std::string a(200'000, 'a');
         const std::string b(300'000, 'b');
@@ -406,7 +407,7 @@ private slots:
         QCOMPARE(namesIn(*m_dir), QStringList{"file"});
     }
 
-    void unreadable_data()
+    void unreadableFilesAreReported_data()
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("code");
@@ -423,7 +424,7 @@ private slots:
         QTest::newRow("pipe nobody writes to") << "pipe"
                                                << "FileUnreadable";
     }
-    void unreadable()
+    void unreadableFilesAreReported()
     {
         QFETCH(const QString, name);
         QFETCH(const QString, code);
@@ -439,7 +440,7 @@ private slots:
         QCOMPARE(error->subject(), file);
     }
 
-    void largestFile()
+    void largestFileIsReadButNoLarger()
     {
         const std::string file = path("large");
         writeFileAtomically(file, "");

@@ -25,7 +25,7 @@ class TestCsvReader : public QObject
     Q_OBJECT
 
 private slots:
-    void cells_data()
+    void cellsAreSplit_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QStringList>("cells");
@@ -48,7 +48,7 @@ private slots:
         row("final line end", "a,b\r\n", {"a", "b"});
     }
 
-    void cells()
+    void cellsAreSplit()
     {
         QFETCH(QByteArray, text);
         QFETCH(QStringList, cells);
@@ -61,7 +61,7 @@ private slots:
         QCOMPARE(got, cells);
     }
 
-    /** Lines are counted through blank ones, quoted ones and any kind of line end. */
+    /** Lines are counted through blank and quoted ones and any kind of line end. */
     void lineNumbers_data()
     {
         QTest::addColumn<QByteArray>("end");
@@ -95,7 +95,7 @@ private slots:
         QCOMPARE(rows[3].line, std::size_t{4});
     }
 
-    void quoteOpenAtTheEnd()
+    void quoteOpenAtTheEndIsAFault()
     {
         const std::vector<CsvRow> rows = rowsOf("a,b\nc,\"d\ne,f");
         QCOMPARE(rows.size(), std::size_t{3});
@@ -104,7 +104,7 @@ private slots:
         QCOMPARE(rowsOf("\"").size(), std::size_t{1});
     }
 
-    void nothing()
+    void emptyTextHasNoRows()
     {
         QVERIFY(rowsOf("").empty());
         QVERIFY(rowsOf("\n\r\n\r").empty());
@@ -119,8 +119,8 @@ private slots:
         QVERIFY(rows[1].cells == (Cells{"a", "b"}));
     }
 
-    /** Many quotes that look open must not make reading quadratic: this would take for ever. */
-    void quotesByTheMillion()
+    /** Many quotes that seem open must not make reading quadratic. */
+    void millionsOfQuotesAreFast()
     {
         std::string text;
         for (int i = 0; i < 400'000; ++i)
@@ -131,8 +131,10 @@ private slots:
         QCOMPARE(rowsOf(text).size(), std::size_t{800'000});
     }
 
-    /** Each line opens a quote that the whole rest leaves open: this was read again for each. */
-    void strayQuotesByTheMillion()
+    /**
+     * Each line opens a quote that stays open to the end, which was once read again for each line.
+     */
+    void millionsOfStrayQuotesAreFast()
     {
         std::string text = "lat,lon\n\"several\nlines\",b\n";
         for (int i = 0; i < 1'000'000; ++i)
@@ -143,7 +145,7 @@ private slots:
         QVERIFY(rows.back().fault == CsvRow::Fault::UnclosedQuote);
     }
 
-    void separators_data()
+    void mostFrequentSeparatorIsChosen_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<char>("separator");
@@ -155,7 +157,7 @@ private slots:
         QTest::newRow("none") << QByteArray("a") << ',';
     }
 
-    void separators()
+    void mostFrequentSeparatorIsChosen()
     {
         QFETCH(QByteArray, text);
         QFETCH(char, separator);

@@ -11,7 +11,7 @@ class TestExportNumbers : public QObject
     Q_OBJECT
 
 private slots:
-    void places_data()
+    void longitudeStaysBelow180_data()
     {
         QTest::addColumn<double>("longitude_deg");
         QTest::addColumn<double>("expected_deg");
@@ -22,7 +22,7 @@ private slots:
         QTest::newRow("east of it") << -179.9999999999 << -180.0;
     }
 
-    void places()
+    void longitudeStaysBelow180()
     {
         QFETCH(double, longitude_deg);
         QFETCH(double, expected_deg);
@@ -31,7 +31,7 @@ private slots:
         QVERIFY(place.latitude_deg == 90);
     }
 
-    void noNegativeZero()
+    void zeroIsNeverNegative()
     {
         QVERIFY(!std::signbit(roundedDegrees(-1e-12)));
         QVERIFY(!std::signbit(roundedDegrees(-0.0)));

@@ -19,7 +19,7 @@ using namespace berg;
 using berg::test::errorOf;
 using namespace Qt::StringLiterals;
 
-/** Several files that belong together. */
+/** Tests of several files that belong together. */
 class TestFileSet : public QObject
 {
     Q_OBJECT
@@ -38,8 +38,8 @@ private slots:
         QCOMPARE(readFile(first), std::string("3"));
     }
 
-    /** What nothing can be taken back of is not opened for reading, which a socket refuses. */
-    void besideASocket()
+    /** Targets that cannot be restored are not opened for reading, which a socket refuses. */
+    void setMayContainASocket()
     {
         const QTemporaryDir folder;
         const std::string first = folder.filePath(u"a.plan"_s).toStdString();
@@ -55,8 +55,8 @@ private slots:
         ::close(ends[1]);
     }
 
-    /** Writers of two sets, one after the other; each instant leaves all files of one of them. */
-    void killedInTheMiddle()
+    /** Two sets are written alternately; at each instant all files belong to one set. */
+    void killedWriterLeavesOneSet()
     {
         constexpr int kFiles = 30;
         constexpr int kKills = 40;
@@ -82,7 +82,7 @@ private slots:
             QTest::qSleep(5 + 7 * kill % 20);
             ::kill(writer, SIGKILL);
             ::waitpid(writer, nullptr, 0);
-            // Who places them may have a little left to do, or to begin with.
+            // The process that renames them may need a little time, or may not have begun.
             bool whole = isWhole();
             for (int i = 0; i < 1000 && !whole; ++i) {
                 QTest::qSleep(10);
@@ -92,8 +92,8 @@ private slots:
         }
     }
 
-    /** The last one cannot be: what was there before is there again, what was not is not. */
-    void noneIsWrittenWhenOneCannotBe()
+    /** The last file cannot be written: existing files are restored, and new ones removed. */
+    void failureRestoresEveryFile()
     {
         const QTemporaryDir folder;
         const std::string there = folder.filePath(u"a.plan"_s).toStdString();
@@ -108,8 +108,8 @@ private slots:
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{u"a.plan"_s});
     }
 
-    /** A table larger than what readers accept is overwritten, and put back, all the same. */
-    void largeOneIsKept()
+    /** A file larger than readers accept is overwritten and restored all the same. */
+    void largeFileIsRestored()
     {
         const QTemporaryDir folder;
         const std::string large = folder.filePath(u"a.csv"_s).toStdString();
@@ -121,15 +121,15 @@ private slots:
         refused.add(large, "new");
         StagedFile& other = refused.add(last);
         other.append("something");
-        QVERIFY(QDir(folder.path()).mkdir(u"b"_s)); // in the way, since just now
+        QVERIFY(QDir(folder.path()).mkdir(u"b"_s)); // now blocks the second file
         QVERIFY(errorOf([&] { refused.write(); }));
         QCOMPARE(QFileInfo(folder.filePath(u"a.csv"_s)).size(), qint64{kSize});
         writeFileSet(std::vector<NewFile>{{large, "new"}, {last + "2", "2"}});
         QCOMPARE(readFile(large), std::string("new"));
     }
 
-    /** What comes piece by piece is there when all is. */
-    void inPieces()
+    /** A file written in pieces is complete when the set is written. */
+    void contentMayComeInPieces()
     {
         const QTemporaryDir folder;
         const std::string path = folder.filePath(u"a"_s).toStdString();

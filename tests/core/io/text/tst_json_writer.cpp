@@ -9,13 +9,13 @@
 using namespace berg;
 using Tree = nlohmann::ordered_json;
 
-/** Objects made of texts are tested with the files that hold them. */
+/** Objects built from texts are tested with the files that contain them. */
 class TestJsonWriter : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void treesOnOneLine()
+    void treesAreWrittenOnOneLine()
     {
         const Tree tree{{"a", {1, -2, 3.5, 22.0, -0.0, 1e300, 2e-5}}, {"b", Tree::object()}};
         QCOMPARE(jsonText(tree),
@@ -25,15 +25,15 @@ private slots:
         QCOMPARE(jsonText(Tree(std::numeric_limits<double>::quiet_NaN())), std::string("null"));
     }
 
-    void treesWithALineForEachEntry()
+    void treesAreWrittenWithALineForEachEntry()
     {
         const Tree tree{{"a", {1, 2}}, {"b", Tree::array()}, {"c", {{"d", "e"}}}};
         for (const int indent : {0, 1, 4})
             QCOMPARE(jsonText(tree, indent), tree.dump(indent));
     }
 
-    /** What terminals obey and what is no UTF-8 does not come out. */
-    void textsAreHarmless()
+    /** Terminal control characters and invalid UTF-8 are not written. */
+    void controlCharactersAreEscaped()
     {
         const std::string hostile = "\x1b[31m \x7f \xC2\x9B \xFF \" \\ \n \xC3\xA6";
         const std::string safe =

@@ -13,7 +13,7 @@ using namespace berg::test;
 
 Q_DECLARE_METATYPE(std::function<void(ReadBudget&)>)
 
-/** Each limit of reading names itself and how it is raised. */
+/** Each read limit names itself and says how to raise it. */
 class TestReadBudget : public QObject
 {
     Q_OBJECT
@@ -30,7 +30,7 @@ private:
 private slots:
     void cleanup() { qunsetenv(kReadLimitsVariable); }
 
-    void limits_data()
+    void exceededLimitNamesItself_data()
     {
         QTest::addColumn<std::function<void(ReadBudget&)>>("act");
         QTest::addColumn<QByteArray>("says");
@@ -59,7 +59,7 @@ private slots:
             "bytes", [](ReadBudget&) { ReadBudget("file", (64U << 20U) + 1); },
             "is larger than 64 MiB");
     }
-    void limits()
+    void exceededLimitNamesItself()
     {
         QFETCH(std::function<void(ReadBudget&)>, act);
         QFETCH(QByteArray, says);
@@ -74,12 +74,12 @@ private slots:
         QVERIFY(!errorOf([&] { act(twice); }));
     }
 
-    void whatIsGivenBackIsFree()
+    void releasedMemoryIsFree()
     {
         ReadBudget budget("file", 0);
         for (int i = 0; i < 1000; ++i) {
             budget.take(40'000'000);
-            budget.giveBack(40'000'000);
+            budget.release(40'000'000);
         }
         QCOMPARE(budget.memory(), std::size_t{0});
     }
@@ -103,8 +103,8 @@ private slots:
         QCOMPARE(readLimit(10), static_cast<std::size_t>(limit));
     }
 
-    /** Rows of four bytes would take eighty times as much. */
-    void manyShortRows()
+    /** Rows of four bytes would take eighty times as much memory. */
+    void manyShortRowsAreRejected()
     {
         const std::string text = rows(300'000);
         QCOMPARE(codeOf([&] { (void)readSightings(text, "file"); }), std::string("FileTooLarge"));
@@ -112,8 +112,8 @@ private slots:
         QCOMPARE(readSightings(text, "file").sightings.size(), std::size_t{300'000});
     }
 
-    /** A hundred bytes of archive hold what they can of text. */
-    void packedText()
+    /** An archive of a hundred bytes may contain large texts up to the limit. */
+    void packedTextIsLimited()
     {
         const std::string text = zipFile(
             "doc.kml",
@@ -124,7 +124,7 @@ private slots:
         QCOMPARE(readSightings(text, "file").sightings.size(), std::size_t{1});
     }
 
-    void manyIcebergs()
+    void manyIcebergsAreLimited()
     {
         std::string text = "id,lat,lon,remarks\n";
         for (int i = 0; i <= 50'000; ++i)

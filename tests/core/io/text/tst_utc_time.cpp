@@ -48,7 +48,7 @@ private slots:
         QVERIFY(qAbs(start->time_since_epoch().count() - ms) <= 1);
     }
 
-    void otherTextsAreNone_data()
+    void otherTextsAreRejected_data()
     {
         QTest::addColumn<QByteArray>("text");
         for (const char* text :
@@ -58,7 +58,7 @@ private slots:
             QTest::newRow(text) << QByteArray(text);
     }
 
-    void otherTextsAreNone()
+    void otherTextsAreRejected()
     {
         QFETCH(QByteArray, text);
         QVERIFY(!parseUtc(text.toStdString()).has_value());

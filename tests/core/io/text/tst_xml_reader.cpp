@@ -16,7 +16,7 @@ void readEvents(const std::string& text, const XmlEvents& events)
     readXml(text, events, budget);
 }
 
-/** "name@line=text" of each element as it is closed. */
+/** Returns "name@line=text" of each element when it is closed. */
 QStringList elementsOf(const std::string& text)
 {
     QStringList elements;
@@ -46,7 +46,7 @@ class TestXmlReader : public QObject
     Q_OBJECT
 
 private slots:
-    void elements()
+    void elementsAreReported()
     {
         QCOMPARE(elementsOf("<r>\n<b>x<c/>y</b>\n</r>"),
                  (QStringList{"c@2=", "b@2=xy", "r@1=\n\n"}));
@@ -55,7 +55,27 @@ private slots:
         QCOMPARE(elementsOf("<r><![CDATA[a<b]]></r>"), QStringList{"r@1=a<b"});
     }
 
-    void attributes()
+    void blanksBeforeTheDeclarationAreSkipped()
+    {
+        QCOMPARE(elementsOf("\n\n  <?xml version=\"1.0\"?>\n<r/>"), QStringList{"r@4="});
+        QCOMPARE(elementsOf("\xEF\xBB\xBF\r\n<?xml version=\"1.0\" encoding=\"UTF-8\"?><r/>"),
+                 QStringList{"r@2="});
+    }
+
+    void undeclaredPrefixesAreDropped()
+    {
+        QCOMPARE(elementsOf("<a:r><b:c d:e=\"f\"/></a:r>"), (QStringList{"c@1=", "r@1="}));
+    }
+
+    void declaredEncodingsAreRead()
+    {
+        const QStringList expected{QString::fromUtf8("r@1=\xC3\xB8")};
+        QCOMPARE(elementsOf("<?xml version='1.0' encoding='ISO-8859-1'?><r>\xF8</r>"), expected);
+        QCOMPARE(elementsOf("<?xml version='1.0' encoding='ISO-8859-1'?><r>\xC3\xB8</r>"),
+                 expected);
+    }
+
+    void attributesAreFound()
     {
         std::string value;
         std::string missing = "?";
@@ -70,7 +90,7 @@ private slots:
         QCOMPARE(missing, std::string());
     }
 
-    void broken_data()
+    void brokenTextIsRejected_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("says");
@@ -90,7 +110,7 @@ private slots:
         row("outside entity", "<!DOCTYPE a SYSTEM \"file:///etc/passwd\"><a/>", "DOCTYPE");
     }
 
-    void broken()
+    void brokenTextIsRejected()
     {
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, says);
@@ -99,9 +119,9 @@ private slots:
         QVERIFY2(QByteArray(error->what()).contains(says), error->what());
     }
 
-    void deepEnough() { QCOMPARE(elementsOf(nested(64)).size(), 64); }
+    void depthOf64IsAllowed() { QCOMPARE(elementsOf(nested(64)).size(), 64); }
 
-    void exceptionsPass()
+    void exceptionsOfCallbacksPass()
     {
         int calls = 0;
         const XmlEvents events{.opened =
@@ -114,8 +134,8 @@ private slots:
         QCOMPARE(calls, 1);
     }
 
-    /** Longer than one piece of the parser, in which tags are cut apart. */
-    void longText()
+    /** The text is longer than one piece of the parser, so pieces split tags. */
+    void longTextIsReadInPieces()
     {
         std::string text = "<r>";
         for (int i = 0; i < 200'000; ++i)

@@ -1,4 +1,4 @@
-#include "core/io/import/import_setting.h"
+#include "core/io/import/import_scene_merge.h"
 
 #include "core/base/angles.h"
 #include "core/base/find_by_id.h"
@@ -6,7 +6,7 @@
 #include "core/io/import/area_outline.h"
 #include "core/io/import/import_icebergs.h"
 #include "core/io/import/import_selection.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 #include "core/scenario/validate.h"
 #include "core/vehicle/geofence.h"
 
@@ -38,7 +38,7 @@ std::optional<SceneNote> areaFault(const std::vector<Point>& corners_m)
     return std::nullopt;
 }
 
-/** Why the area of the scenario is no geofence for its UAVs. */
+/** Returns why the area of the scenario cannot be a geofence for its UAVs, or nullopt if it can. */
 std::optional<SceneNote> fenceFault(const Scenario& scenario)
 {
     if (scenario.area_m.size() > kMostFenceCorners)
@@ -51,7 +51,7 @@ std::optional<SceneNote> fenceFault(const Scenario& scenario)
     return allInside ? std::nullopt : std::optional(SceneNote::FenceOutside);
 }
 
-/** Takes the parts of one scene over. */
+/** Applies the parts of one scene. */
 class SettingImport
 {
 public:
@@ -81,7 +81,9 @@ public:
     }
 
 private:
-    /** Whether the change leaves the scenario as valid as it was; otherwise it is not made. */
+    /**
+     * Makes a change if the scenario stays as valid as it was. Returns whether the change was made.
+     */
     bool attempt(const std::function<void(Scenario&)>& change)
     {
         Scenario changed = m_scenario;
@@ -130,7 +132,8 @@ private:
     {
         attemptNumber("heading_deg", taken.heading_deg, [&](Scenario& scenario, double true_deg) {
             Uav& uav = scenario.uavs[row];
-            // Beside a pole the centimetre of the position would turn it.
+            // The heading uses the file's place: near a pole the rounding of the position would
+            // turn it.
             const double north_rad =
                 m_frame.trueNorth_rad(taken.start.value_or(m_frame.toGeographic(uav.position_m)));
             const double turn = (true_deg - degFromRad(north_rad)) / 360;
@@ -144,7 +147,10 @@ private:
         });
     }
 
-    /** UAV of the scenario that one of the file becomes, with its id; `kMostUavs`: no room. */
+    /**
+     * Returns the index of the scenario's UAV for one of the file and gives it its id; `kMostUavs`
+     * if there is no room.
+     */
     std::size_t rowFor(const SceneUav& taken)
     {
         std::vector<Uav>& uavs = m_scenario.uavs;
@@ -182,7 +188,7 @@ private:
                 return id;
     }
 
-    /** None: a finding. */
+    /** Returns the corners of an area, or nullopt after adding a finding. */
     std::optional<std::vector<Point>> cornersOf(const SceneArea& area)
     {
         std::vector<Point> corners_m = areaOutline(area.rings, m_frame);
@@ -261,13 +267,13 @@ private:
     std::vector<SceneFinding>& m_findings;
     const LocalFrame m_frame;
     const std::size_t m_errors;
-    std::set<std::size_t> m_taken; ///< rows of the scenario that are UAVs of the file
+    std::set<std::size_t> m_taken; ///< indices of UAVs that come from the file
 };
 
 } // namespace
 
-void takeScene(const FileScene& scene, const std::set<std::string, std::less<>>& icebergs,
-               ImportResult& result)
+void applyScene(const FileScene& scene, const std::set<std::string, std::less<>>& icebergs,
+                ImportResult& result)
 {
     SettingImport(scene, icebergs, result).take();
 }

@@ -1,4 +1,4 @@
-#include "core/io/text/spool.h"
+#include "core/io/text/file_backed_buffer.h"
 
 #include "core/base/error.h"
 
@@ -29,7 +29,7 @@ std::filesystem::path folder()
 
 } // namespace
 
-void Spool::append(std::string_view bytes)
+void FileBackedBuffer::append(std::string_view bytes)
 {
     m_tail += bytes;
     if (m_tail.size() < kInMemory)
@@ -39,9 +39,9 @@ void Spool::append(std::string_view bytes)
     m_tail.clear();
 }
 
-void Spool::write(std::size_t at, std::string_view bytes)
+void FileBackedBuffer::write(std::size_t at, std::string_view bytes)
 {
-    require(at <= size(), "Spool::write: beyond the end");
+    require(at <= size(), "FileBackedBuffer::write: beyond the end");
     const std::size_t early = at < m_inFile ? std::min(bytes.size(), m_inFile - at) : 0;
     writeFile(at, bytes.substr(0, early));
     bytes.remove_prefix(early);
@@ -53,7 +53,7 @@ void Spool::write(std::size_t at, std::string_view bytes)
     append(bytes.substr(over));
 }
 
-void Spool::writeFile(std::size_t at, std::string_view bytes)
+void FileBackedBuffer::writeFile(std::size_t at, std::string_view bytes)
 {
     if (bytes.empty())
         return;
@@ -75,7 +75,7 @@ void Spool::writeFile(std::size_t at, std::string_view bytes)
     }
 }
 
-std::size_t Spool::read(std::size_t at, std::span<char> into) const
+std::size_t FileBackedBuffer::read(std::size_t at, std::span<char> into) const
 {
     std::size_t got = 0;
     while (got < into.size() && at + got < m_inFile) {
@@ -85,7 +85,7 @@ std::size_t Spool::read(std::size_t at, std::span<char> into) const
         if (piece < 0 && errno == EINTR)
             continue;
         if (piece == 0)
-            errno = EIO; // shorter than was written
+            errno = EIO; // the file is shorter than what was written
         if (piece <= 0)
             fail();
         got += static_cast<std::size_t>(piece);
@@ -95,7 +95,7 @@ std::size_t Spool::read(std::size_t at, std::span<char> into) const
     return got;
 }
 
-void Spool::putAll(const TextSink& put) const
+void FileBackedBuffer::putAll(const TextSink& put) const
 {
     std::array<char, kInMemory> piece{};
     for (std::size_t at = 0; at < size();) {
@@ -105,9 +105,9 @@ void Spool::putAll(const TextSink& put) const
     }
 }
 
-void Spool::clear()
+void FileBackedBuffer::clear()
 {
-    m_inFile = 0; // the file is written over
+    m_inFile = 0; // later content overwrites the file
     m_tail.clear();
 }
 

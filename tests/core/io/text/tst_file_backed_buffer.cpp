@@ -1,6 +1,6 @@
 #include "core/base/random.h"
 #include "core/io/export/track_points.h"
-#include "core/io/text/spool.h"
+#include "core/io/text/file_backed_buffer.h"
 #include "core/io/text/zip_file.h"
 #include "tests/support/expect_error.h"
 
@@ -17,10 +17,10 @@ using namespace berg::test;
 
 namespace {
 
-std::string allOf(const Spool& spool)
+std::string allOf(const FileBackedBuffer& buffer)
 {
     std::string bytes;
-    spool.putAll([&bytes](std::string_view piece) { bytes += piece; });
+    buffer.putAll([&bytes](std::string_view piece) { bytes += piece; });
     return bytes;
 }
 
@@ -40,37 +40,37 @@ class TestSpool : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    /** Against a string, as long as several pieces. */
-    void isAString()
+    /** Compares the buffer with a string as long as several pieces. */
+    void bufferEqualsAString()
     {
         Random random(7);
-        Spool spool;
+        FileBackedBuffer buffer;
         std::string expected;
         for (int i = 0; i < 400; ++i) {
             const std::string bytes = someBytes(random, i % 7 == 0 ? 90'000 : 1'000);
             const std::size_t at = std::size_t{random.below(expected.size() + 1)};
             if (i == 250) {
-                spool.clear();
+                buffer.clear();
                 expected.clear();
             } else if (i % 3 == 0) {
-                spool.write(at, bytes);
+                buffer.write(at, bytes);
                 expected.replace(at, std::min(bytes.size(), expected.size() - at), bytes);
             } else {
-                spool.append(bytes);
+                buffer.append(bytes);
                 expected += bytes;
             }
-            QCOMPARE(spool.size(), expected.size());
+            QCOMPARE(buffer.size(), expected.size());
             std::string part(1 + random.below(70'000), '?');
             const std::size_t from = std::size_t{random.below(expected.size() + 1)};
-            part.resize(spool.read(from, part));
+            part.resize(buffer.read(from, part));
             QVERIFY(part == expected.substr(from, part.size()));
             QVERIFY(part.size() > 0 || from == expected.size());
         }
         QVERIFY(expected.size() > 300'000);
-        QVERIFY(allOf(spool) == expected);
+        QVERIFY(allOf(buffer) == expected);
     }
 
-    void saysThatThereIsNoRoom()
+    void fullDiskIsReported()
     {
         struct rlimit before = {};
         QCOMPARE(::getrlimit(RLIMIT_FSIZE, &before), 0);
@@ -81,14 +81,14 @@ private slots:
         });
         const struct rlimit small = {.rlim_cur = 50'000, .rlim_max = before.rlim_max};
         QCOMPARE(::setrlimit(RLIMIT_FSIZE, &small), 0);
-        Spool spool;
-        spool.append(std::string(1000, 'x')); // in memory
-        const auto error = errorOf([&spool] { spool.append(std::string(100'000, 'x')); });
+        FileBackedBuffer buffer;
+        buffer.append(std::string(1000, 'x')); // in memory
+        const auto error = errorOf([&buffer] { buffer.append(std::string(100'000, 'x')); });
         QVERIFY(error && error->code() == ErrorCode::FileUnwritable);
         QVERIFY(std::filesystem::is_directory(error->subject()));
     }
 
-    void keepsPointsOfAnyNumber()
+    void pointsOfAnyNumberAreStored()
     {
         TrackPoints track;
         QVERIFY(track.empty() && track.all().empty());
@@ -111,7 +111,7 @@ private slots:
         QCOMPARE(copy.back().crossTrack_m, expected.back().crossTrack_m);
     }
 
-    /** An entry that libzip refuses leaves nothing behind, which the sanitizers look for. */
+    /** An entry that libzip rejects leaves no memory behind, which sanitizers would detect. */
     void refusedEntriesAreFreed()
     {
         const auto write = [](const TextSink& put) { put("text"); };
@@ -125,4 +125,4 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(TestSpool)
-#include "tst_spool.moc"
+#include "tst_file_backed_buffer.moc"

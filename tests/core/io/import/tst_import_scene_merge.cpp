@@ -11,7 +11,7 @@ using namespace berg::test;
 
 namespace {
 
-/** GeoJSON of ours: a UAV, an iceberg and this. */
+/** Returns GeoJSON of a Bergwatch export: a UAV, an iceberg and this text. */
 std::string own(const std::string& features, const std::string& numbers = R"("airspeed_mps": 20)")
 {
     return R"({"type": "FeatureCollection", "features": [
@@ -35,14 +35,16 @@ std::string polygon(const std::string& rings)
 
 } // namespace
 
-/** Which of a file's UAVs, area and asset are taken over, and what is told of the others. */
+/**
+ * Tests which UAVs, area and asset of a file are applied, and what is reported about the others.
+ */
 class TestImportSetting : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** A scenario in use takes icebergs and nothing else, and says so. */
-    void inUse()
+    /** A scenario in use gets icebergs only, and the result says so. */
+    void scenarioInUseKeepsItsScene()
     {
         Scenario used = fourIcebergs();
         used.area_m.clear();
@@ -60,8 +62,8 @@ private slots:
         QVERIFY(plain.scene.empty());
     }
 
-    /** A scenario without places has UAVs: by id, then in turn; what the file has not stays. */
-    void uavsThatAreThere()
+    /** UAVs are matched by id, then in turn; values that the file does not give stay. */
+    void existingUavsAreMatched()
     {
         Scenario base = openSea();
         base.uavs[0].id = "mine";
@@ -83,8 +85,8 @@ private slots:
         QVERIFY(uavs[2] == base.uavs[2]);
     }
 
-    /** New UAVs get ids that no iceberg has, so that none of these is left out. */
-    void idsOfNewUavs()
+    /** New UAVs get ids that no iceberg has, so that no iceberg is left out. */
+    void newUavsGetFreeIds()
     {
         const std::string uav = R"(, {"type": "Feature", "properties": {"kind": "uav",
             "airspeed_mps": 20}, "geometry": {"type": "Point", "coordinates": [-48, 47]}})";
@@ -97,7 +99,7 @@ private slots:
         QCOMPARE(result.scenario.uavs[2].id, std::string("uav-3"));
     }
 
-    void numbersOutOfRange()
+    void numbersOutOfRangeAreReported()
     {
         const ImportResult result = importedAsNew(
             own(R"(, {"type": "Feature", "properties": {"kind": "asset", "range_m": -1,
@@ -116,7 +118,7 @@ private slots:
         QCOMPARE(wrong->count, std::size_t{4});
     }
 
-    void brokenAreas_data()
+    void brokenAreasAreReported_data()
     {
         QTest::addColumn<QByteArray>("feature");
         QTest::addColumn<int>("note");
@@ -165,8 +167,8 @@ private slots:
         row("too many corners", polygon("[[" + saw + ",[-47.8,46.9]]]"), SceneNote::AreaCorners);
     }
 
-    /** A bad area is told, and takes nothing else away. */
-    void brokenAreas()
+    /** A faulty area is reported and does not affect other objects. */
+    void brokenAreasAreReported()
     {
         QFETCH(QByteArray, feature);
         QFETCH(int, note);
@@ -177,7 +179,7 @@ private slots:
         QVERIFY(!hasErrors(validate(result.scenario)));
     }
 
-    void manyUavs()
+    void tooManyUavsAreReported()
     {
         const std::string uav = R"(, {"geometry": {"type": "Point", "coordinates": [-48, 47]},
             "type": "Feature", "properties": {"kind": "uav", "airspeed_mps": 20}})";
@@ -189,15 +191,15 @@ private slots:
         QVERIFY(has(result, SceneNote::UavsTooMany));
     }
 
-    /** Files of ours that somebody has edited. */
-    void fixtures_data()
+    /** These are Bergwatch files that a user has edited. */
+    void editedExportsAreImported_data()
     {
         QTest::addColumn<QByteArray>("file");
         for (const char* file : {"scene.geojson", "scene.kml", "scene.gpx"})
             QTest::newRow(file) << QByteArray(file);
     }
 
-    void fixtures()
+    void editedExportsAreImported()
     {
         QFETCH(QByteArray, file);
         const ImportResult result =
@@ -211,4 +213,4 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(TestImportSetting)
-#include "tst_import_setting.moc"
+#include "tst_import_scene_merge.moc"

@@ -1,4 +1,4 @@
-#include "core/io/text/machine_text.h"
+#include "core/io/text/system_info.h"
 
 #include <fstream>
 #include <sys/utsname.h>
@@ -8,7 +8,7 @@ namespace berg {
 
 namespace {
 
-/** As the kernel names it; empty where it does not, as on many ARM machines. */
+/** Processor name reported by the kernel; empty if it reports none, as on many ARM machines. */
 std::string processorName()
 {
     std::ifstream file("/proc/cpuinfo");
@@ -30,7 +30,7 @@ std::string systemName()
 
 } // namespace
 
-std::string machineText()
+std::string systemInfo()
 {
     const unsigned cores = std::thread::hardware_concurrency();
     std::string text = processorName();

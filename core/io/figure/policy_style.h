@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/io/figure/figure.h"
+#include "core/plan/policy/policy_table.h"
+
+#include <array>
+#include <string_view>
+
+namespace berg {
+
+/** Mark, colours and dashes that distinguish a policy in charts and reports. */
+struct PolicyStyle
+{
+    PolicyKind policy = PolicyKind::Visitation;
+    MarkShape mark = MarkShape::Disk;
+    std::string_view light{}; ///< colour on a light background, "#rrggbb"; empty uses the colour of
+                              ///< plans
+    std::string_view dark{};
+    std::array<double, 4> dash_px{}; ///< alternating lengths of line and gap, terminated by 0
+};
+
+/**
+ * Colours of Okabe-Ito, darkened or lightened to a contrast of at least 3 : 1 on a chart; in the
+ * order of `PolicyKind`.
+ */
+inline constexpr std::array kPolicyStyles{
+    PolicyStyle{.policy = PolicyKind::Visitation},
+    PolicyStyle{PolicyKind::Path, MarkShape::Diamond, "#9c4f83", "#e0a0c4", {9, 4}},
+    PolicyStyle{PolicyKind::Tour, MarkShape::Square, "#a86f00", "#e69f00", {9, 3, 2, 3}},
+    PolicyStyle{PolicyKind::Nearest, MarkShape::Triangle, "#2b88bb", "#56b4e9", {2, 3}},
+    PolicyStyle{PolicyKind::Uncertainty, MarkShape::TriangleDown, "#7f7600", "#f0e442", {5, 5}},
+    PolicyStyle{PolicyKind::Latency, MarkShape::Hexagon, "#d55e00", "#ff8a45", {14, 3}},
+    PolicyStyle{.policy = PolicyKind::Coverage,
+                .mark = MarkShape::Star,
+                .light = "#00805d",
+                .dark = "#2cc29a"},
+};
+static_assert(std::ranges::equal(kPolicyStyles, kPolicyTable, {}, &PolicyStyle::policy,
+                                 &PolicyTraits::kind));
+
+/** Returns the style of a policy. */
+[[nodiscard]] constexpr const PolicyStyle& styleOf(PolicyKind policy)
+{
+    return kPolicyStyles.at(static_cast<std::size_t>(policy));
+}
+
+} // namespace berg
