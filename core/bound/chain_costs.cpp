@@ -9,13 +9,13 @@ namespace berg {
 namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
-/** More than a chain of 16 additions in `float` can be off by. */
+/** This exceeds the rounding of a chain of 16 additions in `float`. */
 constexpr double kRoundingShare = 1e-5;
 
 class ChainTable
 {
 public:
-    ChainTable(const ViewCells& cells, const ChainPrice& price)
+    ChainTable(const ViewCells& cells, const StageCost& price)
         : m_cells(cells)
         , m_price(price)
         , m_perRegion(static_cast<std::size_t>(cells.perRegion()))
@@ -36,7 +36,8 @@ public:
         }
     }
 
-    /** Ways that end with this set go on to one region more. Returns the least cost of the set. */
+    /** Extends the paths that end with this set by one region. Returns the least cost of the set.
+     */
     double extend(std::uint32_t set)
     {
         float least = kNever;
@@ -86,7 +87,7 @@ private:
             if ((set & bit) != 0)
                 continue;
             if ((m_cells.touching(j, cell) & bit) != 0) {
-                float& same = costs(set | bit, j)[c]; // in view from here as well
+                float& same = costs(set | bit, j)[c]; // The cell shows region k as well.
                 same = std::min(same, cost);
             }
             const float* legs_s = m_cells.legs_s(j, cell, k);
@@ -99,15 +100,16 @@ private:
     }
 
     const ViewCells& m_cells;
-    const ChainPrice& m_price;
+    const StageCost& m_price;
     std::size_t m_perRegion;
     std::size_t m_perSet;
-    std::vector<float> m_cost; ///< by set, region last touched, its cell
+    /** The index runs over sets, then the region last touched, then its cells. */
+    std::vector<float> m_cost;
 };
 
 } // namespace
 
-std::vector<double> chainCosts(const ViewCells& cells, const ChainPrice& price,
+std::vector<double> chainCosts(const ViewCells& cells, const StageCost& price,
                                std::span<const float> fromStart_s, WorkMeter& meter)
 {
     ChainTable table(cells, price);
@@ -124,7 +126,7 @@ std::vector<double> chainCosts(const ViewCells& cells, const ChainPrice& price,
 
 std::int64_t chainWork(int regions, int perRegion)
 {
-    // Sum over all sets of (seen x unseen), times the pairs of cells.
+    // The loops visit (seen x unseen) pairs of regions in every set, and all pairs of their cells.
     const std::int64_t pairs = regions < 2 ? 0 : regions * (regions - 1LL) << (regions - 2);
     return pairs * perRegion * perRegion;
 }

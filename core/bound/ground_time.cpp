@@ -14,7 +14,10 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/** Whether it is home in time whatever it is sent to. */
+/**
+ * Returns whether there is a single UAV with an endurance that returns home in time whatever its
+ * orders.
+ */
 bool isSureOfHome(const Scenario& scenario)
 {
     if (scenario.uavs.size() != 1 || !sortieOf(scenario.uavs.front()))
@@ -63,7 +66,10 @@ public:
     }
 
 private:
-    /** In the air in this block, the last take-off no longer ago than the endurance. */
+    /**
+     * Returns the least cost of being in the air in this block, with the last take-off within the
+     * endurance.
+     */
     [[nodiscard]] double aloft(int block) const
     {
         constexpr double kSlack_s = 2 + kHomeReserve_s;
@@ -84,7 +90,7 @@ private:
         return growth_m2ps;
     }
 
-    /** Lands in this block: all instants of the next ones are on the ground until it takes off. */
+    /** Adds the costs of landing in this block and standing in the next ones until take-off. */
     void stand(int landing, double cost_m2s)
     {
         const double dt_s = m_scenario.dt_s;
@@ -107,8 +113,8 @@ private:
     const TrueMotion& m_motion;
     const std::vector<double>& m_sigma_m2;
     SortieSpec m_sortie;
-    std::vector<double> m_atTakeOff_m2s; ///< by block: least, taking off in it
-    std::vector<double> m_least_m2s;     ///< by block: least, at its end
+    std::vector<double> m_atTakeOff_m2s; ///< Least cost for each block of take-off.
+    std::vector<double> m_least_m2s;     ///< Least cost by the end of each block.
 };
 
 } // namespace

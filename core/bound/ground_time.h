@@ -7,14 +7,15 @@
 namespace berg {
 
 /**
- * What every flight of a UAV with an endurance pays beside the bounds `sigma_m2` of each block, by
- * the end of each of them. m^2 s
+ * Returns a lower bound, in m2 s, on the zeta that time on the ground adds to the bounds `sigma_m2`
+ * of the blocks, cumulated to the end of each block. `sigma_m2` must have one entry for each block
+ * of `motion`.
  *
- * It lands within its endurance and stands for the turn-around with its camera off. Meanwhile sigma
- * grows from what it was at least as it landed, by q a second. Flights differ in when they land and
- * for how long they stand: least of all by dynamic programming over the blocks of landings and
- * take-offs. Zeros where others fly meanwhile, and where the return may be late: inside a fence,
- * too far from home at the start, or with a slow autopilot.
+ * The UAV lands within its endurance and stands for the turn-around with its camera off. Meanwhile
+ * sigma grows by q a second from its bound at the landing. Dynamic programming over the blocks of
+ * landings and take-offs finds the least cost of all schedules of time on the ground. Returns zeros
+ * for several UAVs, without an endurance, and if the return may be late: inside a fence, too far
+ * from home at the start, or with a slow autopilot.
  */
 [[nodiscard]] std::vector<double> groundCosts_m2s(const Scenario& scenario,
                                                   const TrueMotion& motion,

@@ -27,7 +27,7 @@ SigmaFloor::SigmaFloor(const Scenario& scenario, const Iceberg& iceberg, const T
     std::int64_t step = 0;
     std::int64_t look = (appears + perLook - 1) / perLook * perLook;
     DriftVariances last = m_given;
-    std::size_t told = 0; // edges before it have their least
+    std::size_t told = 0; // Edges before this one have their least variances.
     for (int edge = 0; edge <= motion.blocks(); ++edge) {
         m_least.push_back(last);
         bool isFirst = true;
@@ -37,7 +37,7 @@ SigmaFloor::SigmaFloor(const Scenario& scenario, const Iceberg& iceberg, const T
             track.measured(track.anchor_m, variance_m2, track.anchor_s);
             last = track.variances();
             m_least.back() = isFirst ? last : smaller(m_least.back(), last);
-            if (isFirst) // between two looks what is known of a velocity may fade to the mean
+            if (isFirst) // A known velocity may fade to the mean between two samples.
                 for (; told + 1 < m_least.size(); ++told)
                     m_least[told] = smaller(m_least[told], last);
             told = m_least.size();
@@ -68,7 +68,7 @@ FloorLine SigmaFloor::lineAt(const DriftVariances& least, double age_s, double m
                        (seen_m2(least, age_s + kBeside_s) - seen_m2(least, age_s)) / kBeside_s,
                    .offset_m2 = -seen_m2(least, 0),
                    .least = least};
-    // The curve never falls: on each piece it is no lower than where that begins.
+    // The curve never falls, so each piece is no lower than at its beginning.
     const double piece_s = most_s / kPieces;
     for (int k = 0; k < kPieces; ++k)
         line.offset_m2 = std::max(line.offset_m2, line.slope_m2ps * (k + 1) * piece_s -

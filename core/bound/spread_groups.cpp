@@ -9,8 +9,10 @@ namespace berg {
 
 namespace {
 
-/** Neighbours of the field become neighbours of the row: halved along the longer side, each half
- * again. */
+/**
+ * Sorts indices so that neighbours in the field become neighbours in the row: the points are halved
+ * along the longer side of their box, then each half again.
+ */
 void sortByPlace(std::span<int> row, std::span<const Point> points_m)
 {
     if (row.size() < 2)
@@ -40,7 +42,7 @@ std::vector<std::vector<int>> spreadGroups(std::span<const Point> points_m, int 
     if (!sizes.empty())
         sizes.back() = row.size() - full * (groups.size() - 1);
     for (const int i : row) {
-        // To the group that is filled least for its size.
+        // The point goes to the group that is filled least for its size.
         std::size_t chosen = 0;
         for (std::size_t g = 1; g < groups.size(); ++g)
             if (groups[g].size() * sizes[chosen] < groups[chosen].size() * sizes[g])

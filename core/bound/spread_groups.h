@@ -8,8 +8,9 @@
 namespace berg {
 
 /**
- * Points in groups of at most `most`, as few groups as can be, each spread over the whole field
- * (neighbours go to different groups). Indices, ascending in each group.
+ * Divides points into as few groups of at most `most` as possible, each spread over the whole field
+ * because neighbours go to different groups. Returns the indices of the points, ascending in each
+ * group; no points give no groups. `most` must be positive.
  */
 [[nodiscard]] std::vector<std::vector<int>> spreadGroups(std::span<const Point> points_m, int most);
 

@@ -1,6 +1,6 @@
 #include "core/bound/true_motion.h"
 
-#include "core/scenario/true_start.h"
+#include "core/scenario/initial_truth.h"
 #include "core/tracking/drift.h"
 
 #include <Eigen/Geometry>
@@ -19,7 +19,10 @@ struct PlaceInTime
     Point position_m = Point::Zero();
 };
 
-/** Instants strictly between the two at which the motion may have a corner, ascending. */
+/**
+ * Returns the instants, strictly between the two and ascending, at which the motion may have a
+ * corner.
+ */
 std::vector<double> corners_s(const Scenario& scenario, const Iceberg& iceberg, double from_s,
                               double to_s)
 {
@@ -28,7 +31,7 @@ std::vector<double> corners_s(const Scenario& scenario, const Iceberg& iceberg, 
         return {std::upper_bound(times_s.begin(), times_s.end(), from_s),
                 std::lower_bound(times_s.begin(), times_s.end(), to_s)};
     }
-    std::vector<double> corners; // of what is linear between whole seconds
+    std::vector<double> corners; // Drawn motion is linear between whole seconds.
     if (scenario.noise || iceberg.velocityTime_s > 0)
         for (double s = std::floor(from_s) + 1; s < to_s; s += 1)
             corners.push_back(s);
@@ -52,7 +55,7 @@ double farthestFromChord_m(const std::vector<PlaceInTime>& points, const PlaceIn
 TrueMotion::TrueMotion(const Scenario& scenario, const std::stop_token& stop)
     : m_dt_s(scenario.dt_s)
 {
-    // As many steps as the simulation flies.
+    // The number of steps is the one that the simulation flies.
     const std::int64_t steps =
         std::max<std::int64_t>(1, std::llround(scenario.duration_s / scenario.dt_s));
     const std::int64_t blocks = std::min(steps, kMostBlocks);

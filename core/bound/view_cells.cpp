@@ -10,7 +10,7 @@ namespace berg {
 
 namespace {
 
-/** Takes what rounding to `float` may have added off again. */
+/** This exceeds the share that rounding to `float` may add. */
 constexpr double kRoundingShare = 1e-6;
 
 } // namespace
@@ -77,7 +77,7 @@ bool ViewCells::meets(const Cell& cell, const ViewRegion& region)
 {
     const Point toCentre_m = region.centre_m - cell.middle_m;
     const double s_m = std::clamp(cell.along.dot(toCentre_m), -cell.half_m, cell.half_m);
-    if (region.disk) // `sag` covers the arc, 1 mm the rounding: a cell too many is no harm
+    if (region.disk) // `sag` covers the arc and 1 mm the rounding; a cell too many does no harm.
         return (toCentre_m - s_m * cell.along).norm() <= region.half_m.x() + cell.sag_m + 1e-3;
     const Point halves_m = cell.half_m * cell.along.cwiseAbs() + region.half_m;
     return std::abs(toCentre_m.x()) <= halves_m.x() + 1e-3 &&

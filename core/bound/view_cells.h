@@ -9,55 +9,67 @@
 
 namespace berg {
 
-/** Where the UAV must be for an iceberg to be in view: a disk or an upright rectangle. */
+/** The positions of the UAV that have an iceberg in view, as a disk or an upright rectangle. */
 struct ViewRegion
 {
     Point centre_m = Point::Zero();
-    Point half_m = Point::Zero(); ///< half extents; of a disk both are its radius
+    Point half_m = Point::Zero(); ///< Half extents; both are the radius of a disk.
     bool disk = true;
 
+    /** Returns whether the region, edge included, holds the point. */
     [[nodiscard]] bool contains(const Point& p_m) const;
 };
 
-/** How fast one gets about: through air that moves with `wind_mps`. */
+/** Speed through air that moves with `wind_mps`. */
 struct Travel
 {
     double airspeed_mps = 22;
-    Point wind_mps = Point::Zero(); ///< slower than the airspeed
+    Point wind_mps = Point::Zero(); ///< Wind, which must be slower than the airspeed.
 };
 
 /**
- * The edges of the regions cut into cells, as many for each, and least times of flight between
- * them: from any point of one cell to any point of the other no flight is faster.
+ * The edges of regions, each cut into the same number of cells, and lower bounds on the times of
+ * flight between the cells: no flight from any point of one cell to any point of the other is
+ * faster.
  */
 class ViewCells
 {
 public:
     /**
-     * `perRegion` is a multiple of 4. At most 16 regions. A requested stop leaves it unusable: ask
-     * the token afterwards.
+     * Cuts at most 16 regions into `perRegion` cells each, a multiple of 4, and calculates all
+     * times. A requested stop leaves the object unusable, so callers check the token afterwards.
      */
     ViewCells(std::span<const ViewRegion> regions, int perRegion, const Travel& travel,
               const std::stop_token& stop = {});
 
+    /** Returns the number of regions. */
     [[nodiscard]] int regions() const { return m_regions; }
+    /** Returns the number of cells of each region. */
     [[nodiscard]] int perRegion() const { return m_perRegion; }
-    /** Regions that share a point with the cell: bit i for region i. */
+    /**
+     * Returns the set of regions that may share a point with the cell; bit i stands for region i.
+     */
     [[nodiscard]] std::uint32_t touching(int region, int cell) const
     {
         return m_touching[index(region, cell)];
     }
-    /** Least seconds from this cell to each cell of region `to`. */
+    /**
+     * Returns the least seconds from this cell to each cell of region `to`, as an array of
+     * `perRegion()` entries that lives as long as the object.
+     */
     [[nodiscard]] const float* legs_s(int region, int cell, int to) const
     {
         return &m_legs_s[index(region, cell) * m_touching.size() +
                          static_cast<std::size_t>(to) * static_cast<std::size_t>(m_perRegion)];
     }
-    /** Least seconds from a point to each cell, by region, then cell. */
+    /** Returns the least seconds from a point to each cell, ordered by region, then cell. */
     [[nodiscard]] std::vector<float> legsFrom_s(const Point& start_m) const;
 
 private:
-    /** Lies in the box middle + s along - y outward, |s| <= half, 0 <= y <= sag. */
+    /**
+     * A piece of an edge, which lies in the box middle + s along - y outward with |s| <= half and 0
+     * <= y <= sag.
+     */
     struct Cell
     {
         Point middle_m = Point::Zero();
@@ -78,9 +90,9 @@ private:
     int m_regions;
     int m_perRegion;
     Travel m_travel;
-    std::vector<Cell> m_cells; ///< by region, then cell
+    std::vector<Cell> m_cells; ///< Cells, ordered by region.
     std::vector<std::uint32_t> m_touching;
-    std::vector<float> m_legs_s; ///< cells x cells, row = from
+    std::vector<float> m_legs_s; ///< Square matrix with one row for each cell of departure.
 };
 
 } // namespace berg

@@ -1,9 +1,10 @@
 #include "core/bound/zeta_bound.h"
 
+#include "core/bound/frequency_bound.h"
 #include "core/bound/ground_time.h"
-#include "core/bound/group_floor.h"
+#include "core/bound/group_lower_bound.h"
+#include "core/bound/remains_in_area.h"
 #include "core/bound/spread_groups.h"
-#include "core/bound/stays_inside.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,38 +16,53 @@ namespace berg {
 
 namespace {
 
-/** Icebergs of one dynamic programme: its work grows by a factor of 2.3 with each. */
+/**
+ * Largest number of icebergs in one dynamic programme, whose work grows by a factor of 2.3 with
+ * each.
+ */
 constexpr int kMostTogether = 14;
-/** So many groups are always that large. The first of them tell the mean age. */
+/** Up to this number of groups, groups have the largest size. The first ones give the mean age. */
 constexpr std::size_t kFewGroups = 8;
-/** Of more groups one pass takes this part of the work limit at most: they are smaller then. */
+/**
+ * With more groups one pass takes this part of the work limit at most, so the groups are smaller.
+ */
 constexpr std::int64_t kPassesInLimit = 3;
 constexpr std::size_t kMostAppearances = 16;
 constexpr int kCoarsestCells = 8;
 constexpr int kFinestCells = 128;
-/** Cells for icebergs that move: more would be lost in how far they get in a window. */
+/**
+ * Number of cells for icebergs that move; the motion within a window outweighs the gain of more.
+ */
 constexpr int kCellsOfSlices = 16;
 /** Motion below this share of the view's reach is not worth a window of its own. */
 constexpr double kStandingSpread = 0.02;
-/** How far back flights are looked at, and how long a slice is, over the mean age. */
+/** How far back flights are considered, and the length of the shortest slice, over the mean age. */
 constexpr double kLookBack = 2.5;
 constexpr double kShortestSlice = 0.5;
-/** Slices when nothing says how old sightings get: none there at the start, or all in view. */
+/**
+ * Number of slices if the mean age is 0, because no iceberg is there at the start or all are in
+ * view.
+ */
 constexpr int kSlicesOfNoAge = 16;
-/** Off the result: more than rounding in the sums, here and in the simulation, can come to. */
+/** With a smaller work limit `frequencyBound` is left out. */
+constexpr std::int64_t kLeastForFrequencies = 1'000'000;
+/**
+ * The result is reduced by this share, which exceeds the rounding of the sums here and in the
+ * simulation.
+ */
 constexpr double kRoundingShare = 1e-9;
 
 class BoundSearch
 {
 public:
-    BoundSearch(const Scenario& scenario, const BoundOptions& options)
+    BoundSearch(const Scenario& scenario, const ZetaBoundOptions& options)
         : m_scenario(scenario)
         , m_options(options)
         , m_motion(scenario, options.stop)
         , m_meter{.limit = options.workLimit, .stop = options.stop}
     {
         if (options.stop.stop_requested())
-            return; // the motion is not complete
+            return; // The motion is incomplete.
         if (scenario.observer.model != ObserverModel::Simple)
             for (const Iceberg& iceberg : scenario.icebergs)
                 m_sigmas.emplace_back(scenario, iceberg, m_motion);
@@ -63,10 +79,12 @@ public:
 
     void run()
     {
-        // What is known of a velocity gets better with time: slices tell that apart, too.
+        if (m_options.workLimit >= kLeastForFrequencies && m_meter.continues())
+            m_frequency = frequencyBound(m_scenario, m_motion, m_options.stop);
+        // Measured velocities get better known with time, which slices take into account.
         const bool moving = moves() || !m_sigmas.empty();
-        // A first look at standing icebergs tells the mean age: of some groups, of all it would
-        // take as long as a pass.
+        // A first bound on standing icebergs gives the mean age. It uses some groups, because all
+        // of them would take as long as a pass.
         if (moving && !look({{.from = 0, .begin = 0, .end = 1}}, kCoarsestCells, kFewGroups))
             return;
         for (int cells = kCoarsestCells; cells <= kCellsOfSlices; cells *= 2)
@@ -91,16 +109,24 @@ public:
         std::vector<double> floors_m2;
         for (int block = 0; block < m_motion.blocks(); ++block) {
             double sigma_m2 = 0;
-            for (const GroupFloor& floor : m_floors)
+            for (const GroupLowerBound& floor : m_floors)
                 sigma_m2 += floor.floor_m2()[static_cast<std::size_t>(block)];
             floors_m2.push_back(sigma_m2 * (1 - kRoundingShare));
         }
         const std::vector<double> ground_m2s = groundCosts_m2s(m_scenario, m_motion, floors_m2);
+        if (m_frequency)
+            bound.frequency_m2s = m_frequency->zeta_m2s.back();
         double aloft_m2s = 0;
         for (int block = 0; block < m_motion.blocks(); ++block) {
             const auto k = static_cast<std::size_t>(block);
-            aloft_m2s += floors_m2[k] * (m_motion.edge_s(block + 1) - m_motion.edge_s(block));
-            bound.zeta_m2s = aloft_m2s + ground_m2s[k] * (1 - kRoundingShare);
+            const double length_s = m_motion.edge_s(block + 1) - m_motion.edge_s(block);
+            aloft_m2s += floors_m2[k] * length_s;
+            bound.zeta_m2s =
+                std::max(bound.zeta_m2s + floors_m2[k] * length_s * (1 - kRoundingShare),
+                         aloft_m2s + ground_m2s[k] * (1 - kRoundingShare));
+            if (m_frequency)
+                bound.zeta_m2s =
+                    std::max(bound.zeta_m2s, m_frequency->by_m2s(m_motion.edge_s(block + 1)));
             bound.curve.push_back({.time_s = m_motion.edge_s(block + 1),
                                    .sigma_m2 = floors_m2[k],
                                    .zeta_m2s = bound.zeta_m2s});
@@ -120,14 +146,14 @@ private:
     {
         std::int64_t work = 0;
         for (const BoundWindow& window : windows(1))
-            for (const GroupFloor& floor : m_floors)
+            for (const GroupLowerBound& floor : m_floors)
                 work += floor.workOf(window, kCoarsestCells);
         return work;
     }
 
     [[nodiscard]] bool moves() const
     {
-        return std::any_of(m_floors.begin(), m_floors.end(), [&](const GroupFloor& floor) {
+        return std::any_of(m_floors.begin(), m_floors.end(), [&](const GroupLowerBound& floor) {
             return floor.spread({.from = 0, .begin = 0, .end = m_motion.blocks()}) >
                    kStandingSpread;
         });
@@ -136,12 +162,12 @@ private:
     [[nodiscard]] double meanAge_s() const
     {
         double age_s = 0;
-        for (const GroupFloor& floor : m_floors)
+        for (const GroupLowerBound& floor : m_floors)
             age_s = std::max(age_s, floor.meanAge_s());
         return age_s;
     }
 
-    /** So many that none is longer than is worth it. */
+    /** Returns the number of slices of the shortest useful length. */
     [[nodiscard]] int finestSlices() const
     {
         const double shortest_s = kShortestSlice * meanAge_s();
@@ -151,7 +177,7 @@ private:
         return static_cast<int>(std::clamp(most, 1.0, static_cast<double>(m_motion.blocks())));
     }
 
-    /** Edges of blocks from which on one iceberg more is there; not all when they are many. */
+    /** Returns the edges of blocks at which icebergs appear, thinned out if there are many. */
     [[nodiscard]] std::vector<int> appearances() const
     {
         std::vector<int> edges;
@@ -171,8 +197,10 @@ private:
         return chosen;
     }
 
-    /** The run in so many slices, cut also where icebergs appear; one slice looks back to the
-     * start. */
+    /**
+     * Returns the windows of a run in this number of slices, cut also where icebergs appear. One
+     * slice considers flights from the start on.
+     */
     [[nodiscard]] std::vector<BoundWindow> windows(int slices) const
     {
         std::vector<int> edges = appearances();
@@ -192,15 +220,19 @@ private:
         return result;
     }
 
-    /** False when the work is at its end. */
+    /**
+     * Raises the bounds of the first `groups` groups in all windows. Returns false if the work
+     * limit or a stop ends it.
+     */
     bool look(const std::vector<BoundWindow>& windows, int cells,
               std::size_t groups = std::numeric_limits<std::size_t>::max())
     {
         for (BoundWindow window : windows) {
             window.age_s = m_sigmas.empty() ? 0 : meanAge_s();
-            for (GroupFloor& floor : std::span(m_floors).first(std::min(groups, m_floors.size()))) {
+            for (GroupLowerBound& floor :
+                 std::span(m_floors).first(std::min(groups, m_floors.size()))) {
                 if (m_meter.used + floor.workOf(window, cells) > m_meter.limit)
-                    return false; // what is cut would be wasted
+                    return false; // An interrupted call would waste its work.
                 floor.raise(window, cells, m_meter);
                 if (!m_meter.continues())
                     return false;
@@ -219,11 +251,13 @@ private:
     }
 
     const Scenario& m_scenario;
-    const BoundOptions& m_options;
+    const ZetaBoundOptions& m_options;
     TrueMotion m_motion;
-    std::vector<SigmaFloor> m_sigmas; ///< of measured icebergs
+    std::optional<FrequencyBound> m_frequency;
+    /** The floors of measured icebergs; the vector is empty in the simple model. */
+    std::vector<SigmaFloor> m_sigmas;
     WorkMeter m_meter;
-    std::vector<GroupFloor> m_floors;
+    std::vector<GroupLowerBound> m_floors;
 };
 
 } // namespace
@@ -234,12 +268,13 @@ double ZetaBound::by_m2s(double time_s) const
     return after == curve.begin() ? 0 : std::prev(after)->zeta_m2s;
 }
 
-ZetaBound zetaLowerBound(const Scenario& scenario, const BoundOptions& options)
+ZetaBound zetaLowerBound(const Scenario& scenario, const ZetaBoundOptions& options)
 {
-    // Those that may leave the area may stop counting: what bounds the rest bounds them all.
+    // Icebergs that may leave the area may stop counting; a bound for the others is a bound for
+    // all.
     Scenario staying = scenario;
     std::erase_if(staying.icebergs, [&](const Iceberg& iceberg) {
-        return !staysInside(scenario, iceberg, options.stop);
+        return !remainsInArea(scenario, iceberg, options.stop);
     });
     BoundSearch search(staying, options);
     search.run();

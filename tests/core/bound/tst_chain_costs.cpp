@@ -24,11 +24,11 @@ std::vector<ViewRegion> drawn(std::uint64_t seed, int count)
     return regions;
 }
 
-/** All orders of the set and all cells, one after the other. */
+/** Calculates the costs over all orders of the set and all cells, one after the other. */
 class BruteForce
 {
 public:
-    BruteForce(const ViewCells& cells, const ChainPrice& price, std::span<const float> start_s)
+    BruteForce(const ViewCells& cells, const StageCost& price, std::span<const float> start_s)
         : m_cells(cells), m_price(price), m_start_s(start_s)
     {
     }
@@ -42,13 +42,13 @@ public:
                         ? 0
                         : m_price.always * static_cast<double>(
                                                m_start_s[static_cast<std::size_t>(j * kCells + c)]);
-                goOn(set, std::uint32_t{1} << j, j, c, begun);
+                extend(set, std::uint32_t{1} << j, j, c, begun);
             }
         return m_least;
     }
 
 private:
-    void goOn(std::uint32_t set, std::uint32_t seen, int j, int c, double cost)
+    void extend(std::uint32_t set, std::uint32_t seen, int j, int c, double cost)
     {
         if (seen == set) {
             m_least = std::min(m_least, cost);
@@ -63,15 +63,15 @@ private:
             if ((set & bit) == 0 || (seen & bit) != 0)
                 continue;
             if ((m_cells.touching(j, c) & bit) != 0)
-                goOn(set, seen | bit, j, c, cost);
+                extend(set, seen | bit, j, c, cost);
             for (int x = 0; x < kCells; ++x)
-                goOn(set, seen | bit, k, x,
-                     cost + perSecond * static_cast<double>(m_cells.legs_s(j, c, k)[x]));
+                extend(set, seen | bit, k, x,
+                       cost + perSecond * static_cast<double>(m_cells.legs_s(j, c, k)[x]));
         }
     }
 
     const ViewCells& m_cells;
-    const ChainPrice& m_price;
+    const StageCost& m_price;
     std::span<const float> m_start_s;
     double m_least = 0;
 };
@@ -93,7 +93,7 @@ void TestChainCosts::asBruteForce()
         const int count = 1 + static_cast<int>(seed % 4);
         const ViewCells cells(drawn(seed, count), kCells, {});
         Random random(seed, 1);
-        ChainPrice price;
+        StageCost price;
         for (int i = 0; i < count; ++i)
             price.perSeen.push_back(random.uniform(0, 0.1));
         std::vector<float> start_s;
@@ -109,7 +109,7 @@ void TestChainCosts::asBruteForce()
         for (std::uint32_t set = 1; set < costs.size(); ++set) {
             const double exact = bruteForce.least(set);
             QVERIFY(costs[set] <= exact);
-            QVERIFY(costs[set] >= exact * (1 - 2e-5)); // less what covers rounding
+            QVERIFY(costs[set] >= exact * (1 - 2e-5)); // The margin covers the rounding.
         }
     }
 }
@@ -117,7 +117,7 @@ void TestChainCosts::asBruteForce()
 void TestChainCosts::cut()
 {
     const ViewCells cells(drawn(1, 6), kCells, {});
-    const ChainPrice price{.perSeen = std::vector<double>(6, 0.025)};
+    const StageCost price{.perSeen = std::vector<double>(6, 0.025)};
     WorkMeter little{.limit = 1000};
     QVERIFY(chainCosts(cells, price, {}, little).empty());
     std::stop_source source;
@@ -131,7 +131,7 @@ void TestChainCosts::work()
     for (const int count : {1, 2, 5, 8}) {
         const ViewCells cells(drawn(2, count), kCells, {});
         WorkMeter meter{.limit = kNoLimit};
-        const ChainPrice price{.perSeen = std::vector<double>(static_cast<std::size_t>(count), 1)};
+        const StageCost price{.perSeen = std::vector<double>(static_cast<std::size_t>(count), 1)};
         QVERIFY(!chainCosts(cells, price, {}, meter).empty());
         QCOMPARE(meter.used, chainWork(count, kCells));
     }

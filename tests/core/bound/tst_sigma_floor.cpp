@@ -12,7 +12,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** Measured icebergs of every kind: velocities that are known or not, that stay or change. */
+/**
+ * Makes a scenario with measured icebergs of every kind; their velocities are known or not, and
+ * constant or not.
+ */
 Scenario measured(std::uint64_t seed)
 {
     Random random(seed, 340);
@@ -44,7 +47,7 @@ Scenario measured(std::uint64_t seed)
     return s;
 }
 
-/** One UAV that has to come home, and stand there. */
+/** Leaves one UAV with a limited endurance, which has to land at home. */
 Scenario withEndurance(Scenario s, std::uint64_t seed)
 {
     Random random(seed, 341);
@@ -57,12 +60,12 @@ Scenario withEndurance(Scenario s, std::uint64_t seed)
     return s;
 }
 
-/** All bounds of the curve against a flight, asked at each of its points. */
+/** Compares the curve of a bound with a flight at each of its points. */
 class Checked
 {
 public:
     explicit Checked(const Scenario& s) : m_bound(zetaLowerBound(s, {.workLimit = 15'000'000})) {}
-    /** Empty when the flight is nowhere below it until now. */
+    /** Returns an empty text if the flight is nowhere below the bound until now. */
     QString fault(const Simulation& now)
     {
         while (m_next < m_bound.curve.size() &&
@@ -86,7 +89,10 @@ private:
     std::size_t m_next = 1;
 };
 
-/** Better than any UAV: it turns on the spot, hovers over icebergs, knows where they truly are. */
+/**
+ * An observer that is better than any UAV: it turns on the spot, hovers over icebergs and knows
+ * their true positions.
+ */
 class Hoverer
 {
 public:
@@ -125,13 +131,16 @@ private:
 
 } // namespace
 
-/** What sigma of measured icebergs is not below, and zeta with it. */
+/** Tests the lower bound on sigma of measured icebergs, and on zeta with it. */
 class TestSigmaFloor : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** 300 icebergs, each looked at in bursts, now and then, always or hardly ever. */
+    /**
+     * The filters of 300 icebergs, seen in bursts, now and then, always or hardly ever, are never
+     * below the floor.
+     */
     void noFilterIsBelow()
     {
         int seen = 0;
@@ -165,7 +174,8 @@ private slots:
                     QVERIFY(floor.unseen_m2(time_s) <= track.sigma_m2 * (1 + 1e-9));
                     continue;
                 }
-                const int edge = std::min(motion.blocks(), step + 1); // blocks are steps here
+                // Each block is one step here.
+                const int edge = std::min(motion.blocks(), step + 1);
                 const int from =
                     static_cast<int>(random.below(static_cast<std::uint64_t>(step) + 1));
                 const double age_s = time_s - std::max(last_s, motion.edge_s(from));
@@ -184,7 +194,10 @@ private slots:
         QVERIFY2(seen > 10'000, qPrintable(QString::number(seen)));
     }
 
-    /** 1,000 flights of every policy, one UAV and several, a third of them with an endurance. */
+    /**
+     * No flight is below the bound, for 1,000 flights of every policy with one UAV or several, a
+     * third of them with an endurance.
+     */
     void noFlightIsBelow()
     {
         int told = 0;
@@ -208,7 +221,10 @@ private slots:
         QVERIFY2(told > 300, qPrintable(QString::number(told)));
     }
 
-    /** 200 flights that no UAV can fly, which hover over what they like to learn of. */
+    /**
+     * None of 200 flights that no UAV can fly, which hover over the icebergs they learn most from,
+     * is below the bound.
+     */
     void noHovererIsBelow()
     {
         for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -227,8 +243,10 @@ private slots:
         }
     }
 
-    /** Where velocities are not known, and with an endurance, it said next to nothing: 0.03, 0.004,
-     * 0.15 of what is flown with as much work. */
+    /**
+     * The bound must be useful. It once reached only 0.03, 0.004 and 0.15 of the flown zeta with
+     * unknown velocities and an endurance, for as much work.
+     */
     void saysSomething_data()
     {
         QTest::addColumn<double>("velocitySd_mps");

@@ -49,7 +49,7 @@ void TestSpreadGroups::eachPointOnce()
 
 void TestSpreadGroups::neighboursPart()
 {
-    // Eight pairs far from each other: no group holds both of a pair.
+    // Eight pairs are far from each other, and no group holds both points of a pair.
     std::vector<Point> points_m;
     for (int i = 0; i < 16; ++i)
         points_m.emplace_back(1000 * (i / 2), i % 2);

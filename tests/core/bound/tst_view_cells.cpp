@@ -87,7 +87,7 @@ void TestViewCells::noFlightIsFaster()
 
 void TestViewCells::finerIsLonger()
 {
-    // The nearest points of the two disks: 1341.6 - 424 - 350 m.
+    // The distance of the nearest points of the two disks is 1341.6 - 424 - 350 m.
     const std::vector<ViewRegion> regions{kRound, kOtherDisk};
     double last_s = 0;
     for (const int cells : {8, 32, 128}) {
@@ -118,7 +118,7 @@ void TestViewCells::touching()
             if (regions[b].contains(p.at_m))
                 QVERIFY((cut.touching(static_cast<int>(a), p.cell) >> b & 1U) != 0);
     }
-    QCOMPARE(cut.touching(0, 0), 1U); // the east of the first disk: nothing but itself
+    QCOMPARE(cut.touching(0, 0), 1U); // The east of the first disk touches only that disk.
 }
 
 void TestViewCells::inside()

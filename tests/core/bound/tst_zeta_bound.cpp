@@ -1,5 +1,5 @@
 #include "core/base/random.h"
-#include "core/bound/stays_inside.h"
+#include "core/bound/remains_in_area.h"
 #include "core/bound/zeta_bound.h"
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
@@ -24,7 +24,7 @@ double boundOf(const Scenario& scenario, std::int64_t work = kLittleWork)
     return zetaLowerBound(scenario, {.workLimit = work}).zeta_m2s;
 }
 
-/** What a scenario can have beyond the default one. */
+/** Features that are added to the default scenario. */
 enum Feature : unsigned
 {
     kMoving = 1,
@@ -96,7 +96,7 @@ void addFeatureRows()
                                             kOddView | kUnequal};
 }
 
-/** Two to four UAVs over it, alike or each of its own kind. */
+/** Returns the scenario with two to four UAVs, alike or each of its own kind. */
 Scenario fleetOf(Scenario s, std::uint64_t seed)
 {
     Random random(seed, 98);
@@ -159,7 +159,7 @@ void TestZetaBound::idealFlights()
                                                               .arg(seed)
                                                               .arg(bound.zeta_m2s)
                                                               .arg(lowest_m2s)));
-        // At every single step, too: here a block is a step.
+        // The bound holds at every step, too, because each block is one step here.
         QCOMPARE(bound.curve.size(), flights.lowestSigma_m2().size());
         for (std::size_t k = 1; k < bound.curve.size(); ++k)
             QVERIFY2(bound.curve[k].sigma_m2 <= flights.lowestSigma_m2()[k],
@@ -227,7 +227,8 @@ void TestZetaBound::allInView()
 
 void TestZetaBound::oneIceberg()
 {
-    // Seen from 300 m on a straight way: 4700 m at 22 m/s. Until then sigma is 5 + 0.025 t.
+    // The iceberg comes into view at 300 m, after 4700 m of straight flight at 22 m/s. Until then
+    // sigma is 5 + 0.025 t.
     Scenario s = test::emptySea();
     s.fovShape = FovShape::Disk;
     test::addIceberg(s, 5000, 0);
@@ -235,9 +236,9 @@ void TestZetaBound::oneIceberg()
     const double exact_m2s = 5 * reached_s + 0.025 * reached_s * reached_s / 2;
     const double bound_m2s = boundOf(s);
     QVERIFY(bound_m2s <= exact_m2s);
-    QVERIFY(bound_m2s > 0.995 * exact_m2s); // blocks of 0.5 s
+    QVERIFY(bound_m2s > 0.995 * exact_m2s); // The loss comes from blocks of 0.5 s.
 
-    s.wind_mps = {-11, 0}; // ground speed halved
+    s.wind_mps = {-11, 0}; // The wind halves the ground speed.
     const double against_m2s = 10 * reached_s + 0.025 * 4 * reached_s * reached_s / 2;
     QVERIFY(boundOf(s) <= against_m2s);
     QVERIFY(boundOf(s) > 0.995 * against_m2s);
@@ -245,7 +246,7 @@ void TestZetaBound::oneIceberg()
 
 void TestZetaBound::twoFarApart()
 {
-    // The other one was in view 4400 m of flight ago at the least.
+    // The other iceberg was in view at least 4400 m of flight ago.
     Scenario s = test::emptySea(3000);
     s.fovShape = FovShape::Disk;
     test::addIceberg(s, 0, 0);
@@ -258,7 +259,7 @@ void TestZetaBound::twoFarApart()
 
 void TestZetaBound::unevenGrowth()
 {
-    // Best for sigma at the end: the one that grows fast last.
+    // The least sigma at the end has the iceberg that grows fast visited last.
     Scenario s = test::emptySea(3000);
     s.fovShape = FovShape::Disk;
     test::addIceberg(s, 0, 0).q_m2ps = 0.5;
@@ -291,7 +292,7 @@ void TestZetaBound::moreIcebergsThanOneProgramme()
     QVERIFY(bound_m2s > boundOf(s));
 }
 
-/** Little work is shared among all of them, however many: most are never seen, and count. */
+/** Many icebergs share little work. Most are never seen, and count. */
 void TestZetaBound::manyMovingIcebergs()
 {
     double last_m2s = 0;
@@ -309,7 +310,7 @@ void TestZetaBound::manyMovingIcebergs()
         QVERIFY(bound_m2s > last_m2s);
         last_m2s = bound_m2s;
     }
-    // As dense as they are seen often: still no more than what is flown.
+    // Dense icebergs are seen often; the bound is still no more than the flown zeta.
     Scenario dense = randomScenario(4, {.icebergs = 150, .size_m = Point(5000, 5000)});
     dense.duration_s = 500;
     Mission mission(dense, {.workLimit = 10'000, .record = false});
@@ -351,16 +352,18 @@ void TestZetaBound::stopped()
     QCOMPARE(bound.zeta_m2s, 0.0);
 }
 
-/** Noise of a week is not drawn to find out which icebergs stay in the area. */
+/**
+ * A stop prevents the noise of a week from being drawn to find the icebergs that stay in the area.
+ */
 void TestZetaBound::stoppedBeforeTheArea()
 {
     Scenario s = randomScenario(1);
     s.duration_s = 1000;
     s.area_m = {{-1e6, -1e6}, {1e6, -1e6}, {1e6, 1e6}, {-1e6, 1e6}};
     std::stop_source source;
-    QVERIFY(staysInside(s, s.icebergs[0], source.get_token()));
+    QVERIFY(remainsInArea(s, s.icebergs[0], source.get_token()));
     source.request_stop();
-    QVERIFY(!staysInside(s, s.icebergs[0], source.get_token()));
+    QVERIFY(!remainsInArea(s, s.icebergs[0], source.get_token()));
     s.duration_s = 604'800;
     const ZetaBound bound = zetaLowerBound(s, {.stop = source.get_token()});
     QVERIFY(bound.cancelled);
@@ -405,7 +408,7 @@ void TestZetaBound::idealFleets()
     }
 }
 
-/** 104 random fleets, each flown by every policy. */
+/** No policy is below the bound for any of 104 random fleets. */
 void TestZetaBound::fleetsFly()
 {
     constexpr std::array kFeatures{0U, unsigned{kMoving}, unsigned{kWind | kUnequal},
@@ -429,7 +432,10 @@ void TestZetaBound::fleetsFly()
     QVERIFY2(positive > 90, qPrintable(QString::number(positive)));
 }
 
-/** More UAVs can only do better; a second one too far off to see anything is as none. */
+/**
+ * More UAVs only lower the bound; a second UAV that is too far away to see anything changes
+ * nothing.
+ */
 void TestZetaBound::fleetsAreBoundedAsTheyShould()
 {
     Scenario s = randomScenario(2, {.icebergs = 7});
@@ -448,7 +454,8 @@ void TestZetaBound::fleetsAreBoundedAsTheyShould()
 
 void TestZetaBound::longRun()
 {
-    // A day of icebergs that get 17 km apart: the whole run tells nothing, slices do.
+    // The icebergs drift 17 km apart in a day: the bound over the whole run is useless, slices
+    // help.
     Scenario s = randomScenario(2, {.icebergs = 6});
     s.duration_s = 86400;
     const ZetaBound bound = zetaLowerBound(s, {.workLimit = kLittleWork});

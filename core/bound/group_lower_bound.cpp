@@ -1,4 +1,4 @@
-#include "core/bound/group_floor.h"
+#include "core/bound/group_lower_bound.h"
 
 #include <algorithm>
 #include <array>
@@ -12,13 +12,16 @@ namespace berg {
 
 namespace {
 
-/** More than the rounding of positions in a run can come to. */
+/** This exceeds the rounding of positions in a run. */
 constexpr double kSlack_m = 1e-3;
-/** Wind above this share of the airspeed: bounded by its speed alone, whatever the direction. */
+/**
+ * Above this share of the airspeed the wind's direction is not used: its speed alone bounds the
+ * ground speed.
+ */
 constexpr double kStrongWind = 0.95;
 /**
- * Prices of a second of the whole way, over what all icebergs grow in it. They sharpen the first
- * minutes only, so coarse cells do.
+ * Multipliers for each second since the start, relative to the growth of all icebergs. They raise
+ * the bound in the first minutes only, so they are used with coarse cells only.
  */
 constexpr std::array kStartMultipliers{0.25, 0.5, 1.0, 2.0};
 constexpr int kMostCellsPriced = 32;
@@ -29,7 +32,7 @@ std::span<const double> startMultipliers(int perRegion)
         .first(perRegion <= kMostCellsPriced ? kStartMultipliers.size() : 0);
 }
 
-/** Work of the legs between all cells, in units of chains. */
+/** Returns the work of the legs between all cells, in units of `chainCosts`. */
 std::int64_t legWork(int icebergs, int perRegion)
 {
     constexpr std::int64_t kOneLeg = 60;
@@ -37,20 +40,24 @@ std::int64_t legWork(int icebergs, int perRegion)
     return kOneLeg * cells * cells;
 }
 
-/** Looks at shares of several UAVs in a window; between two of them the later one holds. */
+/**
+ * With several UAVs a window is cut into this number of parts, each with one call of `sharedOut`.
+ */
 constexpr int kLooksAtShares = 20;
 
-/** Of sharing out all sets of icebergs between UAVs, once. */
+/** Returns the work of sharing out all sets of icebergs between UAVs once. */
 std::int64_t shareWork(std::size_t icebergs, std::size_t uavs)
 {
     constexpr std::int64_t kOneShare = 3;
     std::int64_t shares = kOneShare * static_cast<std::int64_t>(uavs - 1);
     for (std::size_t i = 0; i < icebergs; ++i)
-        shares *= 3; // each is one's, the others', or in nobody's set
+        shares *= 3; // Each iceberg belongs to one UAV, to the others or to no set.
     return shares;
 }
 
-/** For each set the least sum over the ways to share it out between two. */
+/**
+ * Returns, for each set, the least sum of costs over all partitions of the set between two UAVs.
+ */
 std::vector<double> sharedOut(const std::vector<double>& a, const std::vector<double>& b)
 {
     std::vector<double> least(a.size());
@@ -65,13 +72,13 @@ std::vector<double> sharedOut(const std::vector<double>& a, const std::vector<do
     return least;
 }
 
-/** The same edges and legs do for both. */
+/** Returns whether both UAVs have the same edges and legs. */
 bool isAlike(const Uav& a, const Uav& b)
 {
     return a.spec.airspeed_mps == b.spec.airspeed_mps && a.fov_m == b.fov_m;
 }
 
-/** UAVs that are not like the one before. */
+/** Returns the number of UAVs that differ from the one before, the first one included. */
 std::int64_t kindsOf(const std::vector<Uav>& uavs)
 {
     std::int64_t kinds = 1;
@@ -91,8 +98,8 @@ Travel travelIn(const Scenario& scenario, const Uav& uav, const Point& velocity_
 
 } // namespace
 
-GroupFloor::GroupFloor(const Scenario& scenario, const TrueMotion& motion,
-                       const std::vector<SigmaFloor>& floors, std::vector<int> icebergs)
+GroupLowerBound::GroupLowerBound(const Scenario& scenario, const TrueMotion& motion,
+                                 const std::vector<SigmaFloor>& floors, std::vector<int> icebergs)
     : m_scenario(scenario)
     , m_motion(motion)
     , m_floors(floors)
@@ -101,7 +108,7 @@ GroupFloor::GroupFloor(const Scenario& scenario, const TrueMotion& motion,
 {
 }
 
-std::vector<int> GroupFloor::present(const BoundWindow& window) const
+std::vector<int> GroupLowerBound::present(const BoundWindow& window) const
 {
     std::vector<int> result;
     for (const int i : m_icebergs)
@@ -111,8 +118,8 @@ std::vector<int> GroupFloor::present(const BoundWindow& window) const
     return result;
 }
 
-Point GroupFloor::meanVelocity_mps(const std::vector<int>& icebergs,
-                                   const BoundWindow& window) const
+Point GroupLowerBound::meanVelocity_mps(const std::vector<int>& icebergs,
+                                        const BoundWindow& window) const
 {
     Point sum_m = Point::Zero();
     for (const int i : icebergs)
@@ -121,7 +128,7 @@ Point GroupFloor::meanVelocity_mps(const std::vector<int>& icebergs,
                     (m_motion.edge_s(window.end) - m_motion.edge_s(window.from)));
 }
 
-double GroupFloor::spread(const BoundWindow& window) const
+double GroupLowerBound::spread(const BoundWindow& window) const
 {
     const std::vector<int> icebergs = present(window);
     if (icebergs.empty())
@@ -134,25 +141,25 @@ double GroupFloor::spread(const BoundWindow& window) const
            region({}, m_scenario.uavs.at(0)).half_m.norm();
 }
 
-ViewRegion GroupFloor::region(const Circle& enclosure, const Uav& uav) const
+ViewRegion GroupLowerBound::region(const Circle& enclosure, const Uav& uav) const
 {
     ViewRegion result{.centre_m = enclosure.centre_m,
                       .disk = m_scenario.fovShape != FovShape::North};
-    if (result.disk) // whatever its heading
+    if (result.disk) // The disk holds the view at any heading.
         result.half_m.setConstant(
             FieldOfView::reach_m({.fov_m = uav.fov_m, .shape = m_scenario.fovShape}));
-    else // its first extent points north
+    else // The first extent of the view points north.
         result.half_m = Point(uav.fov_m.y(), uav.fov_m.x()) / 2;
     result.half_m.array() += enclosure.radius_m + kSlack_m;
     return result;
 }
 
-double GroupFloor::growth_m2ps(int iceberg) const
+double GroupLowerBound::growth_m2ps(int iceberg) const
 {
     return m_scenario.icebergs[static_cast<std::size_t>(iceberg)].q_m2ps;
 }
 
-std::int64_t GroupFloor::workOf(const BoundWindow& window, int perRegion) const
+std::int64_t GroupLowerBound::workOf(const BoundWindow& window, int perRegion) const
 {
     const int icebergs = static_cast<int>(present(window).size());
     if (icebergs == 0)
@@ -164,13 +171,14 @@ std::int64_t GroupFloor::workOf(const BoundWindow& window, int perRegion) const
             ? static_cast<std::int64_t>(uavs.size() * (1 + startMultipliers(perRegion).size()))
             : 0;
     const std::int64_t looks =
-        (window.end - window.begin - 1) / blocksPerLook(window) + 2; // and one for the mean age
+        // One more call finds the mean age.
+        (window.end - window.begin - 1) / blocksPerLook(window) + 2;
     return kindsOf(uavs) * legWork(icebergs, perRegion) + (window.end - window.begin) * sets +
            (kindsOf(uavs) + fromStarts) * chainWork(icebergs, perRegion) +
            looks * shareWork(static_cast<std::size_t>(icebergs), uavs.size());
 }
 
-void GroupFloor::raise(const BoundWindow& window, int perRegion, WorkMeter& meter)
+void GroupLowerBound::raise(const BoundWindow& window, int perRegion, WorkMeter& meter)
 {
     const std::vector<int> icebergs = present(window);
     if (icebergs.empty())
@@ -190,8 +198,8 @@ void GroupFloor::raise(const BoundWindow& window, int perRegion, WorkMeter& mete
     raiseBlocks(window, icebergs, lines, *chains, meter);
 }
 
-std::vector<FloorLine> GroupFloor::linesOf(const std::vector<int>& icebergs,
-                                           const BoundWindow& window) const
+std::vector<FloorLine> GroupLowerBound::linesOf(const std::vector<int>& icebergs,
+                                                const BoundWindow& window) const
 {
     std::vector<FloorLine> lines;
     const double most_s = m_motion.edge_s(window.end) - m_motion.edge_s(window.from);
@@ -205,13 +213,13 @@ std::vector<FloorLine> GroupFloor::linesOf(const std::vector<int>& icebergs,
     return lines;
 }
 
-std::optional<std::vector<GroupFloor::Chains>>
-GroupFloor::chainsOf(const std::vector<int>& icebergs, const std::vector<FloorLine>& lines,
-                     const BoundWindow& window, int perRegion, WorkMeter& meter) const
+std::optional<std::vector<GroupLowerBound::Chains>>
+GroupLowerBound::chainsOf(const std::vector<int>& icebergs, const std::vector<FloorLine>& lines,
+                          const BoundWindow& window, int perRegion, WorkMeter& meter) const
 {
     const Point velocity_mps = meanVelocity_mps(icebergs, window);
     std::vector<ViewRegion> regions;
-    ChainPrice price;
+    StageCost price;
     for (const FloorLine& line : lines)
         price.perSeen.push_back(line.slope_m2ps);
     std::optional<ViewCells> cells;
@@ -243,11 +251,11 @@ GroupFloor::chainsOf(const std::vector<int>& icebergs, const std::vector<FloorLi
     return all;
 }
 
-void GroupFloor::reachFromStart(Chains& chains, const ViewCells& cells, const Point& start_m,
-                                ChainPrice price, WorkMeter& meter)
+void GroupLowerBound::reachFromStart(Chains& chains, const ViewCells& cells, const Point& start_m,
+                                     StageCost price, WorkMeter& meter)
 {
     const std::vector<float> fromStart_s = cells.legsFrom_s(start_m);
-    const ChainPrice time{.perSeen = std::vector<double>(price.perSeen.size(), 0.0), .always = 1};
+    const StageCost time{.perSeen = std::vector<double>(price.perSeen.size(), 0.0), .always = 1};
     chains.soonest_s = chainCosts(cells, time, fromStart_s, meter);
     const double growth = std::accumulate(price.perSeen.begin(), price.perSeen.end(), 0.0);
     for (const double share : startMultipliers(cells.perRegion())) {
@@ -257,8 +265,8 @@ void GroupFloor::reachFromStart(Chains& chains, const ViewCells& cells, const Po
     }
 }
 
-void GroupFloor::seeAtStart(Chains& chains, const std::vector<ViewRegion>& regions,
-                            const Point& start_m)
+void GroupLowerBound::seeAtStart(Chains& chains, const std::vector<ViewRegion>& regions,
+                                 const Point& start_m)
 {
     std::size_t seen = 0;
     for (std::size_t i = 0; i < regions.size(); ++i)
@@ -266,12 +274,12 @@ void GroupFloor::seeAtStart(Chains& chains, const std::vector<ViewRegion>& regio
             seen |= std::size_t{1} << i;
     for (std::size_t part = seen; part != 0; part = (part - 1) & seen) {
         chains.soonest_s[part] = 0;
-        for (PricedChains& priced : chains.priced)
+        for (WeightedChains& priced : chains.priced)
             priced.cost_m2[part] = 0;
     }
 }
 
-std::vector<double> GroupFloor::seenBy(const Chains& chains, std::optional<double> time_s)
+std::vector<double> GroupLowerBound::seenBy(const Chains& chains, std::optional<double> time_s)
 {
     std::vector<double> cost_m2 = chains.priced.front().cost_m2;
     if (!time_s)
@@ -282,15 +290,15 @@ std::vector<double> GroupFloor::seenBy(const Chains& chains, std::optional<doubl
             continue;
         }
         double seen_m2 = 0;
-        for (const PricedChains& priced : chains.priced)
+        for (const WeightedChains& priced : chains.priced)
             seen_m2 = std::max(seen_m2, priced.cost_m2[set] - priced.perSecond * *time_s);
         cost_m2[set] = seen_m2;
     }
     return cost_m2;
 }
 
-std::vector<double> GroupFloor::sharedOut(const std::vector<Chains>& chains,
-                                          std::optional<double> time_s, WorkMeter& meter)
+std::vector<double> GroupLowerBound::sharedOut(const std::vector<Chains>& chains,
+                                               std::optional<double> time_s, WorkMeter& meter)
 {
     std::vector<double> all_m2 = seenBy(chains.front(), time_s);
     if (!meter.spend(
@@ -301,15 +309,15 @@ std::vector<double> GroupFloor::sharedOut(const std::vector<Chains>& chains,
     return all_m2;
 }
 
-std::vector<GroupFloor::Unseen> GroupFloor::unseenSets(const std::vector<int>& icebergs,
-                                                       bool sinceStart) const
+std::vector<GroupLowerBound::Unseen> GroupLowerBound::unseenSets(const std::vector<int>& icebergs,
+                                                                 bool sinceStart) const
 {
     std::vector<Unseen> unseen(std::size_t{1} << icebergs.size());
     for (std::size_t set = 0; set < unseen.size(); ++set)
         for (std::size_t i = 0; i < icebergs.size(); ++i) {
             if ((set >> i & 1U) != 0)
                 continue;
-            // In a later window: last seen as it began, at best.
+            // In a later window the icebergs were last seen at its beginning, at best.
             if (sinceStart)
                 unseen[set].base_m2 +=
                     initialSigma_m2(m_scenario.icebergs[static_cast<std::size_t>(icebergs[i])]);
@@ -318,20 +326,20 @@ std::vector<GroupFloor::Unseen> GroupFloor::unseenSets(const std::vector<int>& i
     return unseen;
 }
 
-int GroupFloor::blocksPerLook(const BoundWindow& window) const
+int GroupLowerBound::blocksPerLook(const BoundWindow& window) const
 {
     const int blocks = window.end - window.begin;
     if (window.from > 0)
-        return blocks; // the start does not matter, so neither does the time
+        return blocks; // The start does not matter, so the time does not either.
     return m_scenario.uavs.size() == 1 ? 1 : (blocks - 1) / kLooksAtShares + 1;
 }
 
-void GroupFloor::addOthers(std::vector<double>& cost_m2, const std::vector<int>& icebergs,
-                           const std::vector<FloorLine>& lines, const BoundWindow& window,
-                           double first_s) const
+void GroupLowerBound::addOthers(std::vector<double>& cost_m2, const std::vector<int>& icebergs,
+                                const std::vector<FloorLine>& lines, const BoundWindow& window,
+                                double first_s) const
 {
     const std::size_t sets = cost_m2.size();
-    std::vector<double> unseen_m2(sets, 0.0); // by set of the others
+    std::vector<double> unseen_m2(sets, 0.0); // The index is the set of the other icebergs.
     std::vector<double> offset_m2(sets, 0.0);
     std::vector<double> least_m2(sets, 0.0);
     for (std::size_t set = 1; set < sets; ++set) {
@@ -355,9 +363,9 @@ void GroupFloor::addOthers(std::vector<double>& cost_m2, const std::vector<int>&
             std::max(cost_m2[set] - offset_m2[set], least_m2[set]) + unseen_m2[sets - 1 - set];
 }
 
-void GroupFloor::raiseBlocks(const BoundWindow& window, const std::vector<int>& icebergs,
-                             const std::vector<FloorLine>& lines, const std::vector<Chains>& chains,
-                             WorkMeter& meter)
+void GroupLowerBound::raiseBlocks(const BoundWindow& window, const std::vector<int>& icebergs,
+                                  const std::vector<FloorLine>& lines,
+                                  const std::vector<Chains>& chains, WorkMeter& meter)
 {
     const std::vector<Unseen> unseen = unseenSets(icebergs, window.from == 0);
     const double from_s = m_motion.edge_s(window.from);
@@ -367,13 +375,14 @@ void GroupFloor::raiseBlocks(const BoundWindow& window, const std::vector<int>& 
         if (!meter.spend(static_cast<std::int64_t>(unseen.size())))
             return;
         if ((block - window.begin) % perLook == 0) {
-            // Chains get no dearer with time: those of the last block hold for all before it.
+            // Chains get no costlier with time, so those of the last block hold for all before it.
             const int last = std::min(block + perLook, window.end);
             seen_m2 = sharedOut(chains, m_motion.edge_s(last) - from_s, meter);
             if (!meter.continues())
                 return;
         }
-        const double first_s = m_motion.edge_s(block) + m_scenario.dt_s - from_s; // its first step
+        // This is the first step of the block.
+        const double first_s = m_motion.edge_s(block) + m_scenario.dt_s - from_s;
         double least_m2 = unseen.front().base_m2 + unseen.front().rate_m2ps * first_s;
         if (m_floors.empty()) {
             for (std::size_t set = 1; set < unseen.size(); ++set)

@@ -1,4 +1,4 @@
-#include "core/bound/stays_inside.h"
+#include "core/bound/remains_in_area.h"
 
 #include "core/tracking/drift.h"
 
@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::int64_t kSecondsPerCheck = 4096;
 
-/** What the estimate is off from start + v t, all along the run. */
+/** The drift of one iceberg, whose estimate is compared with start + v t. */
 struct IcebergRun
 {
     const Scenario& scenario;
     const Iceberg& iceberg;
     Point velocity_mps = Point::Zero();
-    std::int64_t seconds = 0; ///< the run, rounded up
+    std::int64_t seconds = 0; ///< Duration of the run, rounded up.
 };
 
 bool trackKeepsWithin(const IcebergRun& drift, double room_m)
@@ -27,7 +27,7 @@ bool trackKeepsWithin(const IcebergRun& drift, double room_m)
     const auto isWithin = [&](double s) {
         return (track.at(s) - drift.iceberg.position_m - drift.velocity_mps * s).norm() < room_m;
     };
-    // Between these instants it moves along a line.
+    // Between these instants the iceberg moves along a line.
     return isWithin(0) && isWithin(static_cast<double>(drift.seconds)) &&
            std::all_of(track.time_s.begin(), track.time_s.end(), [&](double s) {
                return s < 0 || s > drift.scenario.duration_s + 1 || isWithin(s);
@@ -47,14 +47,14 @@ bool noiseKeepsWithin(const IcebergRun& drift, double room_m, const std::stop_to
         if (left_m <= 0)
             return false;
         if (left_m > fastest_mps * static_cast<double>(drift.seconds - second))
-            return true; // whatever is still to be drawn
+            return true; // No further noise can take the iceberg out of the area.
     }
     return true;
 }
 
 } // namespace
 
-bool staysInside(const Scenario& scenario, const Iceberg& iceberg, const std::stop_token& stop)
+bool remainsInArea(const Scenario& scenario, const Iceberg& iceberg, const std::stop_token& stop)
 {
     if (stop.stop_requested())
         return false;
@@ -63,8 +63,8 @@ bool staysInside(const Scenario& scenario, const Iceberg& iceberg, const std::st
     if (scenario.observer.model == ObserverModel::Kalman ||
         !insidePolygon(scenario.area_m, iceberg.position_m))
         return false;
-    // Seen at s, the estimate at t is truth(s) + v (t - s): as far off start + v t as the truth
-    // was.
+    // After a sighting at s the estimate at t is truth(s) + v (t - s), which is as far from start +
+    // v t as the truth was at s.
     const IcebergRun drift{.scenario = scenario,
                            .iceberg = iceberg,
                            .velocity_mps = iceberg.velocity_mps + scenario.current_mps,
