@@ -14,7 +14,7 @@ namespace {
 constexpr double kLongestArc_rad = 0.1;
 /** Lines shorter than this have no direction of their own. */
 constexpr double kShortestLine_m = 1e-3;
-/** A turn broken off by less than this was flown to its end. */
+/** A turn that ends early by less than this was flown to its end. */
 constexpr double kSameCourse_rad = 1e-3;
 
 Point unit(double psi_rad)
@@ -22,13 +22,13 @@ Point unit(double psi_rad)
     return {std::cos(psi_rad), std::sin(psi_rad)};
 }
 
-/** A leg as it lies in the plan. */
+/** The place of a leg in the plan. */
 struct LaidLeg
 {
     Point start_m = Point::Zero();
-    double psi_rad = 0;  ///< there
-    double turn_rad = 0; ///< that is flown
-    bool whole = true;   ///< it does not end in its turn
+    double psi_rad = 0;  ///< Course at the beginning of the leg.
+    double turn_rad = 0; ///< Flown part of the turn.
+    bool whole = true;   ///< The leg does not end in its turn.
 };
 
 class PathOfLegs
@@ -63,7 +63,7 @@ private:
         return std::abs(turn_rad) / m_motion.limit_radps;
     }
 
-    /** Over ground, from where a turn begins at `psi_rad`. */
+    /** Returns the displacement over ground of a turn that begins at `psi_rad`. */
     [[nodiscard]] Point turned_m(double psi_rad, double turn_rad) const
     {
         const Pose end = turnedTo({.ahead = unit(psi_rad)}, unit(psi_rad + turn_rad),
@@ -71,7 +71,7 @@ private:
         return end.position_m + turnTime_s(turn_rad) * m_motion.wind_mps;
     }
 
-    /** Course through the air along a leg's line, if it has one. */
+    /** Returns the course through the air along a leg's line, or nullopt if the leg has no line. */
     [[nodiscard]] std::optional<double> lineCourse_rad(const AimedLeg& leg) const
     {
         const Point line_m = leg.abeam_m - leg.from_m;
@@ -82,7 +82,7 @@ private:
         return std::atan2(air_mps.y(), air_mps.x());
     }
 
-    /** Legs begin where their turns, flown backwards from their lines, end. */
+    /** Finds the beginning of each leg, from which its turn leads onto its line. */
     [[nodiscard]] std::vector<LaidLeg> layOut(const DubinsState& uav) const
     {
         std::vector<LaidLeg> laid;

@@ -10,31 +10,33 @@
 
 namespace berg {
 
-/** A place over ground and when the UAV is there. */
+/** A position over ground and the time at which the UAV is there. */
 struct PathPoint
 {
     Point position_m = Point::Zero();
     double time_s = 0;
 };
 
-/** How a leg is flown over ground. */
+/** Flight of a leg over ground. */
 struct AimedPath
 {
-    std::optional<Point> aim_m;    ///< where the line passes its iceberg, or would; none: a hold
-    std::vector<PathPoint> points; ///< the turn, sampled, then the end of the line; never empty
+    /** Point at which the line passes its iceberg, or would pass it; nullopt for a hold. */
+    std::optional<Point> aim_m;
+    /** Points of the turn, then the end of the line; there is at least one. */
+    std::vector<PathPoint> points;
 };
 
 /**
- * The way along legs that follow each other, from the UAV as it is at `time_s`, one for each leg. A
- * leg ends where the next one begins, on its line or still in its turn, the last one at its first
- * sighting or the end of its hold. Of a leg under way give what is left of its turn. The flight
- * stays within a few metres of it as long as it meets what was predicted.
+ * Returns the path of each leg, for legs that are flown one after the other from the UAV's state at
+ * `time_s`. A leg ends where the next one begins, on its line or still in its turn, the last one at
+ * its first sighting or the end of its hold. For a leg under way, pass the rest of its turn. The
+ * flight stays within a few metres of the paths as long as the sightings are those predicted.
  */
 [[nodiscard]] std::vector<AimedPath> aimedPaths(std::span<const AimedLeg> legs,
                                                 const DubinsState& uav, double time_s,
                                                 const Motion& motion);
 
-/** Length over ground of what is flown of the ways until then. */
+/** Returns the length over ground, in metres, of the paths up to `time_s`. */
 [[nodiscard]] double lengthUntil_m(std::span<const AimedPath> paths, double time_s);
 
 } // namespace berg

@@ -7,11 +7,11 @@ namespace berg {
 
 namespace {
 
-/** Looks of so long are taken as one; with 5 s sigma is right within 0.4 %. */
+/** Longest time in view that is treated as one step; with 5 s sigma is right within 0.4 %. */
 constexpr double kLongestLook_s = 10;
-/** Measurements without noise count as this good. */
+/** Measurements with less noise than this count as this good. */
 constexpr double kLeastSd_m = 0.01;
-/** Found again, an iceberg is looked at for about so long. */
+/** Time in view, in the mean, of an iceberg that is found again. */
 constexpr double kFound_s = 10;
 
 /** A measurement of the position with this information (1 / variance). */
@@ -23,7 +23,7 @@ void measurePosition(DriftVariances& known, double information_1pm2)
     known.mixed_m2ps *= gain;
 }
 
-/** The same of the velocity, s2/m2. */
+/** Takes in a measurement of the velocity with this information, s2/m2. */
 void measureVelocity(DriftVariances& known, double information_s2pm2)
 {
     const double gain = 1 / (1 + known.velocity_m2ps2 * information_s2pm2);
@@ -34,8 +34,7 @@ void measureVelocity(DriftVariances& known, double information_s2pm2)
 
 } // namespace
 
-CovarianceAccount::CovarianceAccount(const Track& track, const ObserverSpec& observer,
-                                     double weight)
+VisitCovariance::VisitCovariance(const Track& track, const ObserverSpec& observer, double weight)
     : m_start{.position_m2 = weight * track.sigma_m2,
               .mixed_m2ps = weight * track.mixed_m2ps,
               .velocity_m2ps2 = weight * track.velocity_m2ps2}
@@ -51,11 +50,12 @@ CovarianceAccount::CovarianceAccount(const Track& track, const ObserverSpec& obs
 }
 
 /**
- * Of n steps, each the information of its looks in its middle: about the position there, and,
- * since they are spread over the step, about the velocity. Between the looks sigma is P / (1 + P L
- * t), whose integral is a logarithm; what it grows in the step is added as a triangle.
+ * Applies the information of a visit in n steps. Each step takes the information of its samples at
+ * its middle: about the position there and, since the samples are spread over the step, about the
+ * velocity. Between the samples sigma is P / (1 + P L t), whose integral is a logarithm; the growth
+ * within the step is added as a triangle.
  */
-double CovarianceAccount::filter(DriftVariances& known, double seen_s) const
+double VisitCovariance::filter(DriftVariances& known, double seen_s) const
 {
     if (!(seen_s > 0))
         return 0;
@@ -64,7 +64,7 @@ double CovarianceAccount::filter(DriftVariances& known, double seen_s) const
     const double information_1pm2 = m_information_1pm2s * step_s;
     double product = 1;
     double grown_m2s = 0;
-    DriftVariances now = known; // in registers
+    DriftVariances now = known; // A local copy stays in registers.
     for (double k = 0; k < steps; ++k) {
         const double factor = 1 + now.position_m2 * information_1pm2;
         product *= factor;
@@ -79,7 +79,7 @@ double CovarianceAccount::filter(DriftVariances& known, double seen_s) const
     return grown_m2s + std::log(product) / m_information_1pm2s;
 }
 
-void CovarianceAccount::lookForLost(DriftVariances& known, double chance) const
+void VisitCovariance::lookForLost(DriftVariances& known, double chance) const
 {
     DriftVariances found = known;
     look(found, kFound_s);

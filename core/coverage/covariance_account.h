@@ -8,26 +8,34 @@
 namespace berg {
 
 /**
- * What one iceberg costs while it is not looked at, and what looks at it take away, in closed form.
- * With the simple observer a look tells all. With measurements the looks of a while are taken as
- * one stream of information about the position, detection / (interval * variance) per second: the
- * limit of the Kalman filter for many looks (Bar-Shalom, Li and Kirubarajan 2001, section 5.2).
- * Against the filter look by look sigma is right within 2 %. The wait for the first look, half an
- * interval, is left out: it is the same for every visit.
+ * Predicts the sigma of one iceberg in closed form: its growth out of view and its reduction in
+ * view. With the simple observer sigma is 0 after a sample. With measurements the samples of a
+ * visit are treated as one stream of information about the position, detection / (interval *
+ * variance) per second: the limit of the Kalman filter for many samples (Bar-Shalom, Li and
+ * Kirubarajan 2001, section 5.2). Compared with the filter sample by sample, sigma is right within
+ * 2 %. The wait for the first sample, half an interval, is left out because it is the same for
+ * every visit.
  */
-class CovarianceAccount
+class VisitCovariance
 {
 public:
-    /** All variances are those of the track times `weight`. */
-    CovarianceAccount(const Track& track, const ObserverSpec& observer, double weight);
+    /**
+     * Copies what it needs of the track. All variances of this class are those of the track times
+     * `weight`, which must be positive.
+     */
+    VisitCovariance(const Track& track, const ObserverSpec& observer, double weight);
 
+    /** Returns the weighted variances of the track at the time of its picture. */
     [[nodiscard]] const DriftVariances& start() const { return m_start; }
-    /** Along one axis, metres, of a covariance of this account. */
+    /**
+     * Returns the standard deviation along one axis, in metres, that belongs to a weighted variance
+     * of this class.
+     */
     [[nodiscard]] double deviation_m(double sigma_m2) const
     {
         return std::sqrt(std::max(0.0, sigma_m2) / m_weight);
     }
-    /** Whether the deviation is surely less: without its root, which takes long. */
+    /** Returns whether the deviation is surely less than `than_m`, without taking its root. */
     [[nodiscard]] bool deviatesLess(double sigma_m2, double than_m) const
     {
         constexpr double kRounding = 0.99;
@@ -35,12 +43,13 @@ public:
         return than_m > kLeast_m && sigma_m2 < kRounding * m_weight * than_m * than_m;
     }
 
-    /** The covariance after `unseen_s`, and the integral of sigma until then. */
+    /** Sigma at the end of a time out of view, and its integral over that time. */
     struct Growth
     {
         double sigma_m2 = 0;
         double cost_m2s = 0;
     };
+    /** Returns the growth of sigma after `unseen_s` seconds out of view, from these variances. */
     [[nodiscard]] Growth growth(const DriftVariances& from, double unseen_s) const
     {
         if (m_process.velocityTime_s > 0)
@@ -51,7 +60,9 @@ public:
                 .cost_m2s = unseen_s * (from.position_m2 + grown_m2 / 2 + drifted_m2 / 3)};
     }
 
-    /** Not looked at for that long; the integral of sigma. */
+    /**
+     * Advances `known` by `unseen_s` seconds out of view. Returns the integral of sigma, in m2 s.
+     */
     double grow(DriftVariances& known, double unseen_s) const
     {
         const Growth end = growth(known, unseen_s);
@@ -63,7 +74,10 @@ public:
         return end.cost_m2s;
     }
 
-    /** In view for that long; the integral of sigma, m2 s. */
+    /**
+     * Advances `known` by `seen_s` seconds in view. Returns the integral of sigma, in m2 s; with
+     * the simple observer both are 0.
+     */
     double look(DriftVariances& known, double seen_s) const
     {
         if (m_information_1pm2s > 0)
@@ -72,12 +86,15 @@ public:
         return 0;
     }
 
-    /** Where a lost iceberg is believed to be is in view, and it is found with this chance: the
-     * mean of both. */
+    /**
+     * Updates `known` for a lost iceberg whose estimate comes into view: the result is the mean
+     * over finding it, with probability `chance`, and not finding it.
+     */
     void lookForLost(DriftVariances& known, double chance) const;
 
 private:
-    /** Where the velocity fades. Takes a copy, so that what others know stays in registers. */
+    /** Returns the growth with a fading velocity. Copies `from`: the caller's stays in registers.
+     */
     [[nodiscard]] Growth fadingGrowth(DriftVariances from, double unseen_s) const
     {
         return {.sigma_m2 = grown(from, m_process, unseen_s).position_m2,
@@ -86,9 +103,10 @@ private:
     double filter(DriftVariances& known, double seen_s) const;
 
     DriftVariances m_start;
-    DriftProcess m_process; ///< times the weight
+    DriftProcess m_process; ///< The process noise is multiplied by the weight.
     double m_weight;
-    double m_information_1pm2s = 0; ///< of looks, per second; 0: one look tells all
+    /** Information gained per second in view; 0 with the simple observer. */
+    double m_information_1pm2s = 0;
 };
 
 } // namespace berg

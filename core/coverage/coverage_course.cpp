@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-// How a leg is flown.
+// This file finds the turn and the line of a leg.
 
 namespace berg {
 
 TangentTurn CoverageModel::turnOf(const CoverageState& state, const CoverageLeg& leg) const
 {
-    // Aimed at where the iceberg will be when it is seen: iterated, as the time depends on it.
+    // The aim is the position of the iceberg at its sighting, which is found by iteration because
+    // the time depends on it.
     constexpr int kMostRounds = 8;
     constexpr double kGoodEnough_m = 0.3;
-    /** An offset is taken in by a little more than the view. */
+    /** An offset is reduced by a little more than the view is narrowed. */
     constexpr double kInside = 1.02;
     const double drift_mps = berg(leg.iceberg).velocity_mps.norm();
     double ahead_s =
@@ -40,7 +41,7 @@ TangentTurn CoverageModel::turnOf(const CoverageState& state, const CoverageLeg&
     return turn;
 }
 
-/** A turn at the limit to that side, or straight on. */
+/** Returns the turn of a hold at the limit to its side, or a straight line. */
 TangentTurn CoverageModel::holdTurn(const CoverageState& state, const CoverageLeg& leg) const
 {
     TangentTurn hold{.turn_rad = leg.side * m_limit_radps * leg.stay_s, .end = state.uav};
@@ -58,7 +59,7 @@ CoverageModel::Course CoverageModel::course(const CoverageState& state,
 {
     Course course{.turn = leg.isHold() ? holdTurn(state, leg) : turnOf(state, leg),
                   .abeam_m = Point::Zero()};
-    if (leg.isHold()) // a line to go on along until the next leg begins
+    if (leg.isHold()) // The line lasts until the next leg begins.
         course.turn.length_m = std::max(course.turn.length_m, m_speed_mps);
     const Pose& end = course.turn.end;
     const double turned_s = state.time_s + std::abs(course.turn.turn_rad) / m_limit_radps;

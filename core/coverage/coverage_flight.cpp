@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-// What is seen on a leg.
+// This file finds what comes into view on a leg.
 
 namespace berg {
 
@@ -22,7 +22,10 @@ public:
     {
     }
 
-    /** True when the target is in view, or the horizon has come, on the way. */
+    /**
+     * Flies the turn. Returns true if the target comes into view, or the horizon is reached, before
+     * its end.
+     */
     bool turn(double turn_rad, const Pose& turned)
     {
         const double side = turn_rad < 0 ? -1 : 1;
@@ -55,7 +58,9 @@ public:
         return false;
     }
 
-    /** Before straight ways that are no longer than this together. */
+    /**
+     * Selects the icebergs that may come into view on straight lines of at most this total length.
+     */
     void lookAhead(double length_m)
     {
         constexpr double kRounding_m = 1;
@@ -64,7 +69,7 @@ public:
                    length_m / m_model.m_speed_mps);
     }
 
-    /** Until then, or to the end of a straight way of `length_m`. */
+    /** Flies straight on for `length_m`, or until the leg ends. */
     void straight(double length_m)
     {
         const double dt_s = length_m / m_model.m_speed_mps;
@@ -77,7 +82,7 @@ public:
         moveTo(end);
     }
 
-    /** To the end of it, whatever comes into view. */
+    /** Flies straight on for `length_m`, whatever comes into view, or to the horizon. */
     void stay(double length_m)
     {
         m_target = -1;
@@ -87,17 +92,19 @@ public:
 private:
     static constexpr ViewSpan kNever{.enter = 2, .leave = 2};
 
-    /** One that may come into view. */
+    /** An iceberg that may come into view. */
     struct Near
     {
         int iceberg = 0;
-        Point from_m;  ///< where a piece begins, in axes of the view
-        ViewSpan span; ///< of the piece
+        Point from_m;  ///< Position at the beginning of a piece, in axes of the view.
+        ViewSpan span; ///< Part of the piece in which the iceberg is in view.
         [[nodiscard]] bool isSeen() const { return span.enter <= 1; }
     };
 
-    /** Keeps those that may come into view in so many seconds, no farther away than this from a
-     * place: nothing else need be looked at. */
+    /**
+     * Selects the icebergs that may come into view within `lasting_s` because they are within
+     * `away_m` of `centre_m`; all others can be ignored.
+     */
     void lookAround(const Point& centre_m, double away_m, double lasting_s)
     {
         const double reach_m = away_m + m_model.m_reach_m + m_model.m_fastest_mps * lasting_s;
@@ -109,7 +116,8 @@ private:
         for (int i = 0; i < places; ++i) {
             const double away_m2 = (m_model.place_m(i, now_s) - centre_m).squaredNorm();
             m_few[count].iceberg = i;
-            count += away_m2 <= reach_m2 ? 1 : 0; // no jump: it could not be foreseen
+            // The addition avoids a branch that the processor could not predict.
+            count += away_m2 <= reach_m2 ? 1 : 0;
             if (count < m_few.size())
                 continue;
             m_many.insert(m_many.end(), m_few.begin(), m_few.end());
@@ -121,7 +129,7 @@ private:
         m_near = m_many.empty() ? std::span(m_few.data(), count) : std::span(m_many);
     }
 
-    /** Where they are as a piece begins. */
+    /** Finds the places of icebergs at the beginning of a piece. */
     void locate()
     {
         const ViewAxes axes = axesOf(m_model.m_window, m_state.uav);
@@ -136,8 +144,9 @@ private:
     }
 
     /**
-     * What is seen of those near on a short arc or a straight line from the state to `end`; true
-     * when the leg ends on it. `m_end_s` is the end of the piece or of the leg.
+     * Finds the sightings of the selected icebergs on a short arc or a straight line from the state
+     * to `end`. Returns true if the leg ends on it. `m_end_s` is then the end of the piece or of
+     * the leg.
      */
     bool piece(const Pose& end, double dt_s)
     {
@@ -165,7 +174,7 @@ private:
         return ends;
     }
 
-    /** Which part of a piece the target is reached in. */
+    /** Returns the part of a piece in which the target is reached. */
     [[nodiscard]] ViewSpan reachedBy(const Near& near, const Point& to_m) const
     {
         const ViewWindow* reach = m_model.reachOf(near.iceberg);
@@ -221,7 +230,7 @@ private:
     double m_end_s = 0;
     std::span<Near> m_near;
     std::array<Near, 16> m_few;
-    std::vector<Near> m_many; ///< all of them where there is no room for them in `m_few`
+    std::vector<Near> m_many; ///< All selected icebergs if there is no room for them in `m_few`.
 };
 
 bool CoverageModel::fly(CoverageState& state, const CoverageLeg& leg,

@@ -11,14 +11,16 @@ namespace berg {
 
 namespace {
 
-/** A turn is flown in arcs on which a point moves almost straight through the view. */
+/** Turns are divided into arcs on which a point moves almost straight through the view. */
 constexpr double kLongestArc_s = 1;
 constexpr double kLongestArc_rad = 0.21;
 
-/** A place of a lost iceberg has been looked at when it is in the middle of the view. */
+/**
+ * Part of the view, about its middle, in which the place of a lost iceberg must lie to be searched.
+ */
 constexpr double kPlace = 0.25;
 
-double largestQ_m2ps(const FlightPicture& picture)
+double largestQ_m2ps(const PredictionInput& picture)
 {
     double q_m2ps = 0;
     for (const Track& track : picture.tracks)
@@ -26,8 +28,8 @@ double largestQ_m2ps(const FlightPicture& picture)
     return q_m2ps;
 }
 
-/** The reach radius, if any, with the margin of a view. */
-std::optional<ViewWindow> reachWindow(const FlightPicture& picture)
+/** Returns the acceptance radius with the margin of a view, or nullopt if there is none. */
+std::optional<ViewWindow> reachWindow(const PredictionInput& picture)
 {
     if (!picture.reachRadius_m)
         return std::nullopt;
@@ -36,7 +38,9 @@ std::optional<ViewWindow> reachWindow(const FlightPicture& picture)
         viewMargin_m(largestQ_m2ps(picture)));
 }
 
-/** The point nearest to `p_m`, in axes of the view, that is just inside or outside of it. */
+/**
+ * Returns the point nearest to `p_m`, in axes of the view, that is just inside or outside of it.
+ */
 Point atEdge(const ViewWindow& window, Point p_m, bool inside)
 {
     constexpr double kFromEdge_m = 1;
@@ -54,9 +58,9 @@ Point atEdge(const ViewWindow& window, Point p_m, bool inside)
 }
 
 /**
- * Where to take an iceberg to be: at its estimate, but on the side of the view's edge on which it
- * is. An estimate in view that is not seen is wrong; one near the edge of the sensor's view may be
- * seen although it is outside the narrower one that is planned with.
+ * Returns the assumed position of an iceberg. This is its estimate, moved to the side of the view's
+ * edge on which the iceberg is. An estimate in view that is not seen is wrong; one near the edge of
+ * the sensor's view may be seen although it is outside the narrower view of the plan.
  */
 Point likelyPlace_m(const ViewWindow& window, const Pose& uav, const Point& estimate_m, bool inView)
 {
@@ -76,7 +80,7 @@ int firstIceberg(const CoveragePlan& plan)
     return leg == plan.end() ? -1 : leg->iceberg;
 }
 
-CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon)
+CoverageModel::CoverageModel(const PredictionInput& picture, const CoverageHorizon& horizon)
     : m_window(picture.sensor, viewMargin_m(largestQ_m2ps(picture)))
     , m_placeWindow(m_window.scaled(kPlace))
     , m_reachWindow(reachWindow(picture))
@@ -98,7 +102,7 @@ CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon
         const double weight = picture.weights.empty() ? 1 : picture.weights[i];
         m_bergs.push_back({.place_m = track.estimate_m(picture.time_s),
                            .velocity_mps = track.velocity_mps - m_wind_mps,
-                           .account = CovarianceAccount(track, picture.observer, weight)});
+                           .account = VisitCovariance(track, picture.observer, weight)});
         Berg& berg = m_bergs.back();
         if (m_paysForLooks && track.status != TrackStatus::Tracked)
             berg.chance = picture.chances.empty() ? kChanceOfLost : picture.chances[i];
@@ -151,7 +155,8 @@ void CoverageModel::setOthers(std::vector<CoverageView> views)
                 m_others.push_back(
                     {.enter_s = view->enter_s, .leave_s = view->leave_s, .place = view->iceberg});
         m_others.push_back({});
-        // After a look that tells all the rest is the same whatever was before.
+        // Sigma is 0 after a view with the simple observer, so the rest does not depend on earlier
+        // views.
         for (std::size_t k = m_others.size() - 1; !m_paysForLooks && k-- > m_firstOfOther.back();)
             m_others[k].rest_m2s = restOf_m2s(i, {.paid_s = m_others[k].leave_s, .next = k + 1});
     }
@@ -193,7 +198,7 @@ double CoverageModel::restOf_m2s(int iceberg, const CoverageState::Account& acco
 {
     const OtherView& next = m_others[account.next];
     const bool isLast = next.enter_s >= m_horizon.length_s;
-    const CovarianceAccount::Growth end = berg(iceberg).account.growth(
+    const VisitCovariance::Growth end = berg(iceberg).account.growth(
         account.known, (isLast ? m_horizon.length_s : next.enter_s) - account.paid_s);
     if (isLast)
         return end.cost_m2s + m_horizon.rest_s * end.sigma_m2;
@@ -247,8 +252,33 @@ CoverageState CoverageModel::start() const
     return state;
 }
 
+/** The delay of the patrol is that of its second visit, reached from the end of the legs. */
+double CoverageModel::totalWithTail_m2s(const CoverageState& state) const
+{
+    const double shift_s = m_tail->shift_s(state.uav, state.time_s);
+    double cost_m2s = state.cost_m2s + m_tail->rest_m2s +
+                      shift_s * (m_tail->slope_m2 + shift_s * m_tail->bend_m2ps);
+    for (std::size_t i = 0; i < m_icebergs; ++i) {
+        const double next_s =
+            std::clamp(std::min(m_tail->nextOwn_s[i] + shift_s, m_tail->nextOther_s[i]),
+                       std::min(state.time_s, m_horizon.length_s), m_horizon.length_s);
+        const auto iceberg = static_cast<int>(i);
+        if (m_isAlone) {
+            cost_m2s += growthUntil(iceberg, state.accounts[i], next_s).cost_m2s;
+            continue;
+        }
+        CoverageState::Account account = state.accounts[i];
+        cost_m2s += passOthers_m2s(iceberg, account, next_s);
+        cost_m2s += growthUntil(iceberg, account, next_s).cost_m2s;
+    }
+    // Legs after which the UAV cannot come home in time are worse than all others.
+    return cost_m2s * (1 + std::max(0.0, m_tail->late_s(state.uav, state.time_s)));
+}
+
 double CoverageModel::total_m2s(const CoverageState& state) const
 {
+    if (m_tail)
+        return totalWithTail_m2s(state);
     double cost_m2s = state.cost_m2s;
     for (std::size_t i = 0; i < m_icebergs; ++i)
         cost_m2s += restOf_m2s(static_cast<int>(i), state.accounts[i]);
@@ -273,7 +303,7 @@ double CoverageModel::sigma_m2(const CoverageState& state, int iceberg) const
 bool CoverageModel::inView(const CoverageState& state, int iceberg) const
 {
     if ((accountOf(state, iceberg).viewed & berg(iceberg).bit) != 0)
-        return true; // nothing is gained there
+        return true; // Another view of the place changes nothing.
     const Point place_m =
         axesOf(m_window, state.uav).coordinates(this->place_m(iceberg, state.time_s));
     return m_window.contains(place_m) &&

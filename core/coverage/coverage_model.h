@@ -2,6 +2,7 @@
 
 #include "core/coverage/covariance_account.h"
 #include "core/coverage/flight_picture.h"
+#include "core/coverage/patrol_tails.h"
 #include "core/tracking/view_window.h"
 #include "core/vehicle/tangent_turn.h"
 
@@ -13,20 +14,22 @@
 namespace berg {
 
 /**
- * A leg of a plan: turn onto the line that leaves the iceberg at this offset, fly it until seen and
- * for `stay_s` more. Or a hold, for that long straight on or in a turn at the limit, to keep in
- * view what is in view.
+ * A leg of a plan. The UAV turns onto the line that passes the iceberg at this offset and flies it
+ * until the iceberg is seen and for `stay_s` more. A leg may also be a hold: the UAV flies straight
+ * on or turns at the limit for `stay_s`, to keep icebergs in view.
  */
 struct CoverageLeg
 {
-    int iceberg = 0;     ///< index into the tracks of the picture; -1: a hold
-    double offset_m = 0; ///< the iceberg is left of the line by so much
+    int iceberg = 0;     ///< Place of the model, see `placeCount`; -1 for a hold.
+    double offset_m = 0; ///< Distance of the iceberg to the left of the line.
     double stay_s = 0;
-    int side = 0; ///< of a hold: 1 left, -1 right, 0 straight on
+    int side = 0; ///< Direction of a hold: 1 left, -1 right, 0 straight on.
+    /** Returns whether the leg is a hold, which has no iceberg. */
     [[nodiscard]] bool isHold() const { return iceberg < 0; }
     bool operator==(const CoverageLeg&) const = default;
 };
 
+/** Returns a hold of this duration; `side` is 1 (left), -1 (right) or 0 (straight on). */
 [[nodiscard]] inline CoverageLeg holdOf(double stay_s, int side = 0)
 {
     return {.iceberg = -1, .stay_s = stay_s, .side = side};
@@ -34,38 +37,38 @@ struct CoverageLeg
 
 using CoveragePlan = std::vector<CoverageLeg>;
 
-/** Of the first leg that is no hold; -1: there is none. */
+/** Returns the iceberg of the first leg other than a hold, or -1. */
 [[nodiscard]] int firstIceberg(const CoveragePlan& plan);
 
-/** A lost iceberg is found with this chance each time it is flown to where it is believed to be. */
+/** Probability that a lost iceberg is found each time the UAV flies to its estimate. */
 inline constexpr double kChanceOfLost = 0.4;
 
-/** Up to when a plan is judged, and what is still to come is worth. */
+/** Time to which plans are predicted, and the value of sigma at its end. */
 struct CoverageHorizon
 {
     double length_s = 0;
-    double rest_s = 0; ///< each m2 of sigma at the end counts for so many seconds
-    double flown_s = std::numeric_limits<double>::infinity(); ///< the UAV flies no longer
+    double rest_s = 0; ///< Weight of sigma at the end, as seconds for which it lasts on.
+    double flown_s = std::numeric_limits<double>::infinity(); ///< End of the UAV's flight.
 };
 
-/** The predicted flight at the end of a leg. In the air's frame, which the wind does not move. */
+/** The predicted state at the end of a leg, in the air's frame, which the wind does not move. */
 struct CoverageState
 {
-    /** What is known of one iceberg at the time until which it is paid for in `cost`. */
+    /** Variances of one iceberg at `paid_s`, up to which its sigma is part of the cost. */
     struct Account
     {
         double paid_s = 0;
         DriftVariances known;
-        std::size_t next = 0; ///< the first view of other UAVs that is not accounted for
-        /** Of one that is lost: until when it was looked for last. */
+        std::size_t next = 0; ///< First view of other UAVs that is not accounted for yet.
+        /** End of the last search for a lost iceberg. */
         double lookedFor_s = -std::numeric_limits<double>::infinity();
-        unsigned viewed = 0; ///< places that have been in view, by bit
-        double left = 1;     ///< chance that it is elsewhere
+        unsigned viewed = 0; ///< Set of the places that have been in view, as bits.
+        double left = 1;     ///< Probability that the iceberg is elsewhere.
     };
 
-    double time_s = 0; ///< since the picture
+    double time_s = 0; ///< Time since the picture.
     Pose uav;
-    double cost_m2s = 0; ///< integral of sigma, of each iceberg up to its `paid_s`
+    double cost_m2s = 0; ///< Integral of the sigma of each iceberg up to its `paid_s`.
     std::vector<Account> accounts;
 };
 
@@ -73,10 +76,10 @@ struct CoverageState
 struct CoverageSighting
 {
     int iceberg = 0;
-    double time_s = 0; ///< since the picture
+    double time_s = 0; ///< Time since the picture.
 };
 
-/** An iceberg is in view of a UAV; times since the picture. */
+/** Interval in which an iceberg is in view of a UAV, in seconds since the picture. */
 struct CoverageView
 {
     int iceberg = 0;
@@ -85,138 +88,174 @@ struct CoverageView
 };
 
 /**
- * Predicts, in closed form, what flying a sequence of legs costs: each leg is a turn at the limit,
- * taken in arcs of a second and 12 degrees at most, and a straight line in one piece; every iceberg
- * that comes into view on the way counts, with the exact integral of its sigma between sightings.
- * With measurements each iceberg has a view of its own, narrower by the deviation of its place, and
- * what a visit leaves of its sigma is `CovarianceAccount`'s to say. The same flight as `Simulation`
- * makes of a leg, but for the noise of the drift. Cost of a leg: about 0.2 us and 10 ns for each
- * iceberg. Immutable but for `setOthers`: one object serves several threads.
+ * Predicts the cost of a sequence of legs in closed form. Each leg is a turn at the limit, in arcs
+ * of at most a second and 12 degrees, and a straight line in one piece. Every iceberg that comes
+ * into view during the leg counts, with the exact integral of its sigma between sightings. With
+ * measurements each iceberg has a view of its own, narrower by the deviation of its place, and
+ * `VisitCovariance` predicts its sigma after a visit. The predicted flight is the one that
+ * `Simulation` makes of a leg, except for the noise of the drift. The calculation of a leg takes
+ * about 0.2 us and 10 ns for each iceberg. Only `setOthers` and `setTail` change the object, so
+ * several threads may share it.
  *
- * Of several UAVs each has a model. What a UAV sees depends on its own legs alone, so the others
- * are a list of times at which icebergs are in view of theirs; costs are then those of the fleet.
+ * Each of several UAVs has a model of its own. The sightings of a UAV depend on its own legs alone,
+ * so the others are a list of times at which icebergs are in view of theirs; costs are then those
+ * of the fleet.
  */
 class CoverageModel
 {
 public:
-    /** Borrows nothing. Costs are of the sigmas times the weights of the picture. */
-    CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon);
+    /**
+     * Copies what it needs of the picture. Costs are those of the sigmas multiplied by the
+     * picture's weights.
+     */
+    CoverageModel(const PredictionInput& picture, const CoverageHorizon& horizon);
 
-    /** Of what legs can go to: icebergs, and then further places of those that are lost. A leg's
-     * `iceberg` is an index into these. */
+    /** Returns the number of places that legs can go to: icebergs, then further places of those
+     * that are lost. `CoverageLeg::iceberg` is an index into these. */
     [[nodiscard]] int placeCount() const { return static_cast<int>(m_bergs.size()); }
-    /** Of a place of legs; of an iceberg itself. */
+    /** Returns the iceberg of a place, which is an iceberg itself in most cases. */
     [[nodiscard]] int icebergAt(int place) const { return berg(place).owner; }
-    /** Whether it is one of those where a lost iceberg is searched for. */
+    /** Returns whether a lost iceberg is searched for at this place. */
     [[nodiscard]] bool isSearched(int place) const { return berg(place).bit != 0; }
-    /** From the iceberg's estimate. */
+    /** Returns the offset of a place from its iceberg's estimate. */
     [[nodiscard]] const Point& offset_m(int place) const
     {
         return m_offsets_m[static_cast<std::size_t>(place)];
     }
-    /** The nearest of an iceberg's places to where it would be with this offset. */
+    /** Returns the place of the iceberg that is nearest to this offset from its estimate. */
     [[nodiscard]] int placeNear(int iceberg, const Point& offset_m) const;
-    /** That it is found there if it has not been before; 1 of what is not lost, or has no places.
-     */
+    /** Returns the probability that the iceberg is found at the place if it has not been found
+     * before; 1 if it is not lost, or has no places. */
     [[nodiscard]] double chanceAt(const CoverageState& state, int place) const;
-    /** Whether a look does not tell all, so that it may pay to keep icebergs in view. */
+    /** Returns whether sigma stays above 0 in view, so that keeping icebergs in view may pay. */
     [[nodiscard]] bool paysForLooks() const { return m_paysForLooks; }
-    /** A line that passes an iceberg so far off reaches it. */
+    /** Returns the largest lateral distance at which a line still reaches its iceberg. */
     [[nodiscard]] double largestOffset_m() const
     {
         return m_reachWindow
                    ? std::min(m_window.largestOffset_m(), m_reachWindow->largestOffset_m())
                    : m_window.largestOffset_m();
     }
+    /** Returns the horizon of the predictions. */
     [[nodiscard]] const CoverageHorizon& horizon() const { return m_horizon; }
+    /** Returns whether the state has reached the end of the predicted flight. */
     [[nodiscard]] bool atEnd(const CoverageState& state) const
     {
         return state.time_s >= m_flightEnd_s;
     }
 
-    /** What other UAVs have in view meanwhile, in any order. Ends the use of all states. */
+    /**
+     * Sets the views of the other UAVs, in any order. States from before the call are then invalid.
+     */
     void setOthers(std::vector<CoverageView> views);
 
+    /**
+     * Sets the patrol that follows the legs of a plan; the horizon must be the length of the
+     * patrol. From then on `total_m2s` is the cost of legs and patrol to the horizon.
+     */
+    void setTail(PatrolTail tail) { m_tail = std::move(tail); }
+    /** Returns nullopt if plans end with their legs. */
+    [[nodiscard]] const std::optional<PatrolTail>& tail() const { return m_tail; }
+
+    /** Returns the state at the time of the picture. */
     [[nodiscard]] CoverageState start() const;
 
     /**
-     * Flies one leg, to the horizon at most, and until its iceberg is in view, or within the reach
-     * radius where there is one, or abeam before it stays. False when no time passes, because it is
-     * in view already. `sightings` gets what is seen after it was not, `views` all that is in view,
-     * piece by piece.
+     * Advances the state by one leg. The leg ends at the horizon or when its iceberg is in view,
+     * within the acceptance radius if there is one, or abeam if the leg stays afterwards. Returns
+     * false if no time passes because the iceberg is in view already. Appends to `sightings` each
+     * iceberg that comes into view, and to `views` all intervals in view, piece by piece; either
+     * may be null.
      */
     bool fly(CoverageState& state, const CoverageLeg& leg,
              std::vector<CoverageSighting>* sightings = nullptr,
              std::vector<CoverageView>* views = nullptr) const;
 
-    /** Predicted cost if nothing else were seen until the horizon, what comes after it included. */
+    /**
+     * Returns the predicted cost in m2 s if nothing else is seen until the horizon, with the value
+     * of sigma there or, with a tail, with its patrol.
+     */
     [[nodiscard]] double total_m2s(const CoverageState& state) const;
-    /** Integral of all sigma up to the state's time. */
+    /** Returns the integral of all sigma up to the state's time, in m2 s. */
     [[nodiscard]] double costSoFar_m2s(const CoverageState& state) const;
+    /** Returns the weighted sigma of an iceberg in the state. */
     [[nodiscard]] double sigma_m2(const CoverageState& state, int iceberg) const;
+    /**
+     * Returns whether a place is in the planned view of the UAV in the state, or is a place of a
+     * lost iceberg that has been in view before.
+     */
     [[nodiscard]] bool inView(const CoverageState& state, int iceberg) const;
-    /** Between two icebergs at the time of the picture. */
+    /** Returns the distance between two places at the time of the picture. */
     [[nodiscard]] double between_m(int a, int b) const
     {
         return (place_m(a, 0) - place_m(b, 0)).norm();
     }
-    /** Air distance now. */
+    /** Returns the distance from the UAV to a place at the time of the state. */
     [[nodiscard]] double distance_m(const CoverageState& state, int iceberg) const;
 
-    /** How a leg is flown: places over ground, `turn.length_m` as in `turnOntoLine`. */
+    /**
+     * Turn and line of a leg, as positions over ground with `turn.length_m` as in `turnOntoLine`.
+     */
     struct Course
     {
         TangentTurn turn;
-        Point abeam_m; ///< where the line comes abeam of the iceberg
+        Point abeam_m; ///< Point at which the line comes abeam of the iceberg.
     };
+    /**
+     * Returns the turn and line of a leg that begins in the state. A hold has a line of at least
+     * one second.
+     */
     [[nodiscard]] Course course(const CoverageState& state, const CoverageLeg& leg) const;
 
 private:
-    /** Times closer than this are one. */
+    /** Times that are closer than this count as equal. */
     static constexpr double kShortest_s = 1e-9;
-    /** What is looked for again after so long out of view has another chance to be found. */
+    /** A lost iceberg that was out of view for this long has another chance to be found. */
     static constexpr double kNewChance_s = 20;
 
     struct Berg
     {
-        Point place_m; ///< at the time of the picture
+        Point place_m; ///< Position at the time of the picture.
         Point velocity_mps;
-        CovarianceAccount account;
-        double chance = 1; ///< of finding one that is lost
-        int owner = 0;     ///< the iceberg
-        unsigned bit = 0;  ///< of its places; 0: none are told
+        VisitCovariance account;
+        double chance = 1; ///< Probability of finding a lost iceberg.
+        int owner = 0;     ///< Iceberg to which the place belongs.
+        unsigned bit = 0;  ///< Bit of the place; 0 if the iceberg has no list of places.
     };
     class Flight;
 
-    /** One of other UAVs; the last one of each iceberg never comes. */
+    /** A view of another UAV; the last one of each iceberg never comes. */
     struct OtherView
     {
         double enter_s = std::numeric_limits<double>::infinity();
         double leave_s = std::numeric_limits<double>::infinity();
-        double rest_m2s = 0; ///< from then on with nothing but the views after it
-        int place = 0;       ///< that is in view
+        double rest_m2s = 0; ///< Cost from the end of the view on, with only the views after it.
+        int place = 0;       ///< Place that is in view.
     };
 
     [[nodiscard]] const Berg& berg(int iceberg) const
     {
         return m_bergs[static_cast<std::size_t>(iceberg)];
     }
-    /** From what is paid for to then; none: it is paid for longer. */
-    [[nodiscard]] CovarianceAccount::Growth
+    /** Returns the growth since `paid_s`; none if that is later than `time_s`. */
+    [[nodiscard]] VisitCovariance::Growth
     growthUntil(int iceberg, const CoverageState::Account& account, double time_s) const
     {
         return berg(iceberg).account.growth(account.known, std::max(0.0, time_s - account.paid_s));
     }
 
-    /** From now to the end of an account that nothing but the others' views change. */
+    [[nodiscard]] double totalWithTail_m2s(const CoverageState& state) const;
+    /** Returns the cost to the horizon if only the others see the iceberg. */
     [[nodiscard]] double restOf_m2s(int iceberg, const CoverageState::Account& account) const;
-    /** In view from then until then: what that costs, the time before it included. */
+    /** Updates the account by a view. Returns the cost of the view and of the time before it. */
     double view_m2s(int iceberg, CoverageState::Account& account, double enter_s,
                     double leave_s) const;
-    /** A place of a lost iceberg is in view; what that costs, the time before it included. The
-     * second time it tells nothing. */
+    /**
+     * Updates the account by a view of a place of a lost iceberg. Returns the cost of the time
+     * before it. A second view of the place changes nothing.
+     */
     double viewPlace_m2s(int place, CoverageState::Account& account, double time_s) const;
-    /** Takes the others' views that have begun by then into the account; what that costs. */
+    /** Updates the account by the others' views that have begun by then. Returns their cost. */
     double passOthers_m2s(int iceberg, CoverageState::Account& account, double time_s) const
     {
         double cost_m2s = 0;
@@ -234,7 +273,7 @@ private:
     {
         return berg(iceberg).place_m + berg(iceberg).velocity_mps * time_s;
     }
-    /** The view of one whose account comes to this sigma. */
+    /** Returns the view that surely holds an iceberg with this sigma. */
     [[nodiscard]] ViewWindow windowOf(int iceberg, double sigma_m2) const
     {
         if (berg(iceberg).bit != 0)
@@ -242,7 +281,7 @@ private:
         return m_paysForLooks ? m_window.narrowed(berg(iceberg).account.deviation_m(sigma_m2))
                               : m_window;
     }
-    /** What a leg to it ends in: within the radius, or in view where that tells enough. */
+    /** Returns the window in which a leg to the iceberg ends; null if its view ends the leg. */
     [[nodiscard]] const ViewWindow* reachOf(int iceberg) const
     {
         return m_reachWindow && !(berg(iceberg).chance < 1) ? &*m_reachWindow : nullptr;
@@ -255,10 +294,12 @@ private:
     [[nodiscard]] TangentTurn turnOf(const CoverageState& state, const CoverageLeg& leg) const;
     [[nodiscard]] TangentTurn holdTurn(const CoverageState& state, const CoverageLeg& leg) const;
 
-    ViewWindow m_window;                     ///< of an iceberg whose place is known
-    ViewWindow m_placeWindow;                ///< a view in it covers the place of a lost one
-    std::optional<ViewWindow> m_reachWindow; ///< nullopt: icebergs in view are reached
-    double m_reach_m; ///< no iceberg farther away than this is in view or reached
+    ViewWindow m_window; ///< View for an iceberg whose position is known.
+    /** View in which the place of a lost iceberg must lie to be searched. */
+    ViewWindow m_placeWindow;
+    /** Window of the acceptance radius; nullopt if icebergs in view are reached. */
+    std::optional<ViewWindow> m_reachWindow;
+    double m_reach_m; ///< An iceberg farther away than this is neither in view nor reached.
     bool m_paysForLooks;
     CoverageHorizon m_horizon;
     double m_flightEnd_s;
@@ -267,16 +308,17 @@ private:
     double m_speed_mps;
     double m_limit_radps;
     double m_radius_m;
-    double m_arc_s;       ///< longest arc
-    double m_cosineOfArc; ///< of its angle
+    double m_arc_s;       ///< Duration of the longest arc.
+    double m_cosineOfArc; ///< Cosine of the angle of the longest arc.
     double m_sineOfArc;
-    double m_fastest_mps = 0;  ///< of the icebergs, through the air
-    std::vector<Berg> m_bergs; ///< icebergs, then further places of those that are lost
+    double m_fastest_mps = 0;  ///< Highest speed of the icebergs through the air.
+    std::vector<Berg> m_bergs; ///< Icebergs, then further places of lost icebergs.
     std::size_t m_icebergs = 0;
-    std::vector<Point> m_offsets_m;          ///< of places, see `offset_m`
-    std::vector<OtherView> m_others;         ///< of one iceberg after the other, ascending
-    std::vector<std::size_t> m_firstOfOther; ///< of each iceberg
-    bool m_isAlone = true;                   ///< no other has anything in view
+    std::vector<Point> m_offsets_m;  ///< Offsets of the places, see `offset_m`.
+    std::vector<OtherView> m_others; ///< Views of one iceberg after the other, ascending in time.
+    std::vector<std::size_t> m_firstOfOther; ///< First entry of `m_others` of each iceberg.
+    bool m_isAlone = true;                   ///< No other UAV has anything in view.
+    std::optional<PatrolTail> m_tail;
 };
 
 } // namespace berg

@@ -8,7 +8,9 @@ namespace berg {
 
 namespace {
 
-/** How often each move is made, of `kAll`; those of one place come first. */
+/**
+ * Limits of a random number below `kAll` that choose the move; the moves of one place come first.
+ */
 constexpr std::uint64_t kOffset = 40;
 constexpr std::uint64_t kInsert = kOffset + 16;
 constexpr std::uint64_t kRemove = kInsert + 12;
@@ -16,17 +18,23 @@ constexpr std::uint64_t kReplace = kRemove + 8;
 constexpr std::uint64_t kSwap = kReplace + 8;
 constexpr std::uint64_t kMove = kSwap + 10;
 constexpr std::uint64_t kAll = kMove + 10;
-/** Beside these where looks pay. */
+/** Additional moves of holds, if keeping icebergs in view pays. */
 constexpr std::uint64_t kHolds = 12;
-/** A leg stays, and a hold lasts, no longer. */
+/** Longest stay of a leg and longest hold. */
 constexpr double kLongestStay_s = 60;
 constexpr double kShortestHold_s = 0.3;
 
-/** Places are drawn as this power of a uniform number: the front is flown first and most often. */
+/**
+ * Places are drawn as this power of a uniform number, because the front is flown first and most
+ * often.
+ */
 constexpr double kFrontPower = 1.3;
-/** The same of a new iceberg, among those by distance from the one before. */
+/**
+ * New icebergs are drawn as this power of a uniform number, among those by distance from the one
+ * before.
+ */
 constexpr double kNearPower = 1.5;
-/** Moves of two places keep within so many legs. */
+/** Moves of two places keep within this number of legs. */
 constexpr std::size_t kWithin = 8;
 /** Largest step of an offset, of the largest offset. */
 constexpr double kOffsetStep = 0.6;
@@ -36,7 +44,10 @@ auto at(CoveragePlan& plan, std::size_t place)
     return plan.begin() + static_cast<std::ptrdiff_t>(place);
 }
 
-/** That of the nearest leg to one before the place, or of the first one after it. */
+/**
+ * Returns the iceberg of the last leg before the place that has one, or of the first such leg after
+ * it.
+ */
 int icebergBefore(const CoveragePlan& plan, std::size_t place)
 {
     for (std::size_t k = place; k-- > 0;)
@@ -101,7 +112,7 @@ std::size_t CoverageMoves::changeTwo(CoveragePlan& plan, std::uint64_t dice)
         plan.insert(at(plan, b), leg);
     } else {
         std::reverse(at(plan, first), at(plan, last) + 1);
-        // Flown the other way, an iceberg lies on the other side of its line.
+        // In the reverse direction an iceberg lies on the other side of its line.
         for (std::size_t i = first; i <= last; ++i) {
             plan[i].offset_m = -plan[i].offset_m;
             plan[i].side = -plan[i].side;
@@ -110,7 +121,7 @@ std::size_t CoverageMoves::changeTwo(CoveragePlan& plan, std::uint64_t dice)
     return first;
 }
 
-/** One more, or something else of the next one from a drawn place on. */
+/** Adds a hold, or changes the next one from a random place on. */
 std::size_t CoverageMoves::changeHold(CoveragePlan& plan)
 {
     const std::size_t place = drawn(plan.size(), kFrontPower);
@@ -128,7 +139,9 @@ std::size_t CoverageMoves::changeHold(CoveragePlan& plan)
     return changed;
 }
 
-/** Its offset or how long it stays; of a hold that, or its kind. */
+/**
+ * Changes the offset of a leg or the duration of its stay; for a hold, its duration or its kind.
+ */
 void CoverageMoves::changeLine(CoverageLeg& leg)
 {
     if (leg.isHold())
@@ -188,7 +201,9 @@ CoverageLeg CoverageMoves::anyLeg(const CoveragePlan& plan, std::size_t place)
     return leg;
 }
 
-/** The middle and the edges are where good lines often are. */
+/**
+ * Good lines often pass through the middle or the edges of the view, so these are drawn more often.
+ */
 double CoverageMoves::anyOffset_m()
 {
     switch (m_random.below(4)) {

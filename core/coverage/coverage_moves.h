@@ -5,22 +5,26 @@
 
 namespace berg {
 
-/** Random changes of plans, in the mix that the search was tuned with. */
+/** Random changes of plans, in the proportions that the search was tuned with. */
 class CoverageMoves
 {
 public:
-    /** Of plans for a model that has an iceberg at least, with legs to these: empty, all. */
+    /**
+     * Prepares changes for a model, which is not kept and must have at least one iceberg, with legs
+     * to those allowed; an empty list allows all.
+     */
     CoverageMoves(const CoverageModel& model, const Random& random,
                   const std::vector<bool>& allowed = {});
 
     /**
-     * Changes a plan that has legs: an offset, or a leg added, removed, replaced, moved or
-     * exchanged, or a stretch of the plan turned round; mostly near its front. Where looks pay also
-     * how long a leg stays, and holds. Returns the first place that may differ.
+     * Changes a plan, which must have at least one leg. The change is a new offset, a leg added,
+     * removed, replaced, moved or exchanged, or a reversed stretch of the plan; most changes are
+     * near the front. If keeping icebergs in view pays, the duration of a stay or a hold may
+     * change, too. Returns the index of the first leg that may differ.
      */
     std::size_t change(CoveragePlan& plan);
 
-    /** Uniform in [0, 1), from the same stream. */
+    /** Returns a uniform number in [0, 1) from the random stream of the changes. */
     [[nodiscard]] double uniform() { return m_random.uniform(); }
 
 private:
@@ -30,16 +34,16 @@ private:
     void changeLine(CoverageLeg& leg);
     void vary(CoverageLeg& hold);
     [[nodiscard]] CoverageLeg anyHold();
-    /** Below `count`; small ones the more often, the higher the power. */
+    /** Returns a number below `count`, small ones the more often, the higher the power. */
     [[nodiscard]] std::size_t drawn(std::size_t count, double power);
     [[nodiscard]] std::size_t placeNear(std::size_t place, std::size_t count);
-    /** To one of all icebergs, rather to a neighbour of the one that the leg before goes to. */
+    /** Returns a leg to any place, most often to a neighbour of the place of the leg before. */
     [[nodiscard]] CoverageLeg anyLeg(const CoveragePlan& plan, std::size_t place);
     [[nodiscard]] double anyOffset_m();
     [[nodiscard]] double nearOffset_m(double offset_m);
 
     std::vector<std::vector<int>>
-        m_neighbours; ///< of each iceberg all allowed others, nearest first
+        m_neighbours; ///< All other allowed icebergs for each iceberg, nearest first.
     double m_edge_m;
     bool m_paysForLooks;
     Random m_random;

@@ -1,16 +1,17 @@
 #include "core/coverage/coverage_policy.h"
 
-#include "core/coverage/coverage_effort.h"
-#include "core/coverage/described_plan.h"
+#include "core/coverage/coverage_answer.h"
+#include "core/coverage/coverage_settings.h"
+#include "core/coverage/coverage_starts.h"
 #include "core/coverage/fleet_coverage_search.h"
-#include "core/plan/fleet/fleet_solver.h"
-#include "core/plan/solve/tuning.h"
+#include "core/coverage/own_pictures.h"
+#include "core/coverage/patrol_plans.h"
+#include "core/coverage/plan_conversion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -18,212 +19,7 @@ namespace berg {
 
 namespace {
 
-using Plans = std::vector<CoveragePlan>;
-
-/** The UAV that has the iceberg in view; none is sure: the one nearest to it. */
-std::size_t viewerOf(const PlanRequest& request, std::size_t iceberg)
-{
-    std::size_t nearest = 0;
-    double nearest_m = std::numeric_limits<double>::infinity();
-    for (std::size_t u = 0; u < request.uavs.size(); ++u) {
-        const FlightPicture& picture = *request.uavs[u].picture;
-        const Point place_m = picture.tracks[iceberg].estimate_m(picture.time_s);
-        const double away_m = (place_m - picture.uav.position_m).norm();
-        if (away_m < nearest_m) {
-            nearest = u;
-            nearest_m = away_m;
-        }
-    }
-    return nearest;
-}
-
-bool isInViewOf(const FlightPicture& picture, std::size_t iceberg)
-{
-    return FieldOfView(picture.sensor, picture.uav.position_m, picture.uav.psi_rad)
-        .contains(picture.tracks[iceberg].estimate_m(picture.time_s));
-}
-
-/** All UAVs know the places of lost icebergs, whoever may search there. */
-void sharePlaces(std::vector<FlightPicture>& pictures)
-{
-    std::vector<std::vector<SearchPlace>>& all = pictures.front().places;
-    for (const FlightPicture& picture : pictures)
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if (all[i].empty())
-                all[i] = picture.places[i];
-    for (FlightPicture& picture : pictures)
-        picture.places = all;
-}
-
-/** Tracks say what is in view of any UAV; here each picture says what is in view of its own. */
-std::vector<FlightPicture> ownPictures(const PlanRequest& request)
-{
-    std::vector<FlightPicture> own;
-    for (const UavRequest& uav : request.uavs) {
-        require(uav.picture != nullptr, "CoveragePolicy: a UAV has no picture of its flight");
-        own.push_back(*uav.picture);
-    }
-    for (std::size_t i = 0; i < request.ids.size(); ++i) {
-        if (!own.front().tracks[i].inView)
-            continue;
-        bool isClear = false;
-        for (FlightPicture& picture : own) {
-            picture.tracks[i].inView = isInViewOf(picture, i);
-            isClear = isClear || picture.tracks[i].inView;
-        }
-        if (!isClear)
-            own[viewerOf(request, i)].tracks[i].inView = true;
-    }
-    sharePlaces(own);
-    return own;
-}
-
-/** All are judged by what comes until the last of them ends its flight. */
-std::vector<CoverageModel> modelsOf(std::span<const FlightPicture> pictures,
-                                    std::optional<double> rest_s = std::nullopt)
-{
-    CoverageHorizon horizon = horizonOf(pictures);
-    horizon.rest_s = rest_s.value_or(horizon.rest_s);
-    std::vector<CoverageModel> models;
-    for (const FlightPicture& picture : pictures) {
-        horizon.flown_s = picture.until_s - picture.time_s;
-        models.emplace_back(picture, horizon);
-    }
-    return models;
-}
-
-/** All icebergs, as the orders to start from see them, at tau = 1. */
-FleetProblem fleetProblem(const PlanRequest& request)
-{
-    constexpr double kTau = 1;
-    FleetProblem problem{.sigma_m2 = request.sigma_m2};
-    problem.allowed.assign(request.uavs.size(), std::vector<bool>(problem.sigma_m2.size(), true));
-    for (const UavRequest& uav : request.uavs)
-        problem.distance_m.push_back(uav.distance_m);
-    for (std::size_t k = 0; k < request.ids.size(); ++k) {
-        const auto may = [k](const UavRequest& uav) { return uav.available[k]; };
-        if (std::ranges::any_of(request.uavs, may)) // else in view now, and any may come later
-            for (std::size_t u = 0; u < request.uavs.size(); ++u)
-                problem.allowed[u][k + 1] = request.uavs[u].available[k];
-    }
-    problem.mu = fleetTuningWeight(problem, request.betweenUavs_m, kTau).mu;
-    return problem;
-}
-
-/** The shortest tour over those icebergs, from the UAV and back. */
-VisitOrder tourOf(TvpProblem problem, const VisitOrder& nodes, const SolveOptions& limits)
-{
-    problem.route = Route::Closed;
-    problem.mu = 1;
-    std::fill(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
-    const VisitOrder found =
-        makeSolver(Backend::Auto)->solve(restrictedTo(problem, nodes), limits).order();
-    VisitOrder tour;
-    for (const int node : found)
-        tour.push_back(nodes[static_cast<std::size_t>(node - 1)]);
-    return tour;
-}
-
-/** Greedy, the orders at tau = 1, and round tours over what these give to each UAV. */
-std::vector<Plans> firstPlans(const PlanRequest& request, const SolveOptions& limits)
-{
-    const FleetProblem problem = fleetProblem(request);
-    FleetPlan orders = solveFleet(problem, Backend::Auto, limits).plan;
-    orders.resize(request.uavs.size());
-    Plans once;
-    Plans round;
-    for (std::size_t u = 0; u < orders.size(); ++u) {
-        once.push_back(straightPlan(orders[u], 1));
-        const TvpProblem own = problemOfUav(problem, static_cast<int>(u));
-        round.push_back(straightPlan(tourOf(own, orders[u], limits), kRounds));
-    }
-    return {Plans(request.uavs.size()), once, round};
-}
-
-/** As `firstPlans`, with the order of least waiting, and the tour either way round. */
-std::vector<Plans> firstPlansAlone(const PlanRequest& request, const SolveOptions& limits)
-{
-    const std::unique_ptr<TvpSolver> solver = makeSolver(Backend::Auto);
-    TvpProblem problem = problemOfUav(fleetProblem(request), 0);
-    const VisitOrder order = solver->solve(problem, limits).order();
-    problem.mu = 1;
-    VisitOrder soonest;
-    if (*std::max_element(problem.sigma_m2.begin(), problem.sigma_m2.end()) > 0) {
-        problem.criterion = Criterion::Latency;
-        soonest = solver->solve(problem, limits).order();
-        problem.criterion = Criterion::Visitation;
-    }
-    VisitOrder all(request.ids.size());
-    std::iota(all.begin(), all.end(), 1);
-    VisitOrder tour = tourOf(problem, all, limits);
-    std::vector<Plans> starts{{{}}, {straightPlan(order, 1)}, {straightPlan(soonest, 1)}};
-    starts.push_back({straightPlan(tour, kRounds)});
-    std::reverse(tour.begin(), tour.end());
-    starts.push_back({straightPlan(tour, kRounds)});
-    return starts;
-}
-
-/** Predicted, without weights and with what comes after the horizon by `rest_s`. */
-double zeta_m2s(std::vector<FlightPicture> pictures, std::optional<double> rest_s,
-                std::span<const CoveragePlan> plans)
-{
-    for (FlightPicture& picture : pictures)
-        picture.weights.clear();
-    return fleetTotal_m2s(modelsOf(pictures, rest_s), plans);
-}
-
-double flown_m(const PlanRequest& request, std::span<const UavAnswer> answers)
-{
-    double sum_m = 0;
-    for (std::size_t u = 0; u < answers.size(); ++u) {
-        Eigen::Index from = 0;
-        for (const int id : answers[u].order) {
-            const auto it = std::find(request.ids.begin(), request.ids.end(), id);
-            const Eigen::Index to = it - request.ids.begin() + 1;
-            sum_m += request.uavs[u].distance_m(from, to);
-            from = to;
-        }
-    }
-    return sum_m;
-}
-
-/** The solve that found it is the caller's to tell of. */
-PlanAnswer answerOf(const PlanRequest& request, std::span<const FlightPicture> pictures,
-                    const FleetCoverage& found)
-{
-    const std::vector<FlightPicture> all(pictures.begin(), pictures.end());
-    PlanAnswer answer{.uavs = describeFleet(modelsOf(pictures), request, found.plans)};
-    answer.predictedZeta_m2s =
-        isWeighted(all.front()) ? zeta_m2s(all, std::nullopt, found.plans) : found.total_m2s;
-    const double outlook_m2s = zeta_m2s(all, 0, found.plans);
-    for (UavAnswer& uav : answer.uavs)
-        uav.outlook->zeta_m2s = outlook_m2s;
-    answer.distance_m = flown_m(request, answer.uavs);
-    return answer;
-}
-
-/** What Eq. (1) makes of the order of a UAV that is alone, and how far its legs go. */
-void judgeAlone(PlanAnswer& answer, const PlanRequest& request)
-{
-    const UavAnswer& only = answer.uavs.front();
-    VisitOrder nodes;
-    for (const int id : only.order)
-        nodes.push_back(static_cast<int>(std::ranges::find(request.ids, id) - request.ids.begin()) +
-                        1);
-    const TvpProblem problem = restrictedTo(
-        {.distance_m = request.uavs.front().distance_m, .sigma_m2 = request.sigma_m2}, nodes);
-    VisitOrder order(nodes.size());
-    std::iota(order.begin(), order.end(), 1);
-    answer.outcome.objective = objective(problem, order);
-    answer.outcome.plan = {std::move(order)};
-    answer.problem = problemOf(problem);
-    answer.solvedIds = only.order;
-    if (!only.outlook->sightings_s.empty())
-        answer.distance_m = request.speed_mps * (only.outlook->sightings_s.back() -
-                                                 request.uavs.front().picture->time_s);
-}
-
-/** Tells whoever made the request of better plans, a few tens a second at most. */
+/** Reports better plans to the maker of the request, at most a few tens a second. */
 class ProgressTeller
 {
 public:
@@ -256,7 +52,10 @@ private:
     double m_next_s = 0;
 };
 
-/** Each time a lost iceberg is flown to in vain there is less hope. */
+/**
+ * Returns the probability of finding each iceberg; it falls with each flight in vain to a lost
+ * iceberg.
+ */
 std::vector<double> chancesOf(std::span<const int> ids, const std::map<int, int>& inVain)
 {
     constexpr double kAfterMiss = 0.3;
@@ -270,7 +69,13 @@ std::vector<double> chancesOf(std::span<const int> ids, const std::map<int, int>
     return chances;
 }
 
-/** Predicted zeta minimised over sequences of icebergs and aim points. */
+bool isMeasured(std::span<const PredictionInput> pictures)
+{
+    return pictures.front().observer.model != ObserverModel::Simple;
+}
+
+/** Minimises predicted zeta over sequences of icebergs and aim points, with a patrol after them in
+ * sparse fields and long runs. */
 class CoveragePolicy final : public Policy
 {
 public:
@@ -279,43 +84,64 @@ public:
 private:
     [[nodiscard]] CoverageLimits limitsOf(const PlanRequest& request, std::size_t uav,
                                           const CoverageModel& model) const;
+    [[nodiscard]] CoverageLimits limitsOfPatrol(const PlanRequest& request, std::size_t uav,
+                                                const CoverageModel& model) const;
     [[nodiscard]] FleetCoverageSearch searchFor(const PlanRequest& request,
-                                                std::span<const CoverageModel> models) const;
-    [[nodiscard]] std::optional<Plans> warmStart(const PlanRequest& request,
-                                                 std::span<const CoverageModel> models) const;
+                                                std::span<const CoverageModel> models,
+                                                const PatrolTails* tails) const;
+    [[nodiscard]] FoundPlans planLegs(const PlanRequest& request,
+                                      std::span<const PredictionInput> pictures,
+                                      const SolveOptions& options, const SolveWatch& watch) const;
+    [[nodiscard]] FoundPlans planPatrol(const PlanRequest& request,
+                                        std::span<const PredictionInput> pictures,
+                                        const SolveOptions& options, const SolveWatch& watch) const;
+    [[nodiscard]] PatrolRoutes restOfPatrol(const PlanRequest& request,
+                                            std::span<const CoverageModel> models) const;
+    [[nodiscard]] std::optional<CoveragePlans>
+    warmStart(const PlanRequest& request, std::span<const CoverageModel> models) const;
     [[nodiscard]] FleetCoverage first(FleetCoverageSearch& search, const PlanRequest& request,
                                       const SolveOptions& options, const SolveWatch& watch) const;
-    [[nodiscard]] FleetCoverage next(FleetCoverageSearch& search, const std::optional<Plans>& warm,
+    [[nodiscard]] FleetCoverage next(FleetCoverageSearch& search,
+                                     const std::optional<CoveragePlans>& warm,
                                      const SolveOptions& options, const SolveWatch& watch) const;
 
-    /** Plans of several UAVs take so much more work than those of one. */
+    /** Returns the work of a plan of this fleet from that of a plan of one UAV. */
     [[nodiscard]] std::int64_t work(std::int64_t ofOne) const
     {
         return m_isAlone ? ofOne : ofOne * 3 / 2;
     }
 
     [[nodiscard]] std::map<int, int> inVain(const PlanRequest& request) const;
-    void keep(const PlanRequest& request, std::span<const CoverageModel> models,
-              const FleetCoverage& found, const PlanAnswer& answer);
+    [[nodiscard]] PlanAnswer explore(const PlanRequest& request, const SolveOptions& options);
+    void keep(const PlanRequest& request, const FoundPlans& plans, const PlanAnswer& answer);
 
-    /** What a UAV flies. */
+    /** Last plan of a UAV. */
     struct Flown
     {
-        KeptPlan plan;
+        KeptPlan plan;        ///< The legs, followed by the patrol.
+        std::size_t legs = 0; ///< Number of legs without the patrol.
         double planned_s = 0;
-        std::optional<double> sighting_s; ///< predicted for the first leg; none: a hold
+        /** Predicted sighting of the first leg; nullopt for a hold. */
+        std::optional<double> sighting_s;
     };
-    std::map<int, Flown> m_last; ///< by number of the UAV; empty: no plan yet
-    /** What they came to, where looks pay. */
+    /** The key is the number of the UAV; the map is empty before the first plan. */
+    std::map<int, Flown> m_last;
+    /** Predicted cost of the last plans, if keeping icebergs in view pays. */
     double m_total_m2s = std::numeric_limits<double>::infinity();
-    /** How often a lost iceberg was flown to without being found, by id. */
+    /** Number of flights in vain to each lost iceberg, by id. */
     std::map<int, int> m_inVain;
-    /** No other UAV has ever been planned for: the last one to fly goes on as one of several. */
+    LastPlan m_lastKind = LastPlan::None;
+    std::unique_ptr<TvpSolver> m_solver; ///< Solver of `m_latency`; both are null until needed.
+    std::unique_ptr<Policy> m_latency;
+    /**
+     * No other UAV has ever been planned for. The last UAV of a fleet that still flies continues as
+     * one of several.
+     */
     bool m_isAlone = true;
 };
 
-/** What is in view of one of several UAVs now may be visited again later, by any of them; places of
- * a lost one by those that may search there. */
+/** Returns the places of a UAV's legs. Any of several UAVs may later come back to an iceberg that
+ * is in view now; places of a lost one are left to the UAVs that may search there. */
 CoverageLimits CoveragePolicy::limitsOf(const PlanRequest& request, std::size_t uav,
                                         const CoverageModel& model) const
 {
@@ -326,33 +152,49 @@ CoverageLimits CoveragePolicy::limitsOf(const PlanRequest& request, std::size_t 
     CoverageLimits limits;
     for (int place = 0; place < model.placeCount(); ++place) {
         const auto k = static_cast<std::size_t>(model.icebergAt(place));
-        const bool searches = k < own.picture->places.size() && !own.picture->places[k].empty();
+        const bool searches =
+            k < own.prediction->places.size() && !own.prediction->places[k].empty();
         limits.first.push_back(own.available[k] || searches);
         limits.any.push_back(limits.first.back() || (!any[k] && !model.isSearched(place)));
     }
     return limits;
 }
 
+/** A UAV that is alone may come back to each iceberg, but begins with what is available. */
+CoverageLimits CoveragePolicy::limitsOfPatrol(const PlanRequest& request, std::size_t uav,
+                                              const CoverageModel& model) const
+{
+    CoverageLimits limits = limitsOf(request, uav, model);
+    if (m_isAlone)
+        limits.first = request.uavs[uav].available;
+    return limits;
+}
+
 FleetCoverageSearch CoveragePolicy::searchFor(const PlanRequest& request,
-                                              std::span<const CoverageModel> models) const
+                                              std::span<const CoverageModel> models,
+                                              const PatrolTails* tails) const
 {
     std::vector<CoverageFlyer> flyers;
     for (std::size_t u = 0; u < models.size(); ++u)
-        flyers.push_back({.model = models[u], .limits = limitsOf(request, u, models[u])});
-    const FlightPicture& picture = *request.uavs.front().picture;
+        flyers.push_back({.model = models[u],
+                          .limits = tails ? limitsOfPatrol(request, u, models[u])
+                                          : limitsOf(request, u, models[u])});
+    const PredictionInput& picture = *request.uavs.front().prediction;
     return {std::move(flyers), picture.seed,
-            stableHash("coverage") + static_cast<std::uint64_t>(picture.step)};
+            stableHash("coverage") + static_cast<std::uint64_t>(picture.step), tails};
 }
 
-/** What is left of the plans that are flown. */
-std::optional<Plans> CoveragePolicy::warmStart(const PlanRequest& request,
-                                               std::span<const CoverageModel> models) const
+/**
+ * Returns the rests of the last plans, or nullopt if there are none or a warm start is not wanted.
+ */
+std::optional<CoveragePlans> CoveragePolicy::warmStart(const PlanRequest& request,
+                                                       std::span<const CoverageModel> models) const
 {
     if (m_last.empty() || std::ranges::all_of(request.uavs, [](const UavRequest& uav) {
             return uav.lastRest.empty();
         }))
         return std::nullopt;
-    Plans rests;
+    CoveragePlans rests;
     for (std::size_t u = 0; u < models.size(); ++u) {
         const UavRequest& uav = request.uavs[u];
         const auto last = m_last.find(uav.uav);
@@ -360,16 +202,16 @@ std::optional<Plans> CoveragePolicy::warmStart(const PlanRequest& request,
         if (last == m_last.end())
             continue;
         rest = restOf(last->second.plan, models[u], request.ids);
-        shorten(rest, models[u], *uav.picture, uav.picture->time_s - last->second.planned_s);
+        shorten(rest, models[u], *uav.prediction, uav.prediction->time_s - last->second.planned_s);
     }
     return rests;
 }
 
-/** As `m_inVain`, now. */
+/** Returns `m_inVain` at the time of the request. */
 std::map<int, int> CoveragePolicy::inVain(const PlanRequest& request) const
 {
     std::map<int, int> inVain = m_inVain;
-    const FlightPicture& picture = *request.uavs.front().picture;
+    const PredictionInput& picture = *request.uavs.front().prediction;
     const auto isLost = [&](int id) {
         const auto k = std::ranges::find(request.ids, id) - request.ids.begin();
         return k < std::ssize(request.ids) &&
@@ -382,27 +224,37 @@ std::map<int, int> CoveragePolicy::inVain(const PlanRequest& request) const
     return inVain;
 }
 
-void CoveragePolicy::keep(const PlanRequest& request, std::span<const CoverageModel> models,
-                          const FleetCoverage& found, const PlanAnswer& answer)
+void CoveragePolicy::keep(const PlanRequest& request, const FoundPlans& plans,
+                          const PlanAnswer& answer)
 {
-    m_last.clear();
-    if (models.front().paysForLooks())
-        m_total_m2s = found.total_m2s;
-    for (std::size_t u = 0; u < found.plans.size(); ++u) {
-        if (found.plans[u].empty())
+    m_lastKind = plans.tails ? LastPlan::Patrol : LastPlan::Legs;
+    if (!plans.tails) // A UAV on the ground continues its patrol.
+        m_last.clear();
+    if (plans.models.front().paysForLooks())
+        m_total_m2s =
+            plans.isStraight ? std::numeric_limits<double>::infinity() : plans.found.total_m2s;
+    for (std::size_t u = 0; u < plans.found.plans.size(); ++u) {
+        CoveragePlan plan = plans.found.plans[u];
+        m_last.erase(request.uavs[u].uav);
+        if (plan.empty())
             continue;
-        const AimedLeg& leg = answer.uavs[u].legs.front();
-        m_last[request.uavs[u].uav] = {.plan = keptPlan(found.plans[u], models[u], request.ids),
-                                       .planned_s = request.uavs[u].picture->time_s,
-                                       .sighting_s = leg.end_s ? std::nullopt
-                                                               : std::optional(leg.sighting_s)};
+        if (plans.tails)
+            plan.insert(plan.end(), plans.patrols[u].begin(), plans.patrols[u].end());
+        Flown& last = m_last[request.uavs[u].uav];
+        last = {.plan = keptPlan(plan, plans.models[u], request.ids),
+                .legs = plans.found.plans[u].size(),
+                .planned_s = request.uavs[u].prediction->time_s};
+        if (const std::vector<AimedLeg>& legs = answer.uavs[u].legs;
+            !legs.empty() && !legs.front().end_s)
+            last.sighting_s = legs.front().sighting_s;
     }
 }
 
 FleetCoverage CoveragePolicy::first(FleetCoverageSearch& search, const PlanRequest& request,
                                     const SolveOptions& options, const SolveWatch& watch) const
 {
-    const bool paysForLooks = request.uavs.front().picture->observer.model != ObserverModel::Simple;
+    const bool paysForLooks =
+        request.uavs.front().prediction->observer.model != ObserverModel::Simple;
     const std::int64_t work =
         options.workLimit.value_or(this->work(kFirstWork) * (paysForLooks ? kWorkOfLooks : 1));
     const auto share = static_cast<std::int64_t>(kShareOfStart * static_cast<double>(work));
@@ -410,7 +262,7 @@ FleetCoverage CoveragePolicy::first(FleetCoverageSearch& search, const PlanReque
                               .workLimit = std::min(kOrderWork, work),
                               .stop = options.stop};
     std::optional<FleetCoverage> best;
-    for (const Plans& start :
+    for (const CoveragePlans& start :
          m_isAlone ? firstPlansAlone(request, limits) : firstPlans(request, limits)) {
         const FleetCoverage found =
             search.improved(search.completed(start), search.work() + share, kHeat, watch);
@@ -420,10 +272,11 @@ FleetCoverage CoveragePolicy::first(FleetCoverageSearch& search, const PlanReque
     return search.improved(*best, work, kHeat, watch);
 }
 
-FleetCoverage CoveragePolicy::next(FleetCoverageSearch& search, const std::optional<Plans>& warm,
+FleetCoverage CoveragePolicy::next(FleetCoverageSearch& search,
+                                   const std::optional<CoveragePlans>& warm,
                                    const SolveOptions& options, const SolveWatch& watch) const
 {
-    FleetCoverage start = search.completed(Plans(search.uavCount()));
+    FleetCoverage start = search.completed(CoveragePlans(search.uavCount()));
     if (warm) {
         FleetCoverage rest = search.completed(*warm);
         if (rest.total_m2s <= start.total_m2s)
@@ -438,35 +291,164 @@ FleetCoverage CoveragePolicy::next(FleetCoverageSearch& search, const std::optio
     return search.improved(start, limit, kHeat, watch);
 }
 
+/**
+ * Returns the visits that are left of the last plans, or no visits if these are not continued. An
+ * iceberg in view has been visited, although the UAV may have flown to another one.
+ */
+PatrolRoutes CoveragePolicy::restOfPatrol(const PlanRequest& request,
+                                          std::span<const CoverageModel> models) const
+{
+    PatrolRoutes routes(models.size());
+    if (std::ranges::all_of(request.uavs,
+                            [](const UavRequest& uav) { return uav.lastRest.empty(); }))
+        return {};
+    bool isEmpty = true;
+    for (std::size_t u = 0; u < models.size(); ++u) {
+        const auto last = m_last.find(request.uavs[u].uav);
+        if (last == m_last.end())
+            continue;
+        std::vector<bool> isVisited;
+        for (const Track& track : request.uavs[u].prediction->tracks)
+            isVisited.push_back(track.inView);
+        const KeptPlan& kept = last->second.plan;
+        for (std::size_t k = 0; k < kept.size(); ++k)
+            for (const CoverageLeg& leg : restOf({kept[k]}, models[u], request.ids)) {
+                if (leg.isHold())
+                    continue;
+                const int iceberg = models[u].icebergAt(leg.iceberg);
+                const auto i = static_cast<std::size_t>(iceberg);
+                if (k < last->second.legs && isVisited[i])
+                    isVisited[i] = false; // Its later visits remain.
+                else
+                    routes[u].push_back(iceberg);
+            }
+        isEmpty = isEmpty && routes[u].empty();
+    }
+    return isEmpty ? PatrolRoutes() : routes;
+}
+
+/** Plans aimed legs to the horizon. */
+FoundPlans CoveragePolicy::planLegs(const PlanRequest& request,
+                                    std::span<const PredictionInput> pictures,
+                                    const SolveOptions& options, const SolveWatch& watch) const
+{
+    FoundPlans plans{.horizon = horizonOf(pictures)};
+    plans.models = modelsOf(pictures, plans.horizon);
+    FleetCoverageSearch search = searchFor(request, plans.models, nullptr);
+    if (options.onProgress && m_last.empty()) // later plans take a few milliseconds
+        search.setListener(ProgressTeller(plans.models, request, options));
+    const std::optional<CoveragePlans> warm = warmStart(request, plans.models);
+    plans.found = m_last.empty() ? first(search, request, options, watch)
+                                 : next(search, warm, options, watch);
+    plans.work = search.work();
+    plans.wasWarm = warm.has_value();
+    return plans;
+}
+
+/**
+ * Plans a patrol of all UAVs, whose first visits become aimed legs. With measurements the UAV flies
+ * straight to the first iceberg: if that is not at its estimate, the autopilot then searches for it
+ * by pattern, which finds it farther away than plans do.
+ */
+FoundPlans CoveragePolicy::planPatrol(const PlanRequest& request,
+                                      std::span<const PredictionInput> pictures,
+                                      const SolveOptions& options, const SolveWatch& watch) const
+{
+    FoundPlans plans{.horizon = {.length_s = patrolLength_s(pictures)}};
+    plans.models = modelsOf(pictures, plans.horizon);
+    std::vector<CoverageLimits> limits;
+    for (std::size_t u = 0; u < plans.models.size(); ++u)
+        limits.push_back(limitsOfPatrol(request, u, plans.models[u]));
+    PatrolRoutes rest = restOfPatrol(request, plans.models);
+    plans.wasWarm = !rest.empty();
+    const bool isFirst = m_lastKind != LastPlan::Patrol || rest.empty();
+    const PredictionInput& picture = pictures.front();
+    const Random random(picture.seed,
+                        stableHash("patrol") + static_cast<std::uint64_t>(picture.step));
+    PatrolSearch patrol(patrolProblem(pictures, limits), random);
+    const PatrolEffort effort = patrolEffort(patrol.problem(), isFirst, options.workLimit);
+    if (isFirst)
+        findPatrol(patrol, rest, random, effort, watch);
+    else
+        improvePatrol(patrol, std::move(rest), effort, watch);
+
+    plans.isStraight = plans.models.front().paysForLooks();
+    std::vector<std::size_t> heads = headsOf(patrol);
+    if (plans.isStraight)
+        for (std::size_t& head : heads)
+            head = std::min<std::size_t>(head, 1);
+    plans.tails.emplace(patrol, heads);
+    const std::vector<double> onTime_s(plans.models.size(), 0);
+    std::size_t visits = 0;
+    CoveragePlans start;
+    for (std::size_t u = 0; u < plans.models.size(); ++u) {
+        const std::size_t count = patrol.visits(u).size();
+        visits += count;
+        start.push_back(legsOf(patrol, u, {.begin = 0, .end = heads[u]}, plans.models[u]));
+        plans.patrols.push_back(
+            legsOf(patrol, u, {.begin = heads[u], .end = count}, plans.models[u]));
+        plans.models[u].setTail(plans.tails->tailOf(u, onTime_s));
+    }
+    if (plans.isStraight) {
+        plans.found.plans = std::move(start);
+        plans.work = PatrolEffort::kWorkOfMove * patrol.moves();
+        return plans;
+    }
+    FleetCoverageSearch search = searchFor(request, plans.models, &*plans.tails);
+    if (options.onProgress && isFirst)
+        search.setListener(ProgressTeller(plans.models, request, options));
+    /** Patrols of this many visits have the heat of aimed plans, longer ones less for each leg. */
+    constexpr double kVisitsOfHeat = 22;
+    const double heat =
+        kHeat * kVisitsOfHeat / std::max(kVisitsOfHeat, static_cast<double>(visits));
+    plans.found = search.completed(start);
+    plans.found = search.improved(plans.found, search.work() + effort.headWork, heat, watch);
+    plans.work = search.work() + PatrolEffort::kWorkOfMove * patrol.moves();
+    return plans;
+}
+
+/** Plans by least latency, which loses the fewest icebergs while velocities are unknown. */
+PlanAnswer CoveragePolicy::explore(const PlanRequest& request, const SolveOptions& options)
+{
+    if (!m_latency) {
+        m_solver = makeSolver(Backend::Auto);
+        m_latency = makePolicy({.policy = PolicyKind::Latency}, *m_solver);
+    }
+    PlanAnswer answer = m_latency->plan(request, options);
+    if (answer.outcome.reason == StopReason::Cancelled)
+        return answer;
+    m_last.clear();
+    m_lastKind = LastPlan::Patrol;
+    return answer;
+}
+
 PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& options)
 {
     m_isAlone = m_isAlone && request.uavs.size() == 1;
     const Stopwatch clock;
     const SolveWatch watch(options);
-    std::vector<FlightPicture> pictures = ownPictures(request);
+    std::vector<PredictionInput> pictures = ownPictures(request);
     std::map<int, int> inVain = this->inVain(request);
-    for (FlightPicture& picture : pictures)
+    for (PredictionInput& picture : pictures)
         picture.chances = chancesOf(request.ids, inVain);
     PlanAnswer answer{.uavs = std::vector<UavAnswer>(request.uavs.size())};
     if (const std::vector<bool> any = availableToAny(request);
         std::find(any.begin(), any.end(), true) != any.end()) {
-        const std::vector<CoverageModel> models = modelsOf(pictures);
-        FleetCoverageSearch search = searchFor(request, models);
-        if (options.onProgress && m_last.empty()) // later plans take a few milliseconds
-            search.setListener(ProgressTeller(models, request, options));
-        const std::optional<Plans> warm = warmStart(request, models);
-        const FleetCoverage found = m_last.empty() ? first(search, request, options, watch)
-                                                   : next(search, warm, options, watch);
-        const std::optional<StopReason> cut = watch.cut();
+        const bool needsPatrol = berg::needsPatrol(pictures, m_lastKind);
+        if (needsPatrol && isMeasured(pictures) && !knowsVelocities(pictures))
+            return explore(request, options);
+        const FoundPlans plans = needsPatrol ? planPatrol(request, pictures, options, watch)
+                                             : planLegs(request, pictures, options, watch);
+        const std::optional<StopReason> cut = watch.stopReason();
         if (cut == StopReason::Cancelled)
             return {.outcome = {.reason = StopReason::Cancelled, .source = AnswerSource::Coverage}};
-        answer = answerOf(request, pictures, found);
+        answer = answerOf(request, pictures, plans);
         if (m_isAlone)
             judgeAlone(answer, request);
         answer.outcome.reason = cut.value_or(StopReason::WorkLimit);
-        answer.outcome.work = search.work();
-        answer.outcome.hintUsed = warm.has_value();
-        keep(request, models, found, answer);
+        answer.outcome.work = plans.work;
+        answer.outcome.hintUsed = plans.wasWarm;
+        keep(request, plans, answer);
     }
     m_inVain = std::move(inVain);
     answer.outcome.status = SolveStatus::Feasible;

@@ -5,8 +5,9 @@
 namespace berg {
 
 /**
- * The policy of the settings, `coverage` included: predicted zeta minimised over sequences of
- * icebergs and aim points. Otherwise as `makePolicy`. A `coverage` request needs its `picture`.
+ * Returns the policy of the settings, `coverage` included. `coverage` minimises predicted zeta over
+ * sequences of icebergs and aim points, and does not use `solver`; all other policies are those of
+ * `makePolicy`. A request to `coverage` must have a prediction input for each UAV.
  */
 [[nodiscard]] std::unique_ptr<Policy> makeFlownPolicy(const PlannerSettings& settings,
                                                       const TvpSolver& solver);

@@ -10,11 +10,11 @@ namespace berg {
 namespace {
 
 constexpr std::size_t kMostLegs = 2000;
-/** Steps between questions to the watch: some 0.2 ms. */
+/** Steps between checks of the watch, which take some 0.2 ms. */
 constexpr int kStepsPerLook = 32;
-/** Temperature at the end, of that at the beginning. */
+/** Temperature at the end, as a share of that at the beginning. */
 constexpr double kCool = 0.02;
-/** A candidate is given up when it is behind by this share of what is still to be paid. */
+/** A candidate is discarded when it is behind by this share of the cost that is still to come. */
 constexpr double kHope = 0.03;
 
 } // namespace
@@ -36,7 +36,7 @@ CoverageResult CoverageSearch::completed(const CoveragePlan& plan)
 
 void CoverageSearch::load(const CoveragePlan& plan)
 {
-    m_start = m_model.start(); // what others see may have changed
+    m_start = m_model.start(); // The views of the other UAVs may have changed.
     m_now = {};
     m_candidate = plan;
     flyTail(0, std::numeric_limits<double>::infinity());
@@ -69,19 +69,20 @@ void CoverageSearch::anneal(const CoverageCooling& cooling, std::int64_t untilWo
                             const SolveWatch& watch, CoverageResult& best)
 {
     for (int step = 0; m_work < untilWork && !m_now.legs.empty(); ++step) {
-        if (step % kStepsPerLook == 0 && watch.cut())
+        if (step % kStepsPerLook == 0 && watch.stopReason())
             break;
         const double left = static_cast<double>(cooling.end - m_work) /
                             static_cast<double>(cooling.end - cooling.begin);
         m_candidate = m_now.legs;
         std::size_t from = m_moves.change(m_candidate);
-        // Metropolis: the chance is drawn first, so that the flight can end when it is missed.
+        // The random number of the Metropolis test is drawn first, so that the flight can end when
+        // the test fails.
         const double worse_m2s =
             -cooling.hottest_m2s * (left * left + kCool) * std::log(1 - m_moves.uniform());
         ++m_work;
         for (const std::size_t all = std::min(m_candidate.size(), m_now.legs.size());
              from < all && m_candidate[from] == m_now.legs[from]; ++from)
-            m_work += workOfLeg(); // as before: not flown again
+            m_work += workOfLeg(); // The legs before the change are not flown again.
         if (!flyTail(from, m_now.total_m2s + worse_m2s))
             continue;
         accept(from);
@@ -101,15 +102,15 @@ void CoverageSearch::tell(const CoverageResult& better)
 }
 
 /**
- * Flies the candidate from leg `from` on to the horizon. False, and the tail is of no use, when it
- * costs more than the limit.
+ * Flies the candidate from leg `from` on to the horizon. Returns false if it costs more than the
+ * limit; the tail is then unusable.
  */
 bool CoverageSearch::flyTail(std::size_t from, double limit_m2s)
 {
     m_tail.legs.clear();
     std::size_t next = from;
     std::size_t place = from;
-    // Asked anew each time: the states move when there is no more room.
+    // This is a function because the states move when there is no more room.
     const auto reached = [&]() -> const CoverageState& {
         return m_tail.legs.empty() ? stateBefore(from) : m_tail.states[m_tail.legs.size() - 1];
     };
@@ -119,6 +120,8 @@ bool CoverageSearch::flyTail(std::size_t from, double limit_m2s)
     while (!m_model.atEnd(reached()) && m_tail.legs.size() < kMostLegs) {
         const bool planned = next < m_candidate.size();
         const bool isFirst = !flies && std::ranges::all_of(m_tail.legs, &CoverageLeg::isHold);
+        if (!planned && m_model.tail() && from + m_tail.legs.size() > 0)
+            break; // the patrol follows
         const std::optional<CoverageLeg> leg =
             planned ? m_candidate[next++] : greedyLeg(reached(), isFirst);
         if (!leg)
@@ -140,7 +143,7 @@ bool CoverageSearch::addToTail(const CoverageState& before, const CoverageLeg& l
 {
     const std::size_t k = m_tail.legs.size();
     if (m_tail.states.size() <= k) {
-        CoverageState copy = before; // it may be in the vector that is about to move
+        CoverageState copy = before; // The state may be in the vector that is about to move.
         m_tail.states.push_back(std::move(copy));
         m_tail.soFar_m2s.push_back(0);
     } else {
@@ -150,17 +153,21 @@ bool CoverageSearch::addToTail(const CoverageState& before, const CoverageLeg& l
     CoverageState& state = m_tail.states[k];
     if (!m_model.fly(state, leg))
         return false;
-    m_tail.soFar_m2s[k] = m_model.costSoFar_m2s(state);
+    if (!m_model.tail()) // Only `hopeless` reads it.
+        m_tail.soFar_m2s[k] = m_model.costSoFar_m2s(state);
     m_tail.legs.push_back(leg);
     return true;
 }
 
 /**
- * Whether the tail's last leg has cost so much more than the present plan had at that time that the
- * rest will hardly make up for it. `place`: of a leg of the present plan before, moves on with it.
+ * Returns whether the tail's last leg has cost so much more than the present plan had at that time
+ * that the rest will hardly make up for it. `place` is the index of a leg of the present plan
+ * before that time; it advances with each call.
  */
 bool CoverageSearch::hopeless(double limit_m2s, std::size_t& place) const
 {
+    if (m_model.tail())
+        return false; // The patrol after the legs makes up for much.
     const std::size_t last = m_tail.legs.size() - 1;
     const double time_s = m_tail.states[last].time_s;
     while (place < m_now.legs.size() && m_now.states[place].time_s < time_s)
@@ -200,7 +207,10 @@ bool CoverageSearch::mayFly(const CoverageLeg& leg, bool isFirst) const
            (!isFirst || m_limits.first.empty() || m_limits.first[i]);
 }
 
-/** The largest sigma for the distance flown to it; none when every iceberg is in view. */
+/**
+ * Returns a leg to the place with the largest sigma per distance, or nullopt if every iceberg is in
+ * view.
+ */
 std::optional<CoverageLeg> CoverageSearch::greedyLeg(const CoverageState& state, bool isFirst) const
 {
     constexpr double kShortestPath_m = 50;

@@ -14,62 +14,73 @@ namespace berg {
 /** A plan and what it costs. */
 struct CoverageResult
 {
-    CoveragePlan plan;    ///< as far as the horizon
-    double total_m2s = 0; ///< predicted, see `CoverageModel::total_m2s`
+    CoveragePlan plan;    ///< Plan up to the horizon.
+    double total_m2s = 0; ///< Predicted cost, see `CoverageModel::total_m2s`.
 };
 
-/** To which icebergs plans may have legs; each empty: to all. */
+/** Places to which plans may have legs; an empty list allows all. */
 struct CoverageLimits
 {
-    std::vector<bool> any;   ///< at all
-    std::vector<bool> first; ///< first of all, but for holds
+    std::vector<bool> any;   ///< Places to which any leg may go.
+    std::vector<bool> first; ///< Places to which the first leg other than a hold may go.
 };
 
-/** How an annealing cools down, in work. */
+/** Temperature schedule of an annealing over its work, from `begin` to `end`. */
 struct CoverageCooling
 {
     std::int64_t begin = 0;
     std::int64_t end = 0;
-    double hottest_m2s = 0; ///< at the beginning
+    double hottest_m2s = 0; ///< Temperature at the beginning.
 };
 
 /**
  * Improves plans by simulated annealing over the legs and their offsets. Effort is counted in work,
- * so that the same work gives the same plan on every machine: a leg predicted is 20 units and one
- * for each iceberg, a unit about 10 to 20 ns. Borrows the model, which has an iceberg at least.
+ * so that the same work gives the same plan on every machine. The prediction of a leg takes 20
+ * units and one for each iceberg; a unit takes about 10 to 20 ns. The model is borrowed and must
+ * have at least one iceberg.
  */
 class CoverageSearch
 {
 public:
-    /** A leg costs as much as so many icebergs before it looks at any. */
+    /** Fixed work of a leg, to which each iceberg adds one unit. */
     static constexpr std::int64_t kWorkOfLeg = 20;
 
+    /** Starts with no work done; `random` sets all random decisions. */
     CoverageSearch(const CoverageModel& model, const Random& random, CoverageLimits limits = {});
 
-    /** The plan flown to the horizon: legs without use left out, greedy ones added at its end. */
+    /**
+     * Returns the plan flown to the horizon: legs without use are left out, and greedy legs are
+     * added at its end unless a patrol follows.
+     */
     [[nodiscard]] CoverageResult completed(const CoveragePlan& plan);
 
     /**
-     * The best plan found from `start` on until `work()` comes to `untilWork` or the watch says
-     * stop; never worse than `start`. `heat`: temperature at the beginning, of the start's cost.
+     * Returns the best plan found from `start` on until `work()` reaches `untilWork` or the watch
+     * stops the search; it is never worse than `start`. `heat` is the temperature at the beginning,
+     * as a share of the cost of `start`.
      */
     [[nodiscard]] CoverageResult improved(const CoverageResult& start, std::int64_t untilWork,
                                           double heat, const SolveWatch& watch);
 
     /**
-     * Part of an annealing: goes on from `now` until `work()` comes to `untilWork`. `best` is
-     * replaced by what costs less. Returns where it has come to.
+     * Runs a part of an annealing, from the plan `now` until `work()` reaches `untilWork` or the
+     * watch stops it. Replaces `best` by each plan that costs less. Returns the plan at which the
+     * annealing has arrived.
      */
     [[nodiscard]] CoverageResult annealed(const CoveragePlan& now, const CoverageCooling& cooling,
                                           std::int64_t untilWork, const SolveWatch& watch,
                                           CoverageResult& best);
 
-    /** To which icebergs the first leg may go from now on; empty: to all. */
+    /** Sets the places to which the first leg may go from now on; an empty list allows all. */
     void setFirst(std::vector<bool> first) { m_limits.first = std::move(first); }
 
+    /** Returns the work done so far. */
     [[nodiscard]] std::int64_t work() const { return m_work; }
 
-    /** Is told each plan better than all those before, of any start; changes nothing. */
+    /**
+     * Sets the function that is called with each plan that is better than all those before, from
+     * any start. It does not influence the search.
+     */
     void setListener(std::function<void(const CoverageResult&)> listener)
     {
         m_listener = std::move(listener);
@@ -80,7 +91,8 @@ private:
     struct Flown
     {
         CoveragePlan legs;
-        std::vector<CoverageState> states; ///< at least one per leg, the rest is room
+        /** At least one state per leg; further entries are spare room. */
+        std::vector<CoverageState> states;
         std::vector<double> soFar_m2s;
         double total_m2s = 0;
     };
@@ -107,11 +119,12 @@ private:
     CoverageMoves m_moves;
     std::int64_t m_work = 0;
     std::function<void(const CoverageResult&)> m_listener;
-    double m_told_m2s = std::numeric_limits<double>::infinity(); ///< the best told of
+    /** Cost of the best plan reported to the listener. */
+    double m_told_m2s = std::numeric_limits<double>::infinity();
     CoverageState m_start;
     Flown m_now;
-    CoveragePlan m_candidate; ///< the present legs with a change
-    Flown m_tail;             ///< its flight from the change on
+    CoveragePlan m_candidate; ///< The present legs with a change.
+    Flown m_tail;             ///< Flight of the candidate from the change on.
 };
 
 } // namespace berg

@@ -7,21 +7,30 @@ namespace berg {
 
 namespace {
 
-/** A UAV's turn takes so many times the work of its plan's flight, of which two begin it. */
+/** Work of a UAV's turn, in flights of its plan, of which two begin the turn. */
 constexpr std::int64_t kFlightsOfTurn = 30;
 
-std::vector<CoverageView> viewsOf(const CoverageModel& model, const CoveragePlan& plan)
+/** The effects of a UAV's plan on the other UAVs: its views and the shift of its patrol. */
+struct Effect
 {
     std::vector<CoverageView> views;
+    double shift_s = 0; ///< Delay of the patrol after the plan.
+};
+
+Effect effectOf(const CoverageModel& model, const CoveragePlan& plan)
+{
+    Effect effect;
     CoverageState state = model.start();
     for (const CoverageLeg& leg : plan)
-        model.fly(state, leg, nullptr, &views);
-    return views;
+        model.fly(state, leg, nullptr, &effect.views);
+    if (model.tail())
+        effect.shift_s = model.tail()->shift_s(state.uav, state.time_s);
+    return effect;
 }
 
 } // namespace
 
-/** A UAV with the plan that stands while the others' change. */
+/** A UAV with its plan, which stays unchanged while the others' plans change. */
 struct FleetCoverageSearch::Member
 {
     Member(CoverageFlyer flyer, const Random& random)
@@ -32,17 +41,22 @@ struct FleetCoverageSearch::Member
     }
 
     CoverageModel model;
-    std::vector<bool> first; ///< to which its first leg may go if no other's does
+    /** Places to which its first leg may go unless that of another UAV does. */
+    std::vector<bool> first;
     CoverageSearch search;
     CoveragePlan plan;
-    std::vector<CoverageView> views; ///< of the plan
+    Effect effect; ///< Effect of the plan.
 };
 
 FleetCoverageSearch::FleetCoverageSearch(std::vector<CoverageFlyer> flyers, std::uint64_t seed,
-                                         std::uint64_t stream)
+                                         std::uint64_t stream, const PatrolTails* tails)
+    : m_tails(tails)
 {
+    const std::vector<double> onTime_s(flyers.size(), 0);
     for (std::size_t u = 0; u < flyers.size(); ++u) {
         const std::uint64_t own = stream + (static_cast<std::uint64_t>(u) << 32U);
+        if (m_tails)
+            flyers[u].model.setTail(m_tails->tailOf(u, onTime_s));
         m_members.push_back(std::make_unique<Member>(std::move(flyers[u]), Random(seed, own)));
     }
 }
@@ -75,7 +89,7 @@ FleetCoverage FleetCoverageSearch::completed(std::span<const CoveragePlan> plans
 FleetCoverage FleetCoverageSearch::improved(const FleetCoverage& start, std::int64_t untilWork,
                                             double heat, const SolveWatch& watch)
 {
-    if (m_members.size() == 1 && m_members.front()->first.empty())
+    if (m_members.size() == 1 && (m_tails || m_members.front()->first.empty()))
         return improvedAlone(start, untilWork, heat, watch);
     FleetCoverage best = start;
     tell(best);
@@ -84,7 +98,8 @@ FleetCoverage FleetCoverageSearch::improved(const FleetCoverage& start, std::int
     const CoverageCooling cooling{
         .begin = work(), .end = untilWork, .hottest_m2s = heat * start.total_m2s};
     std::int64_t before = -1;
-    while (work() < untilWork && work() > before && !watch.cut()) { // without any leg: no work
+    while (work() < untilWork && work() > before &&
+           !watch.stopReason()) { // Without any leg no work is done.
         before = work();
         for (std::size_t u = 0; u < m_members.size(); ++u)
             turnOf(u, cooling, watch, best);
@@ -92,7 +107,7 @@ FleetCoverage FleetCoverageSearch::improved(const FleetCoverage& start, std::int
     return best;
 }
 
-/** There is nobody to take turns with: one annealing without a break. */
+/** A single UAV has one annealing without turns. */
 FleetCoverage FleetCoverageSearch::improvedAlone(const FleetCoverage& start, std::int64_t untilWork,
                                                  double heat, const SolveWatch& watch)
 {
@@ -106,7 +121,7 @@ FleetCoverage FleetCoverageSearch::improvedAlone(const FleetCoverage& start, std
     return {.plans = {best.plan}, .total_m2s = best.total_m2s};
 }
 
-/** One slice of the annealing. */
+/** Runs one part of the annealing for a UAV. */
 void FleetCoverageSearch::turnOf(std::size_t member, const CoverageCooling& cooling,
                                  const SolveWatch& watch, FleetCoverage& best)
 {
@@ -131,29 +146,33 @@ void FleetCoverageSearch::turnOf(std::size_t member, const CoverageCooling& cool
     fix(member, now.plan);
 }
 
-/** The plan stands from now on. */
+/** Fixes the plan of a UAV and its effects on the others. */
 void FleetCoverageSearch::fix(std::size_t member, CoveragePlan plan)
 {
     Member& own = *m_members[member];
-    own.views = viewsOf(own.model, plan);
+    own.effect = effectOf(own.model, plan);
     own.plan = std::move(plan);
 }
 
-/** What the others' plans mean for a UAV whose turn it is. */
+/** Sets the views and patrols of the others for the UAV whose turn it is. */
 void FleetCoverageSearch::lookAtOthers(std::size_t member)
 {
     Member& own = *m_members[member];
     std::vector<CoverageView> views;
+    std::vector<double> shifts_s(m_members.size(), 0);
     std::vector<bool> first = own.first;
     for (std::size_t v = 0; v < m_members.size(); ++v) {
         if (v == member)
             continue;
         const Member& other = *m_members[v];
-        views.insert(views.end(), other.views.begin(), other.views.end());
+        views.insert(views.end(), other.effect.views.begin(), other.effect.views.end());
+        shifts_s[v] = other.effect.shift_s;
         if (const int iceberg = firstIceberg(other.plan); iceberg >= 0)
             first[static_cast<std::size_t>(iceberg)] = false;
     }
     own.model.setOthers(std::move(views));
+    if (m_tails)
+        own.model.setTail(m_tails->tailOf(member, shifts_s));
     own.search.setFirst(std::move(first));
 }
 
@@ -173,15 +192,24 @@ void FleetCoverageSearch::tell(const FleetCoverage& better)
     m_listener(better);
 }
 
-double fleetTotal_m2s(std::span<const CoverageModel> models, std::span<const CoveragePlan> plans)
+double fleetTotal_m2s(std::span<const CoverageModel> models, std::span<const CoveragePlan> plans,
+                      const PatrolTails* tails)
 {
     std::vector<CoverageView> views;
+    const std::vector<double> onTime_s(models.size(), 0);
+    std::vector<double> shifts_s(models.size(), 0);
     for (std::size_t u = 1; u < models.size(); ++u) {
-        const std::vector<CoverageView> own = viewsOf(models[u], plans[u]);
-        views.insert(views.end(), own.begin(), own.end());
+        CoverageModel model = models[u];
+        if (tails)
+            model.setTail(tails->tailOf(u, onTime_s));
+        const Effect own = effectOf(model, plans[u]);
+        views.insert(views.end(), own.views.begin(), own.views.end());
+        shifts_s[u] = own.shift_s;
     }
     CoverageModel merged = models.front();
     merged.setOthers(std::move(views));
+    if (tails)
+        merged.setTail(tails->tailOf(0, shifts_s));
     CoverageState state = merged.start();
     for (const CoverageLeg& leg : plans.front())
         merged.fly(state, leg);

@@ -14,40 +14,57 @@ namespace berg {
 struct FleetCoverage
 {
     std::vector<CoveragePlan> plans;
-    double total_m2s = 0; ///< predicted, an iceberg being seen when any UAV sees it
+    double total_m2s = 0; ///< Predicted cost; an iceberg is seen when any UAV sees it.
 };
 
-/** One UAV as the search sees it. */
+/** Model and limits of one UAV in the search. */
 struct CoverageFlyer
 {
-    CoverageModel model;   ///< horizon, icebergs and weights are those of all
-    CoverageLimits limits; ///< of several neither list empty; none for a UAV that is alone
+    CoverageModel model; ///< Model with the horizon, icebergs and weights of all UAVs.
+    /** Neither list is empty for several UAVs; both may be empty for a UAV that is alone. */
+    CoverageLimits limits;
 };
 
 /**
- * Improves the plans of several UAVs by one simulated annealing: by turns, each UAV's plan changes
- * as in `CoverageSearch` while those of the others stand. No two first legs are to one iceberg; a
- * UAV for which that leaves none gets no legs. Work is that of all searches. A UAV that is alone
- * takes no turns.
+ * Improves the plans of several UAVs by one simulated annealing. The UAVs take turns: the plan of
+ * one changes as in `CoverageSearch` while the others' plans stay unchanged. No two first legs go
+ * to one iceberg; a UAV for which that leaves no iceberg gets no legs. Work is counted over all
+ * searches. A UAV that is alone takes no turns.
  */
 class FleetCoverageSearch
 {
 public:
-    FleetCoverageSearch(std::vector<CoverageFlyer> flyers, std::uint64_t seed,
-                        std::uint64_t stream);
+    /**
+     * Starts with empty plans. There must be at least one flyer; `seed` and `stream` set all random
+     * decisions. `tails` are the patrols after the plans, which are borrowed; null means that the
+     * plans end with their legs.
+     */
+    FleetCoverageSearch(std::vector<CoverageFlyer> flyers, std::uint64_t seed, std::uint64_t stream,
+                        const PatrolTails* tails = nullptr);
     ~FleetCoverageSearch();
 
-    /** As `CoverageSearch::completed`, UAV after UAV, each knowing those before and the plans. */
+    /**
+     * Returns the plans, one for each UAV, completed as by `CoverageSearch::completed`. Each UAV in
+     * turn considers the completed plans before its own and the given ones after it.
+     */
     [[nodiscard]] FleetCoverage completed(std::span<const CoveragePlan> plans);
 
-    /** As `CoverageSearch::improved`. */
+    /**
+     * Returns better plans of all UAVs, found as by `CoverageSearch::improved` with the same
+     * arguments.
+     */
     [[nodiscard]] FleetCoverage improved(const FleetCoverage& start, std::int64_t untilWork,
                                          double heat, const SolveWatch& watch);
 
+    /** Returns the work done so far by all searches. */
     [[nodiscard]] std::int64_t work() const;
+    /** Returns the number of UAVs. */
     [[nodiscard]] std::size_t uavCount() const { return m_members.size(); }
 
-    /** As `CoverageSearch::setListener`, now and then. */
+    /**
+     * Sets the function that is called with better plans, though not with all of them. It does not
+     * influence the search.
+     */
     void setListener(std::function<void(const FleetCoverage&)> listener)
     {
         m_listener = std::move(listener);
@@ -66,12 +83,17 @@ private:
     void tell(const FleetCoverage& better);
 
     std::vector<std::unique_ptr<Member>> m_members;
+    const PatrolTails* m_tails;
     std::function<void(const FleetCoverage&)> m_listener;
     double m_told_m2s = std::numeric_limits<double>::infinity();
 };
 
-/** Predicted cost of plans by models that know nothing of each other. */
+/**
+ * Returns the predicted cost in m2 s of plans, one for each model, with the patrols after them
+ * unless `tails` is null. The models must be without views of other UAVs.
+ */
 [[nodiscard]] double fleetTotal_m2s(std::span<const CoverageModel> models,
-                                    std::span<const CoveragePlan> plans);
+                                    std::span<const CoveragePlan> plans,
+                                    const PatrolTails* tails = nullptr);
 
 } // namespace berg

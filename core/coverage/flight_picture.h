@@ -2,6 +2,7 @@
 
 #include "core/tracking/lost_search.h"
 #include "core/vehicle/los_guidance.h"
+#include "core/vehicle/path_home.h"
 
 #include <cstdint>
 #include <optional>
@@ -9,27 +10,41 @@
 
 namespace berg {
 
-/** All that may be known of a flight at one instant: what its rest is predicted from. */
-struct FlightPicture
+/** The sorties of a UAV with a limited endurance after the one under way. */
+struct LaterSorties
+{
+    SortieSpec spec;
+    double runEnd_s = 0;
+};
+
+/**
+ * All that may be known of a UAV's flight at one instant, from which the rest of the flight is
+ * predicted.
+ */
+struct PredictionInput
 {
     double time_s = 0;
-    double until_s = 0; ///< end of the run
+    double until_s = 0; ///< End of the run, or of the sortie if that is earlier.
+    /** Later sorties; nullopt if the endurance outlasts the run. */
+    std::optional<LaterSorties> laterSorties;
     DubinsState uav;
     Motion motion;
     SensorSpec sensor;
-    std::optional<double> reachRadius_m; ///< an iceberg in view is reached if nullopt
+    /** Acceptance radius; if it is nullopt, an iceberg in view is reached. */
+    std::optional<double> reachRadius_m;
     ObserverSpec observer;
-    std::vector<Track> tracks; ///< one per id of the `PlanRequest`, in its order
-    /** By track: so much its sigma counts in the search for a plan. Empty: 1 each. */
+    std::vector<Track> tracks; ///< Tracks, one per id of the `PlanRequest` in its order.
+    /** Weight of the sigma of each track in the search for a plan; an empty list means 1 each. */
     std::vector<double> weights;
-    /** By track: chance that it is found where it is believed to be if it is lost. Empty: as when
-     * nobody has looked for it yet. */
+    /** Probability, for each track, that a lost iceberg is found at its estimate; an empty list
+     * means that nobody has looked for it yet. */
     std::vector<double> chances;
-    /** By track: where one that is lost may be, likeliest first. Empty: searched for at its
-     * estimate with its chance. */
+    /** Places, for each track, where a lost iceberg may be, likeliest first; one without places is
+     * searched for at its estimate with its chance. */
     std::vector<std::vector<SearchPlace>> places;
-    std::uint64_t seed = 0; ///< of the scenario
-    std::int64_t step = 0;  ///< with `seed`, names the random numbers of a search made now
+    std::uint64_t seed = 0; ///< Seed of the scenario.
+    /** Step of the flight; with `seed` it selects the random numbers of a search. */
+    std::int64_t step = 0;
 };
 
 } // namespace berg

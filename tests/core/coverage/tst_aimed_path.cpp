@@ -1,5 +1,5 @@
 #include "core/coverage/aimed_path.h"
-#include "core/coverage/described_plan.h"
+#include "core/coverage/plan_conversion.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
 #include "core/sim/plan_requests.h"
@@ -16,9 +16,9 @@ using test::emptySea;
 
 namespace {
 
-const Motion kCalm{.airspeed_mps = 20, .limit_radps = 0.2}; // turns of 100 m
+const Motion kCalm{.airspeed_mps = 20, .limit_radps = 0.2}; // The turn radius is 100 m.
 
-/** Where the way is at that time. */
+/** Returns the position on the paths at that time. */
 Point placeAt(const std::vector<AimedPath>& paths, double time_s)
 {
     Point at_m = paths.front().points.front().position_m;
@@ -35,10 +35,10 @@ Point placeAt(const std::vector<AimedPath>& paths, double time_s)
     return at_m;
 }
 
-/** Random legs of the present picture of a simulation, as a planner would answer them. */
+/** Returns random legs for the present state of a simulation, in the form of a planner's answer. */
 DescribedPlan randomPlan(const PlanRequest& request, int legs, Random random)
 {
-    const CoverageModel model(*request.uavs[0].picture, {.length_s = 900});
+    const CoverageModel model(*request.uavs[0].prediction, {.length_s = 900});
     CoveragePlan plan;
     CoverageState state = model.start();
     while (static_cast<int>(plan.size()) < legs) {
@@ -52,7 +52,10 @@ DescribedPlan randomPlan(const PlanRequest& request, int legs, Random random)
     return describe(model, request.uavs[0], request.ids, plan);
 }
 
-/** Largest distance between the ways and a flight of their legs, each begun when it is planned. */
+/**
+ * Returns the largest distance between the paths and a flight of their legs, each begun at its
+ * planned time.
+ */
 double largestMiss_m(const Scenario& scenario, const DescribedPlan& plan,
                      const std::vector<AimedPath>& paths)
 {
@@ -80,7 +83,7 @@ class TestAimedPath : public QObject
     Q_OBJECT
 
 private slots:
-    /** The way against the flight that it foretells: many legs in a row, without noise. */
+    /** The flight follows the predicted paths over many legs in a row, without noise. */
     void theFlightFollowsIt_data()
     {
         QTest::addColumn<FovShape>("shape");
@@ -102,7 +105,7 @@ private slots:
             const Simulation simulation(scenario);
             const DescribedPlan plan =
                 randomPlan(planRequest(simulation), 8, Random(static_cast<unsigned>(seed)));
-            const FlightPicture picture = *planRequest(simulation).uavs[0].picture;
+            const PredictionInput picture = *planRequest(simulation).uavs[0].prediction;
             const std::vector<AimedPath> paths =
                 aimedPaths(plan.legs, picture.uav, 0, picture.motion);
             QCOMPARE(paths.size(), plan.legs.size());
@@ -113,7 +116,7 @@ private slots:
         QVERIFY(legs > 60);
     }
 
-    /** Plans of the policy itself, seen from the middle of their first leg. */
+    /** The paths of the policy's own plans are right from the middle of the first leg, too. */
     void aLegUnderWay()
     {
         Scenario scenario = randomScenario(4);
@@ -129,11 +132,11 @@ private slots:
                 continue;
             std::vector<AimedLeg> legs = plan.legs;
             legs.front() = *world.uavs[0].aim;
-            const Motion& motion = mission.lastRequest()->uavs[0].picture->motion;
+            const Motion& motion = mission.lastRequest()->uavs[0].prediction->motion;
             const double now_s = mission.simulation().time_s();
             const std::vector<AimedPath> now = aimedPaths(legs, world.uavs[0].pose, now_s, motion);
             const std::vector<AimedPath> planned = aimedPaths(
-                plan.legs, mission.lastRequest()->uavs[0].picture->uav, plan.time_s, motion);
+                plan.legs, mission.lastRequest()->uavs[0].prediction->uav, plan.time_s, motion);
             QVERIFY(now.front().points.front().position_m == world.uavs[0].pose.position_m);
             QVERIFY((placeAt(planned, now_s) - world.uavs[0].pose.position_m).norm() < 3);
             for (const double later_s : {0.0, 10.0, 60.0})
@@ -144,7 +147,10 @@ private slots:
         QVERIFY(checked > 20);
     }
 
-    /** A quarter circle to the left, then 300 m north, by hand. */
+    /**
+     * One leg, a quarter circle to the left and then 300 m north, agrees with a calculation by
+     * hand.
+     */
     void oneLeg()
     {
         const AimedLeg leg{.iceberg = 0,
@@ -159,7 +165,7 @@ private slots:
         QVERIFY((path[path.size() - 2].position_m - leg.from_m).norm() < 1e-9);
         QVERIFY((path.back().position_m - Point(100, 400)).norm() < 1e-9);
         QVERIFY(std::abs(path.back().time_s - leg.sighting_s) < 1e-9);
-        for (const PathPoint& point : path) // on the circle until the line
+        for (const PathPoint& point : path) // The points are on the circle until the line begins.
             if (point.position_m.y() < 100)
                 QVERIFY(std::abs((point.position_m - Point(0, 100)).norm() - 100) < 1e-9);
         QVERIFY(std::abs(lengthUntil_m(paths, leg.sighting_s) - (100 * M_PI / 2 + 300)) < 0.1);
@@ -168,7 +174,7 @@ private slots:
         QVERIFY(std::abs(lengthUntil_m(paths, 1e6) - (100 * M_PI / 2 + 300)) < 0.1);
     }
 
-    /** A hold is flown to its end, without a place that it aims at. */
+    /** A hold is flown to its end and has no aim. */
     void holds()
     {
         const std::vector<AimedLeg> legs{
@@ -183,12 +189,12 @@ private slots:
         QVERIFY(paths[1].points.back().time_s <= 14);
     }
 
-    /** Seen while still turning: the next leg begins there. */
+    /** An iceberg may be seen during the turn, and the next leg then begins there. */
     void legsMayEndInTheirTurn()
     {
         const std::vector<AimedLeg> legs{
             {.turn_rad = M_PI, .from_m = {0, 200}, .abeam_m = {-1000, 200}, .sighting_s = 3},
-            // From a quarter circle on, to the right and east again.
+            // The second leg begins after a quarter circle and turns right, east again.
             {.turn_rad = -M_PI / 2, .from_m = {200, 200}, .abeam_m = {900, 200}, .sighting_s = 25}};
         const std::vector<AimedPath> paths = aimedPaths(legs, {}, 0, kCalm);
         QVERIFY((paths[0].points.back().position_m - Point(100, 100)).norm() < 1e-9);

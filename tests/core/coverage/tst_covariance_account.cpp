@@ -16,7 +16,7 @@ ObserverSpec kalman(double sd_m, double detection = 1)
     return {.model = ObserverModel::Kalman, .positionSd_m = sd_m, .detection = detection};
 }
 
-/** Known once, then left alone for some minutes. */
+/** Makes a track that was known once and then unseen for some minutes. */
 Track unseenTrack(double velocitySd_mps, double velocityTime_s = 0)
 {
     Track track{
@@ -27,11 +27,11 @@ Track unseenTrack(double velocitySd_mps, double velocityTime_s = 0)
     return track;
 }
 
-/** sigma of the filter after looks in the middle of each second, and its integral. */
-CovarianceAccount::Growth lookByLook(Track& track, double seconds, double variance_m2)
+/** Returns sigma of the filter after samples in the middle of each second, and its integral. */
+VisitCovariance::Growth lookByLook(Track& track, double seconds, double variance_m2)
 {
-    CovarianceAccount::Growth result;
-    constexpr int kSteps = 100; // of a second
+    VisitCovariance::Growth result;
+    constexpr int kSteps = 100; // Steps of a second.
     for (int second = 0; second < static_cast<int>(seconds); ++second)
         for (int step = 0; step < kSteps; ++step) {
             if (step == kSteps / 2)
@@ -63,7 +63,7 @@ private slots:
     {
         QFETCH(double, velocityTime_s);
         Track track = unseenTrack(0.1, velocityTime_s);
-        const CovarianceAccount account(track, kalman(5), 1);
+        const VisitCovariance account(track, kalman(5), 1);
         DriftVariances known = account.start();
         const double half_m2s = account.grow(known, 20);
         const double whole_m2s = half_m2s + account.grow(known, 30);
@@ -74,7 +74,7 @@ private slots:
         QVERIFY(account.deviation_m(known.position_m2) == std::sqrt(known.position_m2));
     }
 
-    /** Against the filter, look by look. */
+    /** Sigma in view agrees with the filter, sample by sample. */
     void lookedAtIsTheFilter_data()
     {
         QTest::addColumn<double>("velocitySd_mps");
@@ -96,23 +96,23 @@ private slots:
         QFETCH(double, sd_m);
         QFETCH(double, velocityTime_s);
         Track track = unseenTrack(velocitySd_mps, velocityTime_s);
-        const CovarianceAccount account(track, kalman(sd_m), 1);
+        const VisitCovariance account(track, kalman(sd_m), 1);
         DriftVariances known = account.start();
         const double predicted_m2s = account.look(known, seconds);
-        const CovarianceAccount::Growth flown = lookByLook(track, seconds, sd_m * sd_m);
+        const VisitCovariance::Growth flown = lookByLook(track, seconds, sd_m * sd_m);
         QVERIFY(std::abs(known.position_m2 / flown.sigma_m2 - 1) < 0.02);
         track.grow(200);
         QVERIFY(std::abs(account.growth(known, 200).sigma_m2 / track.sigma_m2 - 1) < 0.01);
-        // Until the first look, half a second in, sigma is what it was.
+        // Sigma is unchanged until the first sample, after half a second.
         const double waited_m2s = account.start().position_m2 / 2;
         QVERIFY(predicted_m2s < flown.cost_m2s);
         QVERIFY(predicted_m2s + waited_m2s > flown.cost_m2s * 0.9);
     }
 
-    /** A visit in pieces, as it is predicted, is about one in one piece. */
+    /** A visit in pieces, as predictions have it, has about the result of one in one piece. */
     void piecesAreTheWhole()
     {
-        const CovarianceAccount account(unseenTrack(0.1), kalman(5, 0.6), 1);
+        const VisitCovariance account(unseenTrack(0.1), kalman(5, 0.6), 1);
         DriftVariances whole = account.start();
         const double whole_m2s = account.look(whole, 20);
         DriftVariances known = account.start();
@@ -124,12 +124,12 @@ private slots:
         QCOMPARE(account.look(known, 0), 0.0);
     }
 
-    /** A weight multiplies what is paid and changes nothing else. */
+    /** A weight multiplies the cost and changes nothing else. */
     void weightsScale()
     {
         const Track track = unseenTrack(0.1);
-        const CovarianceAccount one(track, kalman(5), 1);
-        const CovarianceAccount three(track, kalman(5), 3);
+        const VisitCovariance one(track, kalman(5), 1);
+        const VisitCovariance three(track, kalman(5), 3);
         DriftVariances known = one.start();
         DriftVariances weighted = three.start();
         const double cost_m2s = one.grow(known, 10) + one.look(known, 15);
@@ -143,7 +143,7 @@ private slots:
     void lessIsLess()
     {
         for (const double weight : {1.0, 3.0}) {
-            const CovarianceAccount account(unseenTrack(0.1), kalman(5), weight);
+            const VisitCovariance account(unseenTrack(0.1), kalman(5), weight);
             for (const double sigma_m2 : {-1.0, 0.0, 1e-9, 1.0, 400.0}) {
                 const double deviation_m = account.deviation_m(sigma_m2);
                 QVERIFY(!account.deviatesLess(sigma_m2, deviation_m));
@@ -155,7 +155,7 @@ private slots:
 
     void oneLookOfTheSimpleObserverTellsAll()
     {
-        const CovarianceAccount account({.sigma_m2 = 7, .q_m2ps = kQ_m2ps}, {}, 2);
+        const VisitCovariance account({.sigma_m2 = 7, .q_m2ps = kQ_m2ps}, {}, 2);
         DriftVariances known = account.start();
         QCOMPARE(account.grow(known, 10), 10 * (14 + 10 * kQ_m2ps));
         QCOMPARE(account.look(known, 5), 0.0);
@@ -164,7 +164,7 @@ private slots:
 
     void lostIcebergsAreFoundByChance()
     {
-        const CovarianceAccount account(unseenTrack(0.1), kalman(5), 1);
+        const VisitCovariance account(unseenTrack(0.1), kalman(5), 1);
         DriftVariances never = account.start();
         account.lookForLost(never, 0);
         QVERIFY(never == account.start());

@@ -34,7 +34,9 @@ Scenario field(int seed, int uavs, int icebergs = 12)
     return scenario;
 }
 
-/** Where a UAV is and looks at that time of its ways; nothing after their end. */
+/**
+ * Returns the position and heading of a UAV at that time of its paths, or nullopt after their end.
+ */
 std::optional<Pose> poseAt(const std::vector<AimedPath>& paths, double time_s)
 {
     const PathPoint* before = nullptr;
@@ -51,21 +53,21 @@ std::optional<Pose> poseAt(const std::vector<AimedPath>& paths, double time_s)
     return std::nullopt;
 }
 
-/** zeta of the legs described, by small steps; the views are those that are planned with. */
+/** Returns zeta of the legs, integrated in small steps with the views that the planner uses. */
 double integrated_m2s(const PlanRequest& request, const PlanAnswer& answer)
 {
     constexpr double kStep_s = 0.05;
-    const FlightPicture& picture = *request.uavs[0].picture;
+    const PredictionInput& picture = *request.uavs[0].prediction;
     std::vector<std::vector<AimedPath>> paths;
     for (std::size_t u = 0; u < answer.uavs.size(); ++u) {
-        const FlightPicture& own = *request.uavs[u].picture;
+        const PredictionInput& own = *request.uavs[u].prediction;
         std::vector<AimedLeg> legs = answer.uavs[u].legs;
         if (!legs.empty())
-            legs.back().sighting_s = own.until_s; // flown on when something was seen
+            legs.back().sighting_s = own.until_s; // The leg is flown on after its sighting.
         paths.push_back(aimedPaths(legs, own.uav, own.time_s, own.motion));
     }
-    // Good legs end with an iceberg in the very corner of the view: a little wider, so that steps
-    // do not miss it.
+    // Good legs end with an iceberg in the very corner of the view, which is a little wider here so
+    // that steps do not miss it.
     constexpr double kWider_m = 3;
     const ViewWindow window(picture.sensor, viewMargin_m(picture.tracks.front().q_m2ps));
     const Point half_m = window.half_m() + Point::Constant(kWider_m);
@@ -88,7 +90,10 @@ double integrated_m2s(const PlanRequest& request, const PlanAnswer& answer)
     return zeta_m2s;
 }
 
-/** Who may go where, each iceberg in one order, times that fit. */
+/**
+ * Verifies that UAVs fly only to icebergs they may have, that each iceberg is in one order, and
+ * that times agree.
+ */
 void verifyAnswer(const PlanAnswer& answer, const PlanRequest& request)
 {
     QCOMPARE(answer.uavs.size(), request.uavs.size());
@@ -121,7 +126,7 @@ void verifyAnswer(const PlanAnswer& answer, const PlanRequest& request)
     QVERIFY(std::multiset<int>(available.begin(), available.end()) == planned);
 }
 
-/** A flight under the policy to the end of the run, each answer looked at. */
+/** Flies the policy to the end of the run and verifies each answer. */
 struct FlownFleet
 {
     double predicted_m2s = 0; ///< by the first plan
@@ -167,13 +172,16 @@ class TestCoverageFleet : public QObject
     Q_OBJECT
 
 private slots:
-    /** One iceberg that the UAV itself never sees, by hand. */
+    /**
+     * The views of others agree with a calculation by hand, for one iceberg that the UAV itself
+     * never sees.
+     */
     void viewsOfOthersByHand()
     {
         Scenario scenario = emptySea(100);
         addIceberg(scenario, 0, 9000, 4).q_m2ps = 0.02;
         addIceberg(scenario, 9000, 0, 0).q_m2ps = 0;
-        CoverageModel model(*FleetFlight(scenario).request().uavs[0].picture,
+        CoverageModel model(*FleetFlight(scenario).request().uavs[0].prediction,
                             {.length_s = 100, .rest_s = 10});
         model.setOthers({{0, 50, 60}, {0, 10, 20}, {0, 15, 30}, {0, 30, 35}});
         const auto grown_m2s = [](double from_m2, double time_s) {
@@ -188,14 +196,15 @@ private slots:
         QVERIFY(std::abs(model.sigma_m2(state, 0) - 0.02 * 40) < 1e-12);
     }
 
-    /** Own views between, within and over those of others. */
+    /** Own views may lie between, within and over those of others. */
     void viewsAreUnited()
     {
         Scenario scenario = emptySea(300);
-        addIceberg(scenario, 3300, 0, 4).q_m2ps = 0.02; // in view from 136.5 to 163.5 s
+        // The iceberg is in view from 136.5 to 163.5 s.
+        addIceberg(scenario, 3300, 0, 4).q_m2ps = 0.02;
         addIceberg(scenario, 9000, 0, 0).q_m2ps = 0;
         const PlanRequest request = FleetFlight(scenario).request();
-        const CoverageModel alone(*request.uavs[0].picture, {.length_s = 300});
+        const CoverageModel alone(*request.uavs[0].prediction, {.length_s = 300});
         CoverageState state = alone.start();
         std::vector<CoverageView> own;
         while (!alone.atEnd(state))
@@ -226,7 +235,7 @@ private slots:
         }
     }
 
-    /** Predicted zeta against an integration of the legs described, by small steps. */
+    /** Predicted zeta agrees with an integration of the legs by small steps. */
     void predictsTheFleet_data()
     {
         QTest::addColumn<int>("uavs");
@@ -246,7 +255,7 @@ private slots:
             const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
             verifyAnswer(answer, request);
             const double integrated = integrated_m2s(request, answer);
-            // A sighting by a hair may differ, and costs 3 %; as a rule 0.1 % is kept.
+            // A very close sighting may differ, which costs 3 %; the error is usually within 0.1 %.
             QVERIFY(std::abs(*answer.predictedZeta_m2s / integrated - 1) < 0.04);
             predictedSum_m2s += *answer.predictedZeta_m2s;
             integratedSum_m2s += integrated;
@@ -256,7 +265,7 @@ private slots:
         QVERIFY(std::abs(predictedSum_m2s / integratedSum_m2s - 1) < 0.01);
     }
 
-    /** Re-planned at each sighting by any of them, it comes to what was predicted, or better. */
+    /** A flight that is re-planned at each sighting has the predicted zeta, or less. */
     void fliesWhatItPredicts()
     {
         for (int seed = 1; seed <= 3; ++seed) {
@@ -280,7 +289,7 @@ private slots:
         }
     }
 
-    /** Those kept for one UAV are sought by that one alone, all the way. */
+    /** Only the UAV to which icebergs are assigned searches for them, during the whole flight. */
     void keptIcebergs()
     {
         const Scenario scenario = field(4, 2);
@@ -318,41 +327,41 @@ private slots:
         QVERIFY(!answer.predictedZeta_m2s);
     }
 
-    /** What one has in view is not taken to be in view of the other. */
+    /** An iceberg in view of one UAV is not considered in view of the other. */
     void inViewOfOne()
     {
         Scenario scenario = withUavs(emptySea(200), 2);
         addIceberg(scenario, 100, 0, 4);
         addIceberg(scenario, 3000, 1000, 4);
         const PlanRequest request = FleetFlight(scenario).request();
-        QVERIFY(request.uavs[1].picture->tracks[0].inView);
+        QVERIFY(request.uavs[1].prediction->tracks[0].inView);
         const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
         const double error = *answer.predictedZeta_m2s / integrated_m2s(request, answer) - 1;
         QVERIFY2(std::abs(error) < 0.01, qPrintable(QString::number(error)));
     }
 
-    /** A UAV that must land sooner sees nothing after that, and is no reason to look less far. */
+    /** A UAV that must land earlier sees nothing afterwards and does not shorten the horizon. */
     void unequalEndurance()
     {
         PlanRequest request = FleetFlight(field(5, 2)).request();
-        FlightPicture shorter = *request.uavs[1].picture;
+        PredictionInput shorter = *request.uavs[1].prediction;
         shorter.until_s = 300;
-        request.uavs[1].picture = std::make_shared<const FlightPicture>(shorter);
+        request.uavs[1].prediction = std::make_shared<const PredictionInput>(shorter);
         const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
         QCOMPARE(answer.uavs[0].outlook->until_s, 1000.0);
         QVERIFY(answer.uavs[1].legs.back().sighting_s <= 300 + 1e-9);
         QVERIFY(answer.uavs[0].legs.back().sighting_s > 900);
     }
 
-    /** Weights steer the search; what is predicted has none. */
+    /** Weights steer the search but do not enter the predicted zeta. */
     void weightsSteer()
     {
         PlanRequest request = FleetFlight(field(6, 2)).request();
         for (UavRequest& uav : request.uavs) {
-            FlightPicture picture = *uav.picture;
+            PredictionInput picture = *uav.prediction;
             picture.weights.assign(picture.tracks.size(), 1);
             picture.weights[3] = 50;
-            uav.picture = std::make_shared<const FlightPicture>(picture);
+            uav.prediction = std::make_shared<const PredictionInput>(picture);
         }
         const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
         const double error = *answer.predictedZeta_m2s / integrated_m2s(request, answer) - 1;

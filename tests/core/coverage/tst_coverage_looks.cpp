@@ -1,7 +1,7 @@
-#include "core/coverage/coverage_effort.h"
 #include "core/coverage/coverage_policy.h"
 #include "core/coverage/coverage_search.h"
-#include "core/coverage/described_plan.h"
+#include "core/coverage/coverage_settings.h"
+#include "core/coverage/plan_conversion.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
 #include "core/sim/plan_requests.h"
@@ -31,11 +31,11 @@ Scenario measured(Scenario scenario, double velocitySd_mps, double sd_m = 5)
 
 CoverageModel modelOf(const Scenario& scenario, double length_s = 1000)
 {
-    return CoverageModel(*planRequest(Simulation(scenario)).uavs[0].picture,
+    return CoverageModel(*planRequest(Simulation(scenario)).uavs[0].prediction,
                          {.length_s = length_s});
 }
 
-/** One iceberg ahead that comes into view on the way. */
+/** Makes a scenario with one iceberg ahead that comes into view during the flight. */
 Scenario oneAhead()
 {
     Scenario scenario = emptySea(400);
@@ -47,13 +47,16 @@ Scenario oneAhead()
 
 } // namespace
 
-/** Coverage with measurements: a look does not tell all, and to stay may pay. */
+/**
+ * Tests coverage with measurements, with which a sample leaves some sigma and keeping an iceberg in
+ * view may pay.
+ */
 class TestCoverageLooks : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** A first plan is worth what it says. */
+    /** The flight has the zeta that the first plan predicts. */
     void predictionIsFlown_data()
     {
         QTest::addColumn<double>("velocitySd_mps");
@@ -77,8 +80,10 @@ private slots:
         }
     }
 
-    /** Something comes into view where it was not expected, and with the line that was flown goes
-     * what it would have shown on the way: another order makes up for it. */
+    /**
+     * A sighting at an unexpected position ends the line, and with it the sightings it would have
+     * led to; another order makes up for them.
+     */
     void setbacksAreMadeUpFor_data()
     {
         QTest::addColumn<int>("seed");
@@ -98,7 +103,7 @@ private slots:
         }
     }
 
-    /** The information of the way through the view, and nothing more, is taken off sigma. */
+    /** Sigma is reduced by exactly the information of the path through the view. */
     void aLookLeavesSigma()
     {
         const CoverageModel model = modelOf(oneAhead());
@@ -108,12 +113,12 @@ private slots:
         const double before_m2 = model.sigma_m2(state, 0);
         QVERIFY(before_m2 > 9);
         QVERIFY(model.fly(state, holdOf(10)));
-        // Ten looks of 25 m2 each: 1 / (1 / 9.6 + 10 / 25).
+        // Ten samples of 25 m2 each leave 1 / (1 / 9.6 + 10 / 25).
         QVERIFY(std::abs(model.sigma_m2(state, 0) - 1 / (1 / before_m2 + 0.4)) < 0.15);
         QVERIFY(std::abs((state.uav.position_m - Point(state.time_s * 22, 0)).norm()) < 1e-6);
     }
 
-    /** To stay is the same as a hold straight on. */
+    /** A stay has the effect of a hold straight on. */
     void stayIsAHold()
     {
         const CoverageModel model = modelOf(oneAhead());
@@ -135,7 +140,7 @@ private slots:
         }
     }
 
-    /** A hold is flown until its end, and then a plan is asked for. */
+    /** A hold is flown to its end, and then the simulation requests a plan. */
     void holdsAreFlown_data()
     {
         QTest::addColumn<int>("side");
@@ -154,13 +159,13 @@ private slots:
         scenario.wind_mps = {0, wind_mps};
         Simulation simulation(scenario);
         const PlanRequest request = planRequest(simulation);
-        const CoverageModel model(*request.uavs[0].picture, {.length_s = 400});
+        const CoverageModel model(*request.uavs[0].prediction, {.length_s = 400});
         const CoveragePlan plan{holdOf(7.3, side), {.iceberg = 1}};
         const DescribedPlan described = describe(model, request.uavs[0], request.ids, plan);
         QCOMPARE(described.legs.size(), std::size_t{2});
         QVERIFY(described.legs[0].end_s && !described.legs[1].end_s);
         QVERIFY(std::abs(*described.legs[0].end_s - 7.3) < 1e-9);
-        QCOMPARE(described.legs[0].iceberg, 1); // what the hold is followed by
+        QCOMPARE(described.legs[0].iceberg, 1); // The iceberg is that of the leg after the hold.
         simulation.setTarget(0, 0, described.legs[0]);
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
@@ -172,13 +177,13 @@ private slots:
         QVERIFY((simulation.uav(0).pose.position_m - end_m).norm() < 0.5);
     }
 
-    /** What is believed to be anywhere is aimed at with a narrower view. */
+    /** Lines to an uncertain iceberg use a narrower view. */
     void doubtNarrowsTheView()
     {
         Scenario scenario = oneAhead();
         scenario.icebergs[0].position_m = {0, 260};
         const auto inView = [&](double sigma_m2) {
-            FlightPicture picture = *planRequest(Simulation(scenario)).uavs[0].picture;
+            PredictionInput picture = *planRequest(Simulation(scenario)).uavs[0].prediction;
             picture.tracks[0].inView = false;
             picture.tracks[0].anchor_m = {0, 260};
             picture.tracks[0].sigma_m2 = sigma_m2;
@@ -192,10 +197,10 @@ private slots:
         QVERIFY(!inView(60 * 60));
     }
 
-    /** Nobody flies to and fro between icebergs that are not found. */
+    /** No plan flies to and fro between icebergs that are not found. */
     void lostIcebergsAreWorthLess()
     {
-        FlightPicture picture = *planRequest(Simulation(oneAhead())).uavs[0].picture;
+        PredictionInput picture = *planRequest(Simulation(oneAhead())).uavs[0].prediction;
         const auto total_m2s = [&](double chance) {
             picture.tracks[0].status = TrackStatus::GivenUp;
             picture.chances = {chance, 1};
@@ -208,16 +213,16 @@ private slots:
         QVERIFY(total_m2s(0.1) < total_m2s(0));
     }
 
-    /** Places where a lost one may be are told apart: each is worth its chance, once. */
+    /** Each place of a lost iceberg counts with its own probability, once. */
     void placesOfALostOne()
     {
         const Scenario scenario = oneAhead();
-        FlightPicture picture = *planRequest(Simulation(scenario)).uavs[0].picture;
+        PredictionInput picture = *planRequest(Simulation(scenario)).uavs[0].prediction;
         picture.tracks[0].status = TrackStatus::Lost;
         picture.places = {
             {{.offset_m = {0, 600}, .chance = 0.5}, {.offset_m = {0, -600}, .chance = 0.25}}, {}};
         const CoverageModel model(picture, {.length_s = 300});
-        QCOMPARE(model.placeCount(), 3); // two icebergs and one more place
+        QCOMPARE(model.placeCount(), 3); // There are two icebergs and one more place.
         QCOMPARE(model.icebergAt(2), 0);
         CoverageState state = model.start();
         QCOMPARE(model.chanceAt(state, 0), 0.5);
@@ -226,24 +231,29 @@ private slots:
         QVERIFY(model.fly(state, {.iceberg = 0}));
         const double first_m2 = model.sigma_m2(state, 0);
         QVERIFY(first_m2 < 0.75 * unseen_m2 && first_m2 > 0.45 * unseen_m2);
-        QVERIFY(!model.fly(state, {.iceberg = 0}));                // nothing more is gained there
-        QVERIFY(std::abs(model.chanceAt(state, 2) - 0.5) < 1e-12); // of what is left
+        QVERIFY(!model.fly(state, {.iceberg = 0})); // A second view of the place changes nothing.
+        // The probability is relative to the places that remain.
+        QVERIFY(std::abs(model.chanceAt(state, 2) - 0.5) < 1e-12);
         QVERIFY(model.fly(state, {.iceberg = 2}));
-        QVERIFY(model.sigma_m2(state, 0) < first_m2); // although it has grown on the way
+        // Sigma has decreased although it grows during the flight.
+        QVERIFY(model.sigma_m2(state, 0) < first_m2);
         QVERIFY(model.fly(second, {.iceberg = 2}));
         QVERIFY(model.sigma_m2(second, 0) > first_m2);
     }
 
-    /** Where the plan looks for a lost one is told with its time and chance. */
+    /**
+     * The answer reports each place where the plan searches for a lost iceberg, with time and
+     * probability.
+     */
     void searchesAreTold()
     {
         const Scenario scenario = oneAhead();
         PlanRequest request = planRequest(Simulation(scenario));
-        FlightPicture picture = *request.uavs[0].picture;
+        PredictionInput picture = *request.uavs[0].prediction;
         picture.tracks[0].status = TrackStatus::Lost;
         picture.places = {
             {{.offset_m = {0, 600}, .chance = 0.5}, {.offset_m = {0, -600}, .chance = 0.25}}, {}};
-        request.uavs[0].picture = std::make_shared<const FlightPicture>(picture);
+        request.uavs[0].prediction = std::make_shared<const PredictionInput>(picture);
         request.uavs[0].available[0] = false;
         const std::vector<CoverageModel> models(2, CoverageModel(picture, {.length_s = 300}));
         const CoveragePlan plan{{.iceberg = 2}, {.iceberg = 0}, {.iceberg = 2}, {.iceberg = 1}};
@@ -261,7 +271,7 @@ private slots:
         QVERIFY(models[0].fly(state, plan[0]));
         QVERIFY(std::abs(alone.searches[0].time_s - state.time_s) < 1e-6);
         QVERIFY(alone.searches[1].time_s > alone.searches[0].time_s + 30);
-        // Of two UAVs the first one there has it.
+        // The search belongs to the first UAV at the place.
         request.uavs.push_back(request.uavs[0]);
         const std::vector<UavAnswer> answers =
             describeFleet(models, request, std::vector<CoveragePlan>{plan, {{.iceberg = 0}}});
@@ -271,10 +281,10 @@ private slots:
         QCOMPARE(answers[1].outlook->searches[0].chance, 0.5);
     }
 
-    /** Of several UAVs the place that another one has in view is told empty or not, once. */
+    /** A place that another UAV has in view counts as searched, once. */
     void othersSearchToo()
     {
-        FlightPicture picture = *planRequest(Simulation(oneAhead())).uavs[0].picture;
+        PredictionInput picture = *planRequest(Simulation(oneAhead())).uavs[0].prediction;
         picture.tracks[0].status = TrackStatus::Lost;
         picture.places = {
             {{.offset_m = {0, 600}, .chance = 0.5}, {.offset_m = {0, -600}, .chance = 0.25}}, {}};
@@ -289,7 +299,7 @@ private slots:
                          {.iceberg = 0, .enter_s = 10, .leave_s = 15},
                          {.iceberg = 0, .enter_s = 100, .leave_s = 105}});
         QVERIFY(model.total_m2s(model.start()) < first_m2s);
-        // The same account passed step by step.
+        // The account has the same result step by step.
         CoverageState state = model.start();
         QVERIFY(model.fly(state, holdOf(15, 1)));
         QVERIFY(model.inView(state, 0)); // nothing is gained there
@@ -299,10 +309,10 @@ private slots:
         QVERIFY(std::abs(model.total_m2s(state) / model.total_m2s(model.start()) - 1) < 1e-9);
     }
 
-    /** What is left of a plan goes on to the same places, whatever they are numbered by then. */
+    /** The rest of a plan goes to the same places, even if their numbers have changed. */
     void placesAreKept()
     {
-        FlightPicture picture = *planRequest(Simulation(oneAhead())).uavs[0].picture;
+        PredictionInput picture = *planRequest(Simulation(oneAhead())).uavs[0].prediction;
         picture.tracks[0].status = TrackStatus::Lost;
         const SearchPlace north{.offset_m = {0, 600}, .chance = 0.5};
         const SearchPlace south{.offset_m = {0, -600}, .chance = 0.25};
@@ -324,7 +334,9 @@ private slots:
         QCOMPARE(placesNow({}), (std::vector{0, 1, 0}));
     }
 
-    /** Lost ones are searched for on legs of the plan; no pattern of the autopilot interrupts it.
+    /**
+     * Legs of the plan search for lost icebergs, and no search pattern of the autopilot interrupts
+     * them.
      */
     void plansSearch_data()
     {
@@ -358,7 +370,9 @@ private slots:
         QVERIFY(2 * found > lost);
     }
 
-    /** Until a plan that takes its time is made, what is searched for by plan is not given up. */
+    /**
+     * While a slow plan is being made, the autopilot does not end the searches of the present plan.
+     */
     void searchesWaitForPlans()
     {
         int lost = 0;
@@ -375,7 +389,7 @@ private slots:
         QVERIFY(lost > 5);
     }
 
-    /** Holds are part of the plans, and plans are never worse than what they start from. */
+    /** Plans contain holds, and are never worse than those they start from. */
     void searchUsesHolds()
     {
         int holds = 0;
@@ -396,7 +410,7 @@ private slots:
         QVERIFY(holds > 0);
     }
 
-    /** Of several UAVs what another one sees is filtered too, and does not end all doubt. */
+    /** The sightings of another UAV are filtered, too, and leave some sigma. */
     void othersLookToo()
     {
         const Scenario scenario = oneAhead();
@@ -408,7 +422,7 @@ private slots:
         CoverageState waiting = model.start();
         const double total_m2s = model.total_m2s(waiting);
         QVERIFY(total_m2s < alone_m2s);
-        // The same account passed step by step.
+        // The account has the same result step by step.
         QVERIFY(model.fly(waiting, holdOf(30, 1)));
         QVERIFY(model.fly(waiting, holdOf(75, 1)));
         QVERIFY(model.sigma_m2(waiting, 0) > 1.5);
@@ -417,7 +431,7 @@ private slots:
         QVERIFY(std::abs(model.total_m2s(waiting) / total_m2s - 1) < 1e-9);
     }
 
-    /** Where ways are long a plan is judged farther ahead: a round at least takes part in it. */
+    /** The horizon is longer if paths are long, so that it holds two visits to each iceberg. */
     void farIcebergsAreJudgedByTwoRounds()
     {
         Scenario square = emptySea(8 * 3600);
@@ -425,16 +439,18 @@ private slots:
             addIceberg(square, x_m, y_m);
         const double speed_mps = square.uavs[0].spec.airspeed_mps;
         const auto length_s = [](const Scenario& scenario, std::size_t uavs = 1) {
-            const FlightPicture picture = *planRequest(Simulation(scenario)).uavs[0].picture;
-            return horizonOf(std::vector<FlightPicture>(uavs, picture)).length_s;
+            const PredictionInput picture = *planRequest(Simulation(scenario)).uavs[0].prediction;
+            return horizonOf(std::vector<PredictionInput>(uavs, picture)).length_s;
         };
-        QCOMPARE(length_s(square), 800.0); // one look tells all: as ever
+        // The horizon is the usual one because sigma is 0 in view.
+        QCOMPARE(length_s(square), 800.0);
         square = measured(square, 0.1);
-        const double two_s = 2 * 1.25 * 27000 / speed_mps; // three sides, each way a quarter more
+        // The tree has three sides, and each tour is a quarter longer.
+        const double two_s = 2 * 1.25 * 27000 / speed_mps;
         QVERIFY(two_s > 1600);
         QCOMPARE(length_s(square), two_s);
         QCOMPARE(length_s(square, 2), two_s / 2);
-        square.duration_s = 3600; // not much longer: as a whole
+        square.duration_s = 3600; // The run is not much longer, so it is judged as a whole.
         QCOMPARE(length_s(square), 3600.0);
         QCOMPARE(length_s(measured(randomScenario(1, {.icebergs = 4}), 0.1)), 1000.0);
         Scenario row = measured(emptySea(24 * 3600), 0);
@@ -443,7 +459,7 @@ private slots:
         QCOMPARE(length_s(row), 40 * 1.25 * 3000 * 49 / 50 / speed_mps);
     }
 
-    /** The same flight, whatever the planner is asked in between. */
+    /** A flight is reproduced exactly, even if the planner has other requests in between. */
     void missionsReplay()
     {
         const Scenario scenario = measured(randomScenario(4), 0.1);

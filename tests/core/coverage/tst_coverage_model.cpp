@@ -1,4 +1,4 @@
-#include "core/coverage/described_plan.h"
+#include "core/coverage/plan_conversion.h"
 #include "core/scenario/presets.h"
 #include "core/sim/plan_requests.h"
 #include "core/sim/simulation.h"
@@ -15,7 +15,7 @@ using test::emptySea;
 
 namespace {
 
-/** What flying a leg in the real simulation gave. */
+/** Predicted and flown results of legs in the simulation. */
 struct FlownPlan
 {
     double largestMiss_m = 0; ///< at leg ends, against the prediction
@@ -24,7 +24,7 @@ struct FlownPlan
     int legs = 0;
 };
 
-/** Flies one aimed leg until its iceberg is in view; passes over what else comes into view. */
+/** Flies one aimed leg until its iceberg is in view, and ignores other sightings. */
 void flyLeg(Simulation& simulation, const AimedLeg& leg, double until_s)
 {
     simulation.setTarget(0, leg.iceberg, leg);
@@ -39,8 +39,8 @@ void flyLeg(Simulation& simulation, const AimedLeg& leg, double until_s)
 }
 
 /**
- * Random legs, each predicted from where the flight before it really ended; zeta is compared leg by
- * leg, so that errors of icebergs seen by a hair are not carried on.
+ * Flies random legs. Each leg is predicted from the end of the flown leg before, and zeta is
+ * compared leg by leg, so that errors of very close sightings do not accumulate.
  */
 FlownPlan flyRandomLegs(const Scenario& scenario, int legs, Random random)
 {
@@ -48,7 +48,7 @@ FlownPlan flyRandomLegs(const Scenario& scenario, int legs, Random random)
     FlownPlan result;
     for (int k = 0; k < legs && !simulation.finished(); ++k) {
         const PlanRequest request = planRequest(simulation);
-        const CoverageModel model(*request.uavs[0].picture, {.length_s = 1e6});
+        const CoverageModel model(*request.uavs[0].prediction, {.length_s = 1e6});
         CoverageLeg leg{.offset_m = random.uniform(-1, 1) * model.largestOffset_m()};
         do
             leg.iceberg = static_cast<int>(random.below(scenario.icebergs.size()));
@@ -77,7 +77,7 @@ FlownPlan flyRandomLegs(const Scenario& scenario, int legs, Random random)
 
 CoverageModel modelOf(const Scenario& scenario, const CoverageHorizon& horizon)
 {
-    return CoverageModel(*planRequest(Simulation(scenario)).uavs[0].picture, horizon);
+    return CoverageModel(*planRequest(Simulation(scenario)).uavs[0].prediction, horizon);
 }
 
 } // namespace
@@ -87,14 +87,14 @@ class TestCoverageModel : public QObject
     Q_OBJECT
 
 private slots:
-    /** The closed form against the simulation that flies it, over random legs and scenarios. */
+    /** The closed form agrees with the simulation, over random legs and scenarios. */
     void predictsTheFlight_data()
     {
         QTest::addColumn<FovShape>("shape");
         QTest::addColumn<double>("wind_mps");
         QTest::addColumn<double>("largest_m");
         QTest::newRow("body") << FovShape::Body << 0.0 << 0.5;
-        // A corner that is planned 10 m smaller may come into view while still turning.
+        // A corner that is 10 m smaller in the plan may come into view during the turn.
         QTest::newRow("north") << FovShape::North << 0.0 << 20.0;
         QTest::newRow("disk") << FovShape::Disk << 0.0 << 2.0;
         QTest::newRow("agile") << FovShape::Body << 0.0 << 0.5;
@@ -125,11 +125,12 @@ private slots:
         qInfo("%d legs: ends within %.2f m, zeta predicted %+.4f %%", all.legs, all.largestMiss_m,
               100 * error);
         QVERIFY(all.largestMiss_m < largest_m);
-        // What the narrower planned view misses on the way is seen in flight: predicted too high.
+        // The flight sees icebergs that the narrower planned view misses, so the prediction is too
+        // high.
         QVERIFY(std::abs(error) < 0.005);
     }
 
-    /** Straight ahead: everything by hand. */
+    /** The prediction for an iceberg straight ahead agrees with a calculation by hand. */
     void oneIcebergAhead()
     {
         Scenario scenario = emptySea();
@@ -138,7 +139,8 @@ private slots:
         CoverageState state = model.start();
         std::vector<CoverageSighting> sightings;
         QVERIFY(model.fly(state, {.iceberg = 0, .offset_m = 0}, &sightings));
-        const double seen_s = (3297 - 300 + 10.0 / 3) / 22; // planned that much shorter ahead
+        // The planned view is that much shorter ahead.
+        const double seen_s = (3297 - 300 + 10.0 / 3) / 22;
         QVERIFY(std::abs(state.time_s - seen_s) < 1e-9);
         QCOMPARE(sightings.size(), std::size_t{1});
         QVERIFY(std::abs(sightings[0].time_s - seen_s) < 1e-9);
@@ -167,7 +169,7 @@ private slots:
         QVERIFY(model.sigma_m2(state, 2) > 9);
     }
 
-    /** None of many is passed over: each costs what it costs alone. */
+    /** The cost of many icebergs is the sum of their costs alone, so none is ignored. */
     void crowdIsTheSumOfAll_data()
     {
         QTest::addColumn<ObserverModel>("observer");
@@ -200,7 +202,7 @@ private slots:
     {
         Scenario scenario = emptySea();
         addIceberg(scenario, 0, 5000);
-        for (const double length_s : {3.3, 60.0}) { // in the turn, on the line
+        for (const double length_s : {3.3, 60.0}) { // The horizon ends in the turn or on the line.
             const CoverageModel model = modelOf(scenario, {.length_s = length_s});
             CoverageState state = model.start();
             QVERIFY(model.fly(state, {.iceberg = 0, .offset_m = 100}));
@@ -222,7 +224,9 @@ private slots:
         QCOMPARE(state.time_s, 0.0);
     }
 
-    /** What is seen at the very edge of the sensor is in view for the narrower planned one too. */
+    /**
+     * An iceberg seen at the very edge of the sensor is in view for the narrower planned view, too.
+     */
     void sightingsAtTheEdgeAreTakenAsTheyAre_data()
     {
         QTest::addColumn<FovShape>("shape");
@@ -238,10 +242,11 @@ private slots:
         addIceberg(scenario, 0, 299);
         const PlanRequest request = planRequest(Simulation(scenario));
         QVERIFY(!request.uavs[0].available[0]);
-        const CoverageModel seen(*request.uavs[0].picture, {.length_s = 100});
+        const CoverageModel seen(*request.uavs[0].prediction, {.length_s = 100});
         QVERIFY(seen.inView(seen.start(), 0));
-        // Said to be in the middle of the view, but not seen: it must be elsewhere.
-        FlightPicture picture = *request.uavs[0].picture;
+        // The estimate is in the middle of the view, but the iceberg is not seen, so it must be
+        // elsewhere.
+        PredictionInput picture = *request.uavs[0].prediction;
         picture.tracks[0].anchor_m = Point(20, 120);
         picture.tracks[0].inView = false;
         picture.tracks[0].sigma_m2 = 3;

@@ -27,7 +27,7 @@ std::unique_ptr<Policy> coverage()
     return makeFlownPolicy({.policy = PolicyKind::Coverage}, *solver);
 }
 
-/** The request of a planner that has this left of its last plan. */
+/** Returns the request of a planner with this rest of its last plan. */
 PlanRequest withRest(PlanRequest request, const std::vector<int>& rest)
 {
     request.uavs[0].lastRest = rest;
@@ -39,7 +39,10 @@ PlanRequest requestOf(const Scenario& scenario)
     return planRequest(Simulation(scenario));
 }
 
-/** Every available id once, the first of them sighted on the first leg, numbers that fit. */
+/**
+ * Verifies that every available id is in the order once, that the first leg sees the first one, and
+ * that the numbers agree.
+ */
 void verifyAnswer(const PlanAnswer& answer, const PlanRequest& request)
 {
     std::multiset<int> available;
@@ -53,10 +56,10 @@ void verifyAnswer(const PlanAnswer& answer, const PlanRequest& request)
     QVERIFY(answer.outcome.status == SolveStatus::Feasible);
     QVERIFY(!answer.uavs[0].legs.empty());
     QVERIFY(answer.predictedZeta_m2s.has_value());
-    double before_s = request.uavs[0].picture->time_s;
+    double before_s = request.uavs[0].prediction->time_s;
     for (const AimedLeg& leg : answer.uavs[0].legs) {
         QVERIFY(leg.sighting_s >= before_s);
-        QVERIFY(leg.sighting_s <= request.uavs[0].picture->until_s + 1e-9);
+        QVERIFY(leg.sighting_s <= request.uavs[0].prediction->until_s + 1e-9);
         before_s = leg.sighting_s;
     }
 }
@@ -68,7 +71,7 @@ class TestCoveragePolicy : public QObject
     Q_OBJECT
 
 private slots:
-    /** It took what came into view for reached, 300 to 490 m away. */
+    /** The policy once took icebergs in view for reached, 300 to 490 m away. */
     void reachRadiusIsObeyed()
     {
         int visits = 0;
@@ -103,7 +106,8 @@ private slots:
                 }
             }
         }
-        // One in two minutes of each UAV at least: it does not circle beside what it cannot reach.
+        // Each UAV has at least one visit in two minutes, so it does not circle beside an iceberg
+        // that it cannot reach.
         QVERIFY2(visits > 48 * 1.5 * 1000 / 120, qPrintable(QString::number(visits)));
     }
 
@@ -118,7 +122,7 @@ private slots:
         }
     }
 
-    /** Re-planned after each of some flown seconds. */
+    /** The policy re-plans after each of some flown seconds. */
     void rePlans()
     {
         Simulation simulation(randomScenario(3));
@@ -136,7 +140,7 @@ private slots:
         }
     }
 
-    /** A warm start costs no more than was left of the plan before. */
+    /** A plan from a warm start costs no more than the rest of the plan before. */
     void warmStartIsKept()
     {
         Scenario scenario = randomScenario(5);
@@ -154,7 +158,7 @@ private slots:
         QVERIFY(*warm.predictedZeta_m2s < 1.005 * left_m2s);
         const PlanAnswer cold = policy->plan(request, {.workLimit = 1});
         QVERIFY(!cold.outcome.hintUsed);
-        QVERIFY(*cold.predictedZeta_m2s > 1.03 * left_m2s); // greedy alone
+        QVERIFY(*cold.predictedZeta_m2s > 1.03 * left_m2s); // The plan has greedy legs only.
     }
 
     void nothingAvailable()
@@ -190,7 +194,7 @@ private slots:
         verifyAnswer(answer, request);
     }
 
-    /** New icebergs are in the next plan, and those that are gone no longer. */
+    /** New icebergs are in the next plan, and icebergs that have disappeared are not. */
     void picturesMayChange()
     {
         const std::unique_ptr<Policy> policy = coverage();
@@ -227,7 +231,7 @@ private slots:
         QVERIFY(std::is_sorted(outlook.sightings_s.begin(), outlook.sightings_s.end()));
         QCOMPARE(outlook.sightings_s.front(), answer.uavs[0].legs.front().sighting_s);
 
-        Simulation simulation(scenario); // the first of the order is seen then
+        Simulation simulation(scenario); // The first iceberg of the order is seen then.
         simulation.setTarget(0, answer.uavs[0].order.front(), answer.uavs[0].legs.front());
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
@@ -242,11 +246,13 @@ private slots:
         const PlanAnswer answer = coverage()->plan(requestOf(scenario), {.workLimit = kWork});
         QCOMPARE(answer.uavs[0].outlook->until_s, 800.0);
         QVERIFY(answer.uavs[0].outlook->zeta_m2s <
-                0.99 * *answer.predictedZeta_m2s); // judged by what is left, too
+                0.99 * *answer.predictedZeta_m2s); // The rest beyond the horizon counts, too.
         QVERIFY(answer.uavs[0].outlook->sightings_s.back() <= 800);
     }
 
-    /** Whoever watches sees the first plan get better, and changes nothing by it. */
+    /**
+     * A progress callback receives better and better first plans, and does not change the result.
+     */
     void firstPlanIsSeenImproving()
     {
         const PlanRequest request = requestOf(randomScenario(9));
@@ -266,7 +272,8 @@ private slots:
             QVERIFY(i == 0 || told[i].objective < told[i - 1].objective);
         }
         told.clear();
-        (void)policy->plan(withRest(request, answer.uavs[0].order), watched); // takes a moment only
+        // The later plan takes a moment only.
+        (void)policy->plan(withRest(request, answer.uavs[0].order), watched);
         QVERIFY(told.empty());
     }
 
@@ -284,7 +291,7 @@ private slots:
     void aPictureIsNeeded()
     {
         PlanRequest request = requestOf(randomScenario(9));
-        request.uavs[0].picture = nullptr;
+        request.uavs[0].prediction = nullptr;
         QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)coverage()->plan(request, {}));
     }
 };

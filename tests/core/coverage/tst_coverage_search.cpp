@@ -16,11 +16,11 @@ namespace {
 
 CoverageModel modelOf(const Scenario& scenario, double length_s = 1000)
 {
-    return CoverageModel(*planRequest(Simulation(scenario)).uavs[0].picture,
+    return CoverageModel(*planRequest(Simulation(scenario)).uavs[0].prediction,
                          {.length_s = length_s});
 }
 
-/** What a plan costs, flown leg by leg without the search. */
+/** Returns the cost of a plan that is flown leg by leg without the search. */
 double costOf(const CoverageModel& model, const CoveragePlan& plan)
 {
     CoverageState state = model.start();
@@ -60,7 +60,8 @@ private slots:
     {
         const CoverageModel model = modelOf(randomScenario(2));
         CoverageSearch search(model, Random(1));
-        const CoveragePlan wish{{3, 100}, {3, -100}, {7, 0}}; // the second is in view by then
+        // The iceberg of the second leg is in view by then.
+        const CoveragePlan wish{{3, 100}, {3, -100}, {7, 0}};
         const CoverageResult result = search.completed(wish);
         QVERIFY(result.plan.size() > 5);
         QVERIFY(result.plan[0] == wish[0]);
@@ -68,7 +69,7 @@ private slots:
         QVERIFY(std::abs(costOf(model, result.plan) / result.total_m2s - 1) < 1e-12);
         CoverageState state = model.start();
         for (const CoverageLeg& leg : result.plan)
-            QVERIFY(model.fly(state, leg)); // none without use
+            QVERIFY(model.fly(state, leg)); // Each leg takes time.
         QVERIFY(model.atEnd(state));
     }
 
@@ -96,7 +97,7 @@ private slots:
         QVERIFY(much_m2s < 0.98 * some_m2s);
     }
 
-    /** The guard: whatever it starts from, and however little it may do. */
+    /** The result is never worse than the start, for any start and any work limit. */
     void neverWorseThanTheStart()
     {
         const CoverageModel model = modelOf(randomScenario(4));
@@ -112,7 +113,10 @@ private slots:
         }
     }
 
-    /** Of all starts together, each better than the one before; the plan is the same without. */
+    /**
+     * The listener receives plans of all starts, each better than the one before. The search gives
+     * the same plan without a listener.
+     */
     void listenerHearsOfBetterPlans()
     {
         const CoverageModel model = modelOf(randomScenario(7));
@@ -142,7 +146,8 @@ private slots:
         const CoverageResult two = improved(model, 300'000);
         QVERIFY(one.plan == two.plan);
         QVERIFY(one.total_m2s == two.total_m2s);
-        QVERIFY(!(improved(model, 300'000, 2).plan == one.plan)); // another stream, another walk
+        // Another random stream gives another search.
+        QVERIFY(!(improved(model, 300'000, 2).plan == one.plan));
     }
 
     void stopsWhenTold()
@@ -176,7 +181,7 @@ private slots:
         QVERIFY(improved(model, 1'000'000).total_m2s < 0.98 * greedy_m2s);
     }
 
-    /** sigma 0 and no growth: every plan costs nothing, and one is still given. */
+    /** Every plan costs nothing with sigma 0 and no growth, and the search still returns one. */
     void nothingToGain()
     {
         Scenario scenario = emptySea();
@@ -187,7 +192,7 @@ private slots:
         QVERIFY(!result.plan.empty());
     }
 
-    /** All in view and slower than the UAV turns: no leg at all. */
+    /** The plan has no leg if all icebergs are in view and slower than the UAV turns. */
     void nothingToFlyTo()
     {
         Scenario scenario = emptySea();
@@ -216,7 +221,8 @@ private slots:
             if (plan.empty() || plan.size() > 40)
                 plan = anyPlan(random, 5, 12);
         }
-        QVERIFY(unchanged < 1500); // exchanged with itself, the same offset again
+        // A leg exchanged with itself, or the same offset again, changes nothing.
+        QVERIFY(unchanged < 1500);
     }
 };
 

@@ -1,4 +1,4 @@
-#include "core/coverage/described_plan.h"
+#include "core/coverage/plan_conversion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace berg {
 
 namespace {
 
-/** The available nodes in that order, and the times of the sightings there are. */
+/** Sets the available nodes in the order of their first sighting, with its time. */
 void orderBySighting(DescribedPlan& described, const UavRequest& request,
                      std::vector<CoverageSighting> sightings)
 {
@@ -22,7 +22,7 @@ void orderBySighting(DescribedPlan& described, const UavRequest& request,
         if (!wanted[i])
             continue;
         described.nodes.push_back(sighting.iceberg + 1);
-        described.outlook.sightings_s.push_back(request.picture->time_s + sighting.time_s);
+        described.outlook.sightings_s.push_back(request.prediction->time_s + sighting.time_s);
         wanted[i] = false;
     }
     for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -30,14 +30,17 @@ void orderBySighting(DescribedPlan& described, const UavRequest& request,
             described.nodes.push_back(static_cast<int>(i) + 1);
 }
 
-/** An iceberg in view now comes into view again only if it leaves it, which is hard to predict.
- * With a reach radius no sighting ends a leg whose target is in view. */
+/**
+ * Returns the time of the first sighting that can end the leg. An iceberg in view now comes into
+ * view again only after it has left the view, which is hard to predict. With an acceptance radius
+ * no sighting ends a leg whose target is in view.
+ */
 double firstSighting_s(const UavRequest& request, const std::vector<CoverageSighting>& sightings,
                        int target, double latest_s)
 {
     double near_s = std::numeric_limits<double>::infinity();
     for (const CoverageSighting& sighting : sightings)
-        if (request.picture->reachRadius_m && sighting.iceberg == target)
+        if (request.prediction->reachRadius_m && sighting.iceberg == target)
             near_s = std::min(near_s, sighting.time_s);
     double first_s = latest_s;
     for (const CoverageSighting& sighting : sightings)
@@ -47,7 +50,7 @@ double firstSighting_s(const UavRequest& request, const std::vector<CoverageSigh
     return first_s;
 }
 
-/** Of places of lost icebergs the first time that each is in view. */
+/** Adds the first view of each place of lost icebergs. */
 void addSearches(DescribedPlan& described, const CoverageModel& model, const UavRequest& request,
                  std::span<const int> ids, std::vector<CoverageView> views)
 {
@@ -58,18 +61,32 @@ void addSearches(DescribedPlan& described, const CoverageModel& model, const Uav
             std::ranges::find(described.searched, view.iceberg) != described.searched.end())
             continue;
         const auto iceberg = static_cast<std::size_t>(model.icebergAt(view.iceberg));
-        const double time_s = request.picture->time_s + view.enter_s;
+        const double time_s = request.prediction->time_s + view.enter_s;
         described.searched.push_back(view.iceberg);
         described.outlook.searches.push_back(
             {.iceberg = ids[iceberg],
-             .place_m =
-                 request.picture->tracks[iceberg].estimate_m(time_s) + model.offset_m(view.iceberg),
+             .place_m = request.prediction->tracks[iceberg].estimate_m(time_s) +
+                        model.offset_m(view.iceberg),
              .time_s = time_s,
              .chance = model.chanceAt(start, view.iceberg)});
     }
 }
 
-/** What a leg goes to; of a hold what comes after it, or was before it. */
+/** Adds the first visit of each iceberg by the patrol after the legs that end in this state. */
+void addFirstOfPatrol(std::vector<CoverageSighting>& sightings, const CoverageModel& model,
+                      const CoverageState& state)
+{
+    if (!model.tail())
+        return;
+    const double shift_s = model.tail()->shift_s(state.uav, state.time_s);
+    for (std::size_t i = 0; i < model.tail()->nextOwn_s.size(); ++i) {
+        const double time_s = std::max(state.time_s, model.tail()->nextOwn_s[i] + shift_s);
+        if (time_s < model.horizon().length_s)
+            sightings.push_back({.iceberg = static_cast<int>(i), .time_s = time_s});
+    }
+}
+
+/** Returns the iceberg of a leg; a hold has that of the next leg with one, or of the first. */
 int icebergOf(const CoveragePlan& plan, std::size_t leg)
 {
     const auto isAim = [](const CoverageLeg& other) { return !other.isHold(); };
@@ -100,25 +117,26 @@ DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
              .turn_rad = course.turn.turn_rad,
              .from_m = course.turn.end.position_m,
              .abeam_m = course.abeam_m,
-             .sighting_s = request.picture->time_s +
+             .sighting_s = request.prediction->time_s +
                            firstSighting_s(request, onLeg, leg.iceberg, state.time_s)});
         if (leg.isHold())
-            described.legs.back().end_s = request.picture->time_s + state.time_s;
+            described.legs.back().end_s = request.prediction->time_s + state.time_s;
         if (stay_s > 0)
             model.fly(state, holdOf(stay_s), &onLeg, &views);
         all.insert(all.end(), onLeg.begin(), onLeg.end());
     }
+    addFirstOfPatrol(all, model, state);
     orderBySighting(described, request, std::move(all));
     addSearches(described, model, request, ids, std::move(views));
-    described.outlook.until_s = request.picture->time_s + model.horizon().length_s;
-    state.time_s = model.horizon().length_s; // until then nothing else is seen
+    described.outlook.until_s = request.prediction->time_s + model.horizon().length_s;
+    state.time_s = model.horizon().length_s; // No further sightings are predicted until then.
     described.outlook.zeta_m2s = model.costSoFar_m2s(state);
     return described;
 }
 
 namespace {
 
-/** When a UAV's own plan first sees each iceberg that is available to any; infinity: never. */
+/** Returns the time at which a UAV's own plan first sees each available iceberg, or infinity. */
 std::vector<double> sightingsOf(const DescribedPlan& described, std::size_t icebergs)
 {
     std::vector<double> times_s(icebergs, std::numeric_limits<double>::infinity());
@@ -128,9 +146,11 @@ std::vector<double> sightingsOf(const DescribedPlan& described, std::size_t iceb
     return times_s;
 }
 
-/** A UAV whose plan sees nothing but what it searches for has the nearest iceberg that it may have,
- * with which no other UAV's plan begins and which is not the only one of another: so it is sent by
- * its plan, unless there are too few icebergs. */
+/**
+ * Assigns an iceberg to each UAV whose plan sees only the places that it searches. It gets the
+ * nearest iceberg that it may have, that no other UAV's plan begins with, and that is not the only
+ * one of another UAV. So each UAV is sent out by its plan, unless there are too few icebergs.
+ */
 void assignToEach(std::vector<int>& owner, std::span<const CoverageModel> models,
                   const PlanRequest& request, std::span<const CoveragePlan> plans)
 {
@@ -167,7 +187,7 @@ void assignToEach(std::vector<int>& owner, std::span<const CoverageModel> models
     }
 }
 
-/** In whose order each iceberg is; -1: in nobody's. */
+/** Returns the UAV whose order has each iceberg; -1 if no order has it. */
 std::vector<int> owners(std::span<const CoverageModel> models, const PlanRequest& request,
                         std::span<const CoveragePlan> plans,
                         const std::vector<std::vector<double>>& sightings_s)
@@ -192,7 +212,7 @@ std::vector<int> owners(std::span<const CoverageModel> models, const PlanRequest
     return owner;
 }
 
-/** Leaves each place to the UAV that has it in view first. */
+/** Assigns each place to the UAV that has it in view first. */
 void shareSearches(std::vector<DescribedPlan>& described)
 {
     std::map<int, double> first_s;
@@ -231,6 +251,23 @@ UavAnswer answerOf(DescribedPlan described, std::span<const double> sightings_s,
 
 } // namespace
 
+std::vector<PlannedVisit> laterVisits(const CoverageModel& model, const PlanRequest& request,
+                                      const CoveragePlan& plan, std::span<const PatrolVisit> patrol)
+{
+    CoverageState state = model.start();
+    for (const CoverageLeg& leg : plan)
+        model.fly(state, leg);
+    const double shift_s = model.tail()->shift_s(state.uav, state.time_s);
+    std::vector<PlannedVisit> visits;
+    for (const PatrolVisit& visit : patrol) {
+        const double time_s = std::max(state.time_s, visit.time_s + shift_s);
+        if (time_s < model.horizon().length_s)
+            visits.push_back({.iceberg = request.ids[static_cast<std::size_t>(visit.iceberg)],
+                              .time_s = request.uavs.front().prediction->time_s + time_s});
+    }
+    return visits;
+}
+
 std::vector<bool> availableToAny(const PlanRequest& request)
 {
     std::vector<bool> any(request.ids.size(), false);
@@ -249,7 +286,7 @@ std::vector<UavAnswer> describeFleet(std::span<const CoverageModel> models,
     std::vector<DescribedPlan> described;
     std::vector<std::vector<double>> sightings_s;
     for (std::size_t u = 0; u < models.size(); ++u) {
-        own.picture = request.uavs[u].picture;
+        own.prediction = request.uavs[u].prediction;
         described.push_back(describe(models[u], own, request.ids, plans[u]));
         sightings_s.push_back(sightingsOf(described[u], request.ids.size()));
     }

@@ -1,4 +1,4 @@
-#include "core/coverage/coverage_effort.h"
+#include "core/coverage/coverage_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,19 +9,30 @@ namespace berg {
 namespace {
 
 constexpr CoverageHorizon kHorizonPart{.length_s = 800, .rest_s = 25};
-/** A run that is not so many times as long is judged as a whole: what is left would be short. */
+/**
+ * A run that is less than this many times as long as the horizon is judged as a whole, because the
+ * rest would be short.
+ */
 constexpr double kWhole = 1.25;
-/** What a horizon holds where looks pay: so often every iceberg, or so many legs. */
+/**
+ * Horizons hold this many visits to every iceberg, or this many legs, if keeping icebergs in view
+ * pays.
+ */
 constexpr double kRoundsAhead = 2;
 constexpr double kMostLegsAhead = 40;
+/** Length of a round tour over points that are spread evenly, per length of their tree. */
+constexpr double kTourOfTree = 1.25;
 
-/** Between the estimates now: of the tree of least length (Prim). Cost: icebergs squared. */
-double spanningTree_m(const FlightPicture& picture)
+/**
+ * Returns the length of the shortest tree between the present estimates (Prim's algorithm), in time
+ * proportional to the square of the number of icebergs.
+ */
+double spanningTree_m(const PredictionInput& picture)
 {
     struct Outside
     {
         Point place_m;
-        double away_m = std::numeric_limits<double>::infinity(); ///< from the tree
+        double away_m = std::numeric_limits<double>::infinity(); ///< Distance from the tree.
     };
     std::vector<Outside> outside;
     for (const Track& track : picture.tracks)
@@ -39,10 +50,12 @@ double spanningTree_m(const FlightPicture& picture)
     return sum_m;
 }
 
-/** The longer the ways between icebergs, the farther ahead an order has to be judged. */
-double part_s(const FlightPicture& picture, std::size_t uavs)
+/**
+ * Returns the length of the part of a run that plans are judged by. It grows with the paths between
+ * icebergs.
+ */
+double part_s(const PredictionInput& picture, std::size_t uavs)
 {
-    constexpr double kTourOfTree = 1.25; // of points that are spread evenly
     if (picture.observer.model == ObserverModel::Simple)
         return kHorizonPart.length_s;
     const auto icebergs = static_cast<double>(picture.tracks.size());
@@ -54,9 +67,9 @@ double part_s(const FlightPicture& picture, std::size_t uavs)
 
 } // namespace
 
-CoverageHorizon horizonOf(std::span<const FlightPicture> pictures)
+CoverageHorizon horizonOf(std::span<const PredictionInput> pictures)
 {
-    const double until_s = std::ranges::max(pictures, {}, &FlightPicture::until_s).until_s;
+    const double until_s = std::ranges::max(pictures, {}, &PredictionInput::until_s).until_s;
     const double left_s = until_s - pictures.front().time_s;
     const double length_s = part_s(pictures.front(), pictures.size());
     return left_s <= kWhole * length_s
@@ -64,7 +77,15 @@ CoverageHorizon horizonOf(std::span<const FlightPicture> pictures)
                : CoverageHorizon{.length_s = length_s, .rest_s = kHorizonPart.rest_s};
 }
 
-bool isWeighted(const FlightPicture& picture)
+double round_s(std::span<const PredictionInput> pictures)
+{
+    double speed_mps = 0;
+    for (const PredictionInput& picture : pictures)
+        speed_mps += picture.motion.airspeed_mps;
+    return kTourOfTree * spanningTree_m(pictures.front()) / speed_mps;
+}
+
+bool isWeighted(const PredictionInput& picture)
 {
     return std::any_of(picture.weights.begin(), picture.weights.end(),
                        [](double weight) { return weight != 1; });
@@ -106,7 +127,7 @@ CoveragePlan restOf(const KeptPlan& plan, const CoverageModel& model, std::span<
     return rest;
 }
 
-void shorten(CoveragePlan& plan, const CoverageModel& model, const FlightPicture& picture,
+void shorten(CoveragePlan& plan, const CoverageModel& model, const PredictionInput& picture,
              double flown_s)
 {
     constexpr double kLeastOfHold_s = 0.05;

@@ -1,0 +1,92 @@
+#include "core/coverage/coverage_answer.h"
+
+#include "core/coverage/coverage_settings.h"
+#include "core/coverage/own_pictures.h"
+#include "core/coverage/patrol_plans.h"
+#include "core/coverage/plan_conversion.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** Returns the predicted zeta without weights; sigma at the horizon counts for `rest_s`. */
+double zeta_m2s(std::vector<PredictionInput> pictures, const FoundPlans& plans, double rest_s)
+{
+    for (PredictionInput& picture : pictures)
+        picture.weights.clear();
+    CoverageHorizon horizon = plans.horizon;
+    horizon.rest_s = rest_s;
+    std::optional<PatrolTails> tails = plans.tails;
+    if (tails)
+        tails->setIcebergs(patrolIcebergs(pictures));
+    return fleetTotal_m2s(modelsOf(pictures, horizon), plans.found.plans,
+                          tails ? &*tails : nullptr);
+}
+
+double flown_m(const PlanRequest& request, std::span<const UavAnswer> answers)
+{
+    double sum_m = 0;
+    for (std::size_t u = 0; u < answers.size(); ++u) {
+        Eigen::Index from = 0;
+        for (const int id : answers[u].order) {
+            const auto it = std::find(request.ids.begin(), request.ids.end(), id);
+            const Eigen::Index to = it - request.ids.begin() + 1;
+            sum_m += request.uavs[u].distance_m(from, to);
+            from = to;
+        }
+    }
+    return sum_m;
+}
+
+} // namespace
+
+PlanAnswer answerOf(const PlanRequest& request, const std::vector<PredictionInput>& pictures,
+                    const FoundPlans& plans)
+{
+    PlanAnswer answer{.uavs = describeFleet(plans.models, request, plans.found.plans)};
+    answer.predictedZeta_m2s = isWeighted(pictures.front())
+                                   ? zeta_m2s(pictures, plans, plans.horizon.rest_s)
+                                   : plans.found.total_m2s;
+    const double outlook_m2s = zeta_m2s(pictures, plans, 0);
+    for (std::size_t u = 0; u < answer.uavs.size(); ++u) {
+        answer.uavs[u].outlook->zeta_m2s = outlook_m2s;
+        if (plans.tails)
+            answer.uavs[u].laterVisits =
+                laterVisits(plans.models[u], request, plans.found.plans[u], plans.tails->visits(u));
+    }
+    answer.distance_m = flown_m(request, answer.uavs);
+    if (plans.isStraight) {
+        answer.predictedZeta_m2s.reset();
+        for (UavAnswer& uav : answer.uavs) {
+            uav.legs.clear();
+            uav.outlook.reset();
+        }
+    }
+    return answer;
+}
+
+void judgeAlone(PlanAnswer& answer, const PlanRequest& request)
+{
+    const UavAnswer& only = answer.uavs.front();
+    VisitOrder nodes;
+    for (const int id : only.order)
+        nodes.push_back(static_cast<int>(std::ranges::find(request.ids, id) - request.ids.begin()) +
+                        1);
+    const TvpProblem problem = restrictedTo(
+        {.distance_m = request.uavs.front().distance_m, .sigma_m2 = request.sigma_m2}, nodes);
+    VisitOrder order(nodes.size());
+    std::iota(order.begin(), order.end(), 1);
+    answer.outcome.objective = objective(problem, order);
+    answer.outcome.plan = {std::move(order)};
+    answer.problem = problemOf(problem);
+    answer.solvedIds = only.order;
+    if (only.outlook && !only.outlook->sightings_s.empty())
+        answer.distance_m = request.speed_mps * (only.outlook->sightings_s.back() -
+                                                 request.uavs.front().prediction->time_s);
+}
+
+} // namespace berg

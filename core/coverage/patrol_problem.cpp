@@ -1,0 +1,117 @@
+#include "core/coverage/patrol_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+/** Legs that are shorter than this have no direction. */
+constexpr double kNoLeg_m = 1;
+
+/**
+ * Returns the point of the disk about `centre_m` that is nearest to the onward path, or the point
+ * at which that path enters the disk.
+ */
+Point aimOf(const PatrolUav& uav, const Point& from_m, const Point& centre_m, const Point* onward_m)
+{
+    const Point toCentre_m = centre_m - from_m;
+    const double away_m = toCentre_m.norm();
+    if (onward_m != nullptr) {
+        const Point way_m = *onward_m - from_m;
+        const double length2_m2 = std::max(1.0, way_m.squaredNorm());
+        const double share = toCentre_m.dot(way_m) / length2_m2;
+        if (share > 0) {
+            const Point off_m = from_m + way_m * std::min(1.0, share) - centre_m;
+            const double off2_m2 = off_m.squaredNorm();
+            const double reach2_m2 = uav.reach_m * uav.reach_m;
+            if (off2_m2 > reach2_m2)
+                return centre_m + off_m * (uav.reach_m / std::sqrt(off2_m2));
+            const double length_m = std::sqrt(length2_m2);
+            const double entry_m = share * length_m - std::sqrt(reach2_m2 - off2_m2);
+            if (share <= 1)
+                return from_m + way_m * (std::max(0.0, entry_m) / length_m);
+        }
+    }
+    return centre_m - toCentre_m * (uav.reach_m / away_m);
+}
+
+/** Returns by how many seconds a turn of theta at the limit and the line after it take longer than
+ * the line to a place far away: (theta - sin theta) radius / speed. The arc cosine is that of
+ * Abramowitz and Stegun (1964), 4.4.45, within 7e-5. */
+double turn_s(const PatrolUav& uav, const Point& before, const Point& after)
+{
+    const double cosine = std::clamp(after.dot(before), -1.0, 1.0);
+    const double halfCosine = std::sqrt((1 + cosine) / 2);
+    const double halfSine = std::sqrt((1 - cosine) / 2);
+    const double half_rad =
+        std::sqrt(1 - halfCosine) *
+        (1.5707288 + halfCosine * (-0.2121144 + halfCosine * (0.0742610 - 0.0187293 * halfCosine)));
+    return std::max(0.0, 2 * (half_rad - halfSine * halfCosine)) * uav.radius_m / uav.speed_mps;
+}
+
+PatrolStop directLeg(const PatrolUav& uav, const PatrolStop& from, const DriftingPlace& to,
+                     const DriftingPlace* next)
+{
+    Point centre_m = to.at(from.time_s);
+    const double flight_s =
+        std::max(0.0, (centre_m - from.place_m).norm() - uav.reach_m) / uav.speed_mps;
+    centre_m += to.velocity_mps * flight_s;
+    PatrolStop stop = from;
+    stop.tookOff = false;
+    if ((centre_m - from.place_m).squaredNorm() <= uav.reach_m * uav.reach_m)
+        return stop;
+    Point onward_m = Point::Zero();
+    if (next != nullptr)
+        onward_m = next->at(from.time_s + flight_s);
+    stop.place_m = aimOf(uav, from.place_m, centre_m, next != nullptr ? &onward_m : nullptr);
+    const Point leg_m = stop.place_m - from.place_m;
+    const double length_m = leg_m.norm();
+    if (length_m < kNoLeg_m)
+        return stop;
+    stop.ahead = leg_m / length_m;
+    stop.time_s += length_m / uav.speed_mps + turn_s(uav, from.ahead, stop.ahead);
+    return stop;
+}
+
+} // namespace
+
+PatrolStop patrolStart(const PatrolUav& uav)
+{
+    PatrolStop stop{.place_m = uav.start.position_m, .ahead = uav.start.ahead};
+    if (uav.sorties)
+        stop.sortieEnd_s = uav.sorties->left_s;
+    return stop;
+}
+
+double patrolTimeHome_s(const PatrolUav& uav, const PatrolStop& from)
+{
+    const Point way_m = uav.sorties->home.at(from.time_s) - from.place_m;
+    const double length_m = way_m.norm();
+    return length_m < kNoLeg_m
+               ? 0
+               : length_m / uav.speed_mps + turn_s(uav, from.ahead, way_m / length_m);
+}
+
+PatrolStop patrolLeg(const PatrolUav& uav, const PatrolStop& from, const DriftingPlace& to,
+                     const DriftingPlace* next)
+{
+    PatrolStop stop = directLeg(uav, from, to, next);
+    if (!uav.sorties || stop.time_s + patrolTimeHome_s(uav, stop) <= from.sortieEnd_s)
+        return stop;
+    PatrolStop home = from;
+    home.time_s += patrolTimeHome_s(uav, from) + uav.sorties->ground_s;
+    home.place_m = uav.sorties->home.at(home.time_s);
+    const Point way_m = to.at(home.time_s) - home.place_m;
+    if (way_m.norm() > kNoLeg_m)
+        home.ahead = way_m.normalized();
+    home.sortieEnd_s = home.time_s + uav.sorties->length_s;
+    stop = directLeg(uav, home, to, next);
+    stop.tookOff = true;
+    if (stop.time_s + patrolTimeHome_s(uav, stop) > stop.sortieEnd_s) // No sortie is long enough.
+        stop.time_s = std::numeric_limits<double>::infinity();
+    return stop;
+}
+
+} // namespace berg
