@@ -17,22 +17,24 @@ inline constexpr double kPi = std::numbers::pi;
     return angle_rad * (180.0 / kPi);
 }
 
-/** Angle brought into [-pi, pi]. */
+/** Returns the angle brought into [-pi, pi]. */
 [[nodiscard]] inline double wrapPi(double angle_rad)
 {
     if (std::abs(angle_rad) <= kPi)
-        return angle_rad; // what the remainder would be, which is dear
+        return angle_rad; // equals the remainder, which is slow to compute
     return std::remainder(angle_rad, 2 * kPi);
 }
 
-/** The paper's psi (from the x = east axis, counter-clockwise) of a heading clockwise from north.
+/**
+ * Returns the paper's psi (counter-clockwise from the x = east axis) for a heading clockwise from
+ * north.
  */
 [[nodiscard]] inline double psiFromHeading(double heading_deg)
 {
     return wrapPi(radFromDeg(90.0 - heading_deg));
 }
 
-/** Heading in [0, 360) degrees clockwise from north of the paper's psi. */
+/** Returns the heading in [0, 360) degrees clockwise from north for the paper's psi. */
 [[nodiscard]] inline double headingFromPsi(double psi_rad)
 {
     const double heading_deg = std::fmod(90.0 - degFromRad(psi_rad), 360.0);

@@ -13,7 +13,7 @@ struct Replacement
     std::string_view plain;
 };
 
-// Longer ones first where one begins another.
+// A text that begins with another one must precede it.
 constexpr std::array kCharacters{
     Replacement{"°", "*"},      Replacement{"º", "*"},      Replacement{"˚", "*"},
     Replacement{"″", "\""},     Replacement{"”", "\""},     Replacement{"“", "\""},
@@ -70,7 +70,9 @@ struct Token
 using Tokens = std::vector<Token>;
 using TokensOrFault = std::variant<Tokens, CoordinateFault>;
 
-/** Whether commas between digits are decimal signs in this text, or a fault when one cannot tell.
+/**
+ * Returns true if commas between digits are decimal signs, or a fault if the text allows both
+ * readings.
  */
 std::variant<bool, CoordinateFault> hasDecimalCommas(const std::string& text)
 {
@@ -88,12 +90,12 @@ std::variant<bool, CoordinateFault> hasDecimalCommas(const std::string& text)
         return false;
     const bool isOneNumber = text.find_first_not_of("0123456789,+-") == std::string::npos &&
                              commas == 1 && text.find_first_of("+-", 1) == std::string::npos;
-    if (isAmbiguous || isOneNumber) // "47,48": one number or two
+    if (isAmbiguous || isOneNumber) // "47,48" may be one number or two
         return CoordinateFault::Ambiguous;
     return true;
 }
 
-/** The numbers of an angle may be joined by hyphens when letters end it: 47-03-12N. */
+/** Returns true if the hyphen joins numbers of an angle that has letters: 47-03-12N. */
 bool isHyphen(const std::string& text, std::size_t at)
 {
     return at > 0 && isDigit(text[at - 1]) && text.find_first_of("NSEW") != std::string::npos;
@@ -146,7 +148,7 @@ std::vector<std::size_t> placesOf(const Tokens& tokens, TokenKind kind, std::str
     return places;
 }
 
-/** Where the second angle begins. */
+/** Returns the index of the token at which the second angle begins. */
 std::variant<std::size_t, CoordinateFault> middleOf(const Tokens& tokens)
 {
     const std::vector<std::size_t> letters = placesOf(tokens, TokenKind::Letter);
@@ -203,7 +205,7 @@ std::variant<CoordinateAngle, CoordinateFault> angleOf(const Tokens& tokens)
             angle.letter = token.text.front();
             break;
         case TokenKind::Mark:
-            // Each mark is that of the number before it.
+            // A mark belongs to the number before it.
             if (angle.numbers.empty() || angle.numbers.size() <= marks ||
                 kMarks.find(token.text.front()) + 1 != angle.numbers.size())
                 return CoordinateFault::Unreadable;

@@ -10,28 +10,36 @@
 
 namespace berg {
 
-// The grammar of `parsePlace`: a text to the two angles it is made of.
+// Grammar of `parsePlace`: from a text to the two angles it consists of.
 
 /** One angle as written. */
 struct CoordinateAngle
 {
-    char sign = 0;                    ///< '+', '-' or none
-    char letter = 0;                  ///< N, S, E, W or none
-    std::vector<std::string> numbers; ///< one to three: degrees, minutes, seconds; decimal points
+    char sign = 0;   ///< '+', '-' or 0 if absent
+    char letter = 0; ///< N, S, E, W or 0 if absent
+    /** One to three numbers with decimal points: degrees, minutes, seconds. */
+    std::vector<std::string> numbers;
 };
 
+/** Two angles in the order written. */
 using CoordinateAngles = std::pair<CoordinateAngle, CoordinateAngle>;
 
 /**
- * ASCII for all kinds of marks (* ' "), minus signs and spaces in UTF-8; single spaces, none at the
- * end; "ø" for both cases of it.
+ * Returns the text with every kind of mark as ASCII (* ' "), minus signs and spaces as ASCII,
+ * single spaces with none at the start or end, and "ø" in lower case.
  */
 [[nodiscard]] std::string plainCharacters(std::string_view text);
 
-/** N, S, E and W in upper case for letters and words of directions in either language. */
+/**
+ * Returns the text with N, S, E and W in place of the letters and words of directions in English,
+ * Norwegian and French, and with marks (* ' ") in place of "deg", "d", "min" and "sec".
+ */
 [[nodiscard]] std::string plainDirections(const std::string& text);
 
-/** The two angles of a text of `plainDirections`, in the order written. */
+/**
+ * Returns the two angles of a text made by `plainDirections`, in the order written, or why they
+ * cannot be read.
+ */
 [[nodiscard]] std::variant<CoordinateAngles, CoordinateFault> readAngles(const std::string& plain);
 
 } // namespace berg

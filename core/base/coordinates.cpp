@@ -18,7 +18,7 @@ using GeographicLib::GeoCoords;
 using GeographicLib::GeographicErr;
 using PlaceOrFault = std::variant<LatLon, CoordinateFault>;
 
-// Latitudes of band S, whose letter also means the southern hemisphere.
+// These are the latitudes of band S, whose letter also means the southern hemisphere.
 constexpr double kBandS_deg = 32;
 constexpr double kBandT_deg = 40;
 
@@ -40,7 +40,10 @@ PlaceOrFault gridPlace(const std::string& text)
     }
 }
 
-/** UTM with the letter of a band or of a hemisphere, UPS, or MGRS; none: nothing like it. */
+/**
+ * Reads UTM with the letter of a band or hemisphere, UPS or MGRS. Returns nullopt if the text
+ * resembles none of them.
+ */
 std::optional<PlaceOrFault> readGrid(const std::string& text)
 {
     static const std::regex square(R"((\d{1,2} ?[C-X]|[ABYZ]) ?[A-Z]{2}( ?\d+){0,2})",
@@ -72,7 +75,10 @@ std::optional<PlaceOrFault> readGrid(const std::string& text)
     return gridPlace(zone + (band >= 'N' && band != 'S' ? 'n' : 's') + rest);
 }
 
-/** "+4703.2-04758.1/" as numbers that the reader of angles knows; none: nothing like it. */
+/**
+ * Returns "+4703.2-04758.1/" as numbers for the reader of angles, or nullopt if the text is not in
+ * this form.
+ */
 std::optional<std::string> fromIso6709(const std::string& text)
 {
     static const std::regex form(
@@ -108,7 +114,7 @@ std::variant<double, CoordinateFault> decode(const CoordinateAngle& angle)
         const bool isNegative = angle.sign == '-' || angle.letter == 'S' || angle.letter == 'W';
         return isNegative ? -size_deg : size_deg;
     } catch (const GeographicErr&) {
-        return CoordinateFault::Unreadable; // e.g. decimals of degrees and minutes
+        return CoordinateFault::Unreadable; // e.g. decimals in both degrees and minutes
     }
 }
 
@@ -141,7 +147,7 @@ PlaceOrFault placeOf(CoordinateAngle first, CoordinateAngle second)
         return CoordinateFault::HemisphereMissing;
     if (std::abs(place.latitude_deg) > 90)
         return CoordinateFault::Latitude;
-    const bool countsRound = second.letter == 0 && second.sign == 0; // 312 for 48 W
+    const bool countsRound = second.letter == 0 && second.sign == 0; // such as 312 for 48 W
     if (std::abs(place.longitude_deg) > 180 && !(countsRound && place.longitude_deg < 360))
         return CoordinateFault::Longitude;
     return LatLon{place.latitude_deg, withinTurn(place.longitude_deg)};
@@ -153,27 +159,27 @@ std::string_view faultText(CoordinateFault fault)
 {
     switch (fault) {
     case CoordinateFault::Empty:
-        return "There is no coordinate.";
+        return "The coordinate is missing.";
     case CoordinateFault::Unreadable:
         return "This is not a coordinate.";
     case CoordinateFault::Half:
-        return "This is half a coordinate: latitude and longitude are needed.";
+        return "This is half a coordinate. Enter latitude and longitude.";
     case CoordinateFault::Ambiguous:
-        return "This can be read in more than one way.";
+        return "This coordinate is ambiguous.";
     case CoordinateFault::HemisphereMissing:
-        return "One half of the coordinate says north, south, east or west, the other does not.";
+        return "One angle has a hemisphere (N, S, E or W), the other does not.";
     case CoordinateFault::SignAndLetter:
-        return "A sign and a letter for the same angle contradict each other.";
+        return "Give a sign or a hemisphere letter for an angle, not both.";
     case CoordinateFault::SameAxis:
-        return "Both halves of the coordinate are of the same kind.";
+        return "Both angles are latitudes, or both are longitudes.";
     case CoordinateFault::Sixty:
-        return "Minutes and seconds are less than 60.";
+        return "Minutes and seconds must be below 60.";
     case CoordinateFault::Latitude:
-        return "Latitudes go from 90 S to 90 N.";
+        return "Latitude must be between 90 S and 90 N.";
     case CoordinateFault::Longitude:
-        return "Longitudes go from 180 W to 180 E.";
+        return "Longitude must be between 180 W and 180 E.";
     case CoordinateFault::Grid:
-        return "There is no such place on the UTM or MGRS grid.";
+        return "This place does not exist on the UTM or MGRS grid.";
     }
     return {};
 }
@@ -199,7 +205,7 @@ std::string angleText(double angle_deg, CoordinateForm form, int decimals)
 {
     const int precision = std::max(0, decimals);
     const auto fields = [&](DMS::component last, int places) {
-        // Between colons, so that each mark is ours.
+        // Colons separate the parts so that the marks are added here.
         return DMS::Encode(angle_deg, last, static_cast<unsigned>(places), DMS::NONE, ':');
     };
     if (decimals < 0)

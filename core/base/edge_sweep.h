@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core/base: which edges of polygons can meet.
+// This header is private to core/base. It finds out which edges of polygons can meet.
 
 #include "core/base/geometry.h"
 
@@ -11,20 +11,20 @@
 
 namespace berg {
 
-/** From `from` to `to`; `index` is the caller's. */
+/** Edge of a polygon. The caller chooses `index`. */
 struct SweptEdge
 {
     Point from;
     Point to;
     std::size_t index = 0;
-    double begin = 0; ///< along the axis of the sweep
+    double begin = 0; ///< extent along the axis of the sweep
     double end = 0;
 };
 
 /**
- * Whether `meets(a, b)` holds for two edges. Asks only of those that overlap along one axis, the
- * one on which edges are shorter: about n log n calls for outlines of n short edges, n^2 / 2 at
- * worst. Coordinates are finite.
+ * Returns true if `meets(a, b)` holds for any two edges. Calls it only for edges that overlap along
+ * one axis, the one on which edges are shorter: about n log n calls for outlines of n short edges,
+ * n^2 / 2 at worst. Coordinates must be finite.
  */
 template <class Meets>
 [[nodiscard]] bool anyMeet(std::vector<SweptEdge> edges, const Meets& meets)

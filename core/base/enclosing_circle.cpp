@@ -11,9 +11,9 @@ namespace berg {
 
 namespace {
 
-/** So many take the cube of their number in no time, whatever their order. */
+/** Number of points for which the cubic cost does not matter. */
 constexpr std::size_t kFew = 50;
-/** Points this little outside, by the radius, are on the circle: rounding. */
+/** Relative distance outside the radius that counts as rounding. */
 constexpr double kRounding = 1e-12;
 
 bool isInside(const Circle& circle, const Point& p_m)
@@ -26,7 +26,7 @@ Circle over(const Point& a_m, const Point& b_m)
     return {.centre_m = (a_m + b_m) / 2, .radius_m = (b_m - a_m).norm() / 2};
 }
 
-/** Through all three; of three in one line, over the two farthest apart. */
+/** Circle through all three points, or over the two farthest apart if they are on a line. */
 Circle through(const Point& a_m, const Point& b_m, const Point& c_m)
 {
     const Point ab_m = b_m - a_m;
@@ -44,7 +44,7 @@ Circle through(const Point& a_m, const Point& b_m, const Point& c_m)
     return largest;
 }
 
-/** Round `points_m`, with `a_m` and `b_m` on it. */
+/** Smallest circle around `points_m` that passes through `a_m` and `b_m`. */
 Circle withTwoOn(const Point& a_m, const Point& b_m, std::span<const Point> points_m)
 {
     Circle circle = over(a_m, b_m);
@@ -54,7 +54,7 @@ Circle withTwoOn(const Point& a_m, const Point& b_m, std::span<const Point> poin
     return circle;
 }
 
-/** Round `points_m`, with `a_m` on it. */
+/** Smallest circle around `points_m` that passes through `a_m`. */
 Circle withOneOn(const Point& a_m, std::span<const Point> points_m)
 {
     Circle circle{.centre_m = a_m};
@@ -73,7 +73,10 @@ Circle around(std::span<const Point> points_m)
     return circle;
 }
 
-/** The same each time. Along a path nearly every point is outside the circle of those before. */
+/**
+ * Shuffles deterministically: in the order of a path nearly every point would be outside the circle
+ * of those before.
+ */
 std::vector<Point> shuffled(std::span<const Point> points_m)
 {
     std::vector<Point> places_m(points_m.begin(), points_m.end());

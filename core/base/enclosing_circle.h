@@ -14,14 +14,17 @@ struct Circle
 };
 
 /**
- * The smallest circle round the points, exact but for rounding, whatever their order; needs one
- * point at least, and of one alone it is that point. Cost: linear, as the order they are taken in
- * is drawn; of few, the cube at worst.
- * Welzl, Smallest enclosing disks (1991), in its iterative form.
+ * Returns the smallest circle around the points, exact except for rounding, in any order of them.
+ * It has radius 0 for a single point. Throws `std::logic_error` if there are no points. Cost:
+ * linear, because many points are taken in random order; for few points cubic at worst. Welzl,
+ * Smallest enclosing disks (1991), in its iterative form.
  */
 [[nodiscard]] Circle enclosingCircle(std::span<const Point> points_m);
 
-/** The same round the places that things of these numbers have. */
+/**
+ * Returns the smallest circle around the points `placeOf(number)`. Throws `std::logic_error` if
+ * there are no numbers.
+ */
 template <class PlaceOf>
 [[nodiscard]] Circle circleRound(std::span<const int> numbers, const PlaceOf& placeOf)
 {

@@ -5,7 +5,9 @@
 
 namespace berg {
 
-/** The first of these objects whose member `id` is this; nullptr when there is none. */
+/**
+ * Returns a pointer to the first object whose member `id` equals this id, or null if there is none.
+ */
 template <class Objects, class Id>
 [[nodiscard]] auto* findById(Objects& objects, const Id& id)
 {

@@ -1,14 +1,18 @@
 #include "core/base/geodesy.h"
 
+#include "core/base/angles.h"
+
 #include <GeographicLib/AzimuthalEquidistant.hpp>
 #include <GeographicLib/PolarStereographic.hpp>
+#include <algorithm>
 #include <cmath>
 
 namespace berg {
 
 namespace {
 
-constexpr double kArm_deg = 0.001; // short against the Earth, long against rounding
+// Short on the scale of the Earth, long compared with rounding errors.
+constexpr double kArm_deg = 0.001;
 
 const GeographicLib::AzimuthalEquidistant& projection()
 {
@@ -16,7 +20,22 @@ const GeographicLib::AzimuthalEquidistant& projection()
     return instance;
 }
 
+Eigen::Vector3d directionTo(const LatLon& place)
+{
+    const double latitude_rad = radFromDeg(place.latitude_deg);
+    const double longitude_rad = radFromDeg(place.longitude_deg);
+    return {std::cos(latitude_rad) * std::cos(longitude_rad),
+            std::cos(latitude_rad) * std::sin(longitude_rad), std::sin(latitude_rad)};
+}
+
 } // namespace
+
+double greatCircle_m(const LatLon& a, const LatLon& b)
+{
+    constexpr double kEarth_m = 6371008.8;
+    const double chord = (directionTo(a) - directionTo(b)).norm();
+    return 2 * kEarth_m * std::asin(std::min(1.0, chord / 2));
+}
 
 LocalFrame::LocalFrame(LatLon origin) : m_origin(origin) {}
 
@@ -40,7 +59,8 @@ LatLon LocalFrame::toGeographic(const Point& position_m) const
 
 double LocalFrame::trueNorth_rad(const LatLon& place) const
 {
-    const double step_deg = place.latitude_deg > 0 ? -kArm_deg : kArm_deg; // never past a pole
+    // Never steps past a pole.
+    const double step_deg = place.latitude_deg > 0 ? -kArm_deg : kArm_deg;
     const LatLon beside{.latitude_deg = place.latitude_deg + step_deg,
                         .longitude_deg = place.longitude_deg};
     const Point north_m = (toPlane(beside) - toPlane(place)) * (step_deg > 0 ? 1 : -1);

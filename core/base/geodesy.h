@@ -4,7 +4,7 @@
 
 namespace berg {
 
-/** WGS 84 position, degrees. */
+/** Position in WGS 84 degrees. */
 struct LatLon
 {
     double latitude_deg = 0;
@@ -13,9 +13,15 @@ struct LatLon
 };
 
 /**
- * Plane of east/north metres about an origin: the azimuthal equidistant projection of
- * GeographicLib (Karney 2013), exact both ways up to rounding, also at the poles and across
- * the antimeridian.
+ * Returns the distance of two places on a sphere of the Earth's mean radius, m, accurate to half a
+ * percent.
+ */
+[[nodiscard]] double greatCircle_m(const LatLon& a, const LatLon& b);
+
+/**
+ * Plane of east and north in metres around an origin: the azimuthal equidistant projection of
+ * GeographicLib (Karney 2013), exact in both directions up to rounding, also at the poles and
+ * across the antimeridian.
  */
 class LocalFrame
 {
@@ -23,11 +29,14 @@ public:
     explicit LocalFrame(LatLon origin);
 
     [[nodiscard]] LatLon origin() const { return m_origin; }
-    /** East, north in metres. */
+    /** Returns east and north of the origin in metres. */
     [[nodiscard]] Point toPlane(LatLon place) const;
-    /** Longitude in [-180, 180). */
+    /** Returns the position with longitude in [-180, 180). */
     [[nodiscard]] LatLon toGeographic(const Point& position_m) const;
-    /** Direction of true north there, radians counter-clockwise from the y axis of the plane. */
+    /**
+     * Returns the direction of true north at the place, radians counter-clockwise from the plane's
+     * y axis.
+     */
     [[nodiscard]] double trueNorth_rad(const LatLon& place) const;
 
     bool operator==(const LocalFrame&) const = default;
@@ -44,18 +53,18 @@ enum class Pole
 
 /**
  * Plane of a polar chart: the polar stereographic projection of GeographicLib with the scale of
- * UPS, 0.994 at the pole. Only the other pole has no place in it.
+ * UPS, 0.994 at the pole. It contains every place except the other pole.
  */
 class PolarFrame
 {
 public:
-    /** The meridian points down from the North Pole, up from the South Pole. */
+    /** The central meridian points down from the North Pole or up from the South Pole. */
     PolarFrame(Pole pole, double centralMeridian_deg);
 
     [[nodiscard]] Pole pole() const { return m_pole; }
-    /** Right and up from the pole in metres. */
+    /** Returns the position to the right of and above the pole, metres. */
     [[nodiscard]] Point toPlane(LatLon place) const;
-    /** Longitude in [-180, 180). */
+    /** Returns the position with longitude in [-180, 180). */
     [[nodiscard]] LatLon toGeographic(const Point& position_m) const;
 
     bool operator==(const PolarFrame&) const = default;

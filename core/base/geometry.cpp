@@ -22,7 +22,7 @@ bool onSegment(const Point& a, const Point& b, const Point& p)
            p.y() >= std::min(a.y(), b.y()) && p.y() <= std::max(a.y(), b.y());
 }
 
-/** True when edge a-b and the next edge b-c fold back on each other. */
+/** Returns true if the edges a-b and b-c fold back on each other. */
 bool foldsBack(const Point& a, const Point& b, const Point& c)
 {
     return orientation(a, b, c) == 0 && (b - a).dot(c - b) <= 0;
@@ -86,7 +86,7 @@ double distanceToEdges(std::span<const Point> polygon, const Point& p)
 
 double distanceToEdges(std::span<const Point> polygon, const Point& a, const Point& b)
 {
-    // Of two segments that do not meet, an end of one is nearest.
+    // If two segments do not meet, an end of one is nearest to the other.
     double least = std::min(distanceToEdges(polygon, a), distanceToEdges(polygon, b));
     for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
         if (segmentsMeet(polygon[j], polygon[i], a, b))

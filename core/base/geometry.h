@@ -6,46 +6,54 @@
 
 namespace berg {
 
+/** Point or vector in a plane; map points are east, north in metres. */
 using Point = Eigen::Vector2d;
 
-/** z component of the cross product: positive when `b` points to the left of `a`. */
+/** Returns the z component of the cross product, positive if `b` points to the left of `a`. */
 [[nodiscard]] inline double cross(const Point& a, const Point& b)
 {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/** Counter-clockwise. */
+/** Returns the vector turned counter-clockwise. */
 [[nodiscard]] Point turned(const Point& vector, double angle_rad);
 
-/** Even-odd test; `polygon` holds its corners once, at least three. */
+/**
+ * Returns true if `p` is inside the polygon (even-odd rule). `polygon` lists at least three
+ * corners, each once.
+ */
 [[nodiscard]] bool insidePolygon(std::span<const Point> polygon, const Point& p);
 
-/** Whether the segments from `a` to `b` and from `c` to `d` have a point in common. */
+/** Returns true if the segments from `a` to `b` and from `c` to `d` have a common point. */
 [[nodiscard]] bool segmentsMeet(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/** Of the segment from `a` to `b`, the point nearest to `p`. */
+/** Returns the point of the segment from `a` to `b` that is nearest to `p`. */
 [[nodiscard]] Point nearestOnSegment(const Point& a, const Point& b, const Point& p);
 
-/** Distance from `p` to the nearest point of the segment from `a` to `b`. */
+/** Returns the distance from `p` to the nearest point of the segment from `a` to `b`. */
 [[nodiscard]] double distanceToSegment(const Point& a, const Point& b, const Point& p);
 
-/** Distance from `p` to the nearest edge of the closed polygon, from either side. */
+/** Returns the distance from `p`, inside or outside, to the nearest edge of the closed polygon. */
 [[nodiscard]] double distanceToEdges(std::span<const Point> polygon, const Point& p);
 
-/** Distance between the segment from `a` to `b` and the nearest edge; 0 when they meet. */
+/** Returns the distance from the segment `a` to `b` to the nearest edge, or 0 if they meet. */
 [[nodiscard]] double distanceToEdges(std::span<const Point> polygon, const Point& a,
                                      const Point& b);
 
-/** True when the closed polygon neither touches nor crosses itself. Cost: corners squared. */
+/**
+ * Returns true if the closed polygon has at least three corners and neither touches nor crosses
+ * itself. Cost: quadratic at worst
+ * in the number of corners.
+ */
 [[nodiscard]] bool isSimplePolygon(std::span<const Point> polygon);
 
 /**
- * True when the edge from the end of an open path to `next` meets the path nowhere else and does
- * not fold back on its last edge. `path` holds at least one corner. Cost: corners.
+ * Returns true if the edge from the end of an open path to `next` meets the path nowhere else and
+ * does not fold back on its last edge. `path` has at least one corner. Cost: linear.
  */
 [[nodiscard]] bool isClearEdge(std::span<const Point> path, const Point& next);
 
-/** Signed area, positive when the corners run counter-clockwise. */
+/** Returns the area of the polygon, positive if the corners run counter-clockwise. */
 [[nodiscard]] double signedArea(std::span<const Point> polygon);
 
 } // namespace berg

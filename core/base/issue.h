@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/quantity.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -16,105 +18,16 @@ enum class Severity
     Hint
 };
 
-/** What a finding says. Its arguments, in order, are in the comment. */
+/** Kind of a finding; `issues.inc` has its English words and arguments. */
 enum class IssueId
 {
-    // One field by itself.
-    NotUtf8,
-    NotFinite,
-    NotFinitePair,
-    OutOfRange,     ///< lowest, highest, value
-    OutOfOpenRange, ///< what it must be above, highest, value
-    NotUtcTime,
-    AreaCorners, ///< most, count
-    AreaNotSimple,
-    NoFlyCount,    ///< most, count
-    AirspaceCount, ///< the same
-    IdEmpty,
-    IdTaken,      ///< the id, path of its owner
-    UavCount,     ///< most, count
-    IcebergCount, ///< most, count
-    TrackPoints,  ///< most, count
-    TrackPlaces,  ///< count of times, of places
-    TrackNotRising,
-    MoreFaults, ///< count
-
-    // Fields that do not fit together.
-    StepTooLong,
-    AutopilotTooSlow, ///< longest, value
-    FenceNoArea,
-    FenceCorners, ///< most, count
-    OutsideFence,
-    NoFlyCorners, ///< most, count
-    InsideNoFly,  ///< its name or path
-    InsideStandoff,
-    UnknownUav,  ///< the id
-    WindTooFast, ///< wind, id of the UAV, its airspeed
-    StrongWind,  ///< the same
-    DriftTooFast,
-    SensorIntervalTooShort,
-    CeilingTooLow, ///< floor, ceiling
-    AirspaceTimes, ///< the field that it is before, kind and name of the airspace
-    NothingToFly,  ///< endurance, what of it is not for flying at altitude
-
-    // Advice.
-    NoIcebergs,
-    AppearsTooLate,
-    UnknownMembers, ///< the first one's name
-    AreaNoFence,
-    VelocitySdUnused,
-    SeenLongAgo,   ///< hours, standard deviation in metres, in fields of view
-    OutOfViewNext, ///< minutes of a round, icebergs out of view, of so many
-    SameLayer,     ///< least difference of altitudes, metres
-    NoPathHome,
-    NoRoundTrip,
-    HomeUnused,
-    HomeNearFence,
-    NoSafeReturn,
-    StartNearFence,
-    ShutOff,
-    SlowAutopilot,
-    WindLimit, ///< wind, limit
-    GustLimit, ///< gusts, limit
-    Icing,
-    CrowdedReturn, ///< seconds that waiting for other UAVs may take
-    RecoverySlot,  ///< seconds of the endurance that are withheld for it
-    ThinReserve,   ///< seconds of the reserve that are used
-    MayNotReturn,
-    NoContact,       ///< seconds
-    DarkTakeOff,     ///< its time, when civil twilight begins: "06:40", or with another date before
-    DarkLanding,     ///< its time, when civil twilight ended, likewise
-    AirspaceEntered, ///< its kind and name, floor in metres
-    FenceUnplanned,
-    UavOutside,
-    WideTurn,
-    ReachInsideTurn,
-    ReachBeyondView,
-    OutsideArea,
-    LeavesArea,
-    SamePlace,
-    OutOfReach,
-    TooShort,
-    Fast,
-    TrackShort,
-    TrackFar,
-    AssetInIce,
-    NoSigma,
-    BeyondProof,
-    ClustersIgnored,
-    SolverUnable,
-    LongProof,
-
-// Readers, writers and solvers: their words are in the file.
 #define ISSUE(id, words) id,
-#include "core/base/reading_issues.inc"
+#include "core/base/issues.inc"
 #undef ISSUE
 };
-/** Of scenarios: the window has a sentence of its own for each. */
-inline constexpr int kScenarioIssueIds = static_cast<int>(IssueId::LongProof) + 1;
 inline constexpr int kIssueIds = static_cast<int>(IssueId::PolicyNotFlown) + 1;
 
-/** What a value of a file is, or must be. */
+/** Type of a value in a file. */
 enum class ValueKind
 {
     Null,
@@ -129,8 +42,15 @@ enum class ValueKind
     Pairs       ///< an array of an even count of numbers
 };
 
-/** In SI, as in the file. */
-using IssueArgument = std::variant<double, std::int64_t, std::string, ValueKind>;
+/** Name of a field, or path of an object, in a file. */
+struct FieldPath
+{
+    std::string path;
+    bool operator==(const FieldPath&) const = default;
+};
+
+/** A `double` is a value of the finding's field, in SI as in the file; `Amount` has its unit. */
+using IssueArgument = std::variant<double, std::int64_t, std::string, ValueKind, Amount, FieldPath>;
 
 [[nodiscard]] inline IssueArgument countOf(std::size_t number)
 {
@@ -144,19 +64,19 @@ struct IssueReason
     bool operator==(const IssueReason&) const = default;
 };
 
-/**
- * The words of an id in English, with %1, %2, ... for its arguments. Without such a place, what it
- * has for an argument follows the words in quotes.
- */
+/** Returns the English words of an id, in which %1, %2, ... stand for its arguments. */
 [[nodiscard]] std::string_view englishWords(IssueId id);
-/** "an array" */
+/** Returns the English words for a type of value, such as "an array". */
 [[nodiscard]] std::string_view englishWords(ValueKind kind);
 
-/** Such words, in whatever language, with the arguments; one that is missing is empty text. */
+/**
+ * Returns the pattern, in any language, with %1 to %9 replaced by the arguments. A missing argument
+ * becomes empty text. If the pattern has no %, the first argument follows it as `: "argument"`.
+ */
 [[nodiscard]] std::string filledIn(std::string_view pattern,
                                    const std::vector<IssueArgument>& arguments);
 
-/** The reason in English, without field and file: for JSON and for files. */
+/** Returns the reason in English, without the names of field and file. */
 [[nodiscard]] std::string englishText(const IssueReason& reason);
 
 /** One finding about a scenario or a file. */
@@ -171,7 +91,7 @@ struct Issue
     bool operator==(const Issue&) const = default;
 };
 
-/** True when at least one finding is an error. */
+/** Returns true if at least one finding is an error. */
 [[nodiscard]] bool hasErrors(const std::vector<Issue>& issues);
 
 } // namespace berg

@@ -8,10 +8,10 @@ namespace berg {
 
 namespace {
 
-/** Labels pushed together: they move as one block. */
+/** Labels that touch and move as one block. */
 struct Block
 {
-    double offsetSum = 0; ///< of the wanted middles, each less its offset within the block
+    double offsetSum = 0; ///< sum of the wanted centres, each less its offset within the block
     std::size_t first = 0;
     std::size_t count = 0;
     [[nodiscard]] double start(const LabelColumn& column) const
@@ -31,7 +31,7 @@ std::vector<double> spreadLabels(std::span<const double> wanted, const LabelColu
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return wanted[a] < wanted[b]; });
-    // Pool adjacent violators: a block that would touch the one before joins it.
+    // Pool adjacent violators: a block that would touch the previous one joins it.
     std::vector<Block> blocks;
     for (std::size_t k = 0; k < order.size(); ++k) {
         blocks.push_back({.offsetSum = wanted[order[k]], .first = k, .count = 1});

@@ -6,25 +6,26 @@
 
 namespace berg {
 
-/** A column that labels share. */
+/** Column shared by labels, in any unit. */
 struct LabelColumn
 {
     double top = 0;
     double bottom = 0;
-    double spacing = 14; ///< between the middles of neighbours
+    double spacing = 14; ///< distance between the centres of neighbours
 };
 
 /**
- * Middles of the labels in a column: as near as possible to the wanted ones (least squares), in
- * the same order, at least `spacing` apart and inside the column. As many as fit: the caller
- * passes at most (bottom - top) / spacing. Cost: n log n.
+ * Returns the centres of labels in a column: as near as possible to `wanted` (least squares), in
+ * the same order, at least `spacing` apart and inside the column. There must be at most (bottom -
+ * top) / spacing labels. Cost: n log n.
  */
 [[nodiscard]] std::vector<double> spreadLabels(std::span<const double> wanted,
                                                const LabelColumn& column);
 
 /**
- * As `spreadLabels` for as many labels as find a place within `farthest` of the wanted one, taken
- * in the order given, i.e. by importance; none for the others. Cost: n times those placed.
+ * Places as many labels as `spreadLabels` can within `farthest` of their wanted centre. Labels are
+ * tried in the given order, so the most important come first. Returns the centre of each, or
+ * nullopt for labels without a place. Cost: n times the number placed.
  */
 [[nodiscard]] std::vector<std::optional<double>>
 nameableLabels(std::span<const double> wanted, const LabelColumn& column, double farthest);

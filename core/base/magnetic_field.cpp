@@ -24,7 +24,7 @@ struct GaussCoefficient
     int order = 0;
     double g_nanotesla = 0;
     double h_nanotesla = 0;
-    double gChange_nanotesla = 0; ///< a year
+    double gChange_nanotesla = 0; ///< change per year
     double hChange_nanotesla = 0;
 };
 
@@ -32,7 +32,7 @@ constexpr std::array<GaussCoefficient, 90> kCoefficients{{
 #include "core/base/magnetic_coefficients.inc"
 }};
 
-/** The coefficients of one year, sorted by their order as GeographicLib wants them. */
+/** Coefficients of one year, sorted by order as GeographicLib requires. */
 struct Harmonics
 {
     std::vector<double> cosines = std::vector<double>((kDegree + 1) * (kDegree + 2) / 2);
@@ -46,7 +46,7 @@ Harmonics harmonicsOf(double year)
         const int packed = c.order * kDegree - c.order * (c.order - 1) / 2 + c.degree;
         const auto place = static_cast<std::size_t>(packed);
         harmonics.cosines[place] = c.g_nanotesla + (year - kEpoch_year) * c.gChange_nanotesla;
-        if (c.order > 0) // the sines begin behind those of order 0
+        if (c.order > 0) // the sines follow those of order 0
             harmonics.sines[place - (kDegree + 1)] =
                 c.h_nanotesla + (year - kEpoch_year) * c.hChange_nanotesla;
     }
@@ -69,7 +69,7 @@ std::optional<MagneticField> magneticField(LatLon place, double height_m, double
     std::vector<double> rotation(9); // from east, north, up
     GeographicLib::Geocentric::WGS84().Forward(place.latitude_deg, place.longitude_deg, height_m,
                                                x_m, y_m, z_m, rotation);
-    std::array<double, 3> slope{}; // nT/m by the radius
+    std::array<double, 3> slope{}; // nT/m along the radius
     potential(x_m, y_m, z_m, slope[0], slope[1], slope[2]);
     const auto along = [&](std::size_t axis) {
         return -kRadius_m * (rotation[axis] * slope[0] + rotation[axis + 3] * slope[1] +

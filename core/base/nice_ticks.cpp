@@ -10,7 +10,7 @@ namespace {
 constexpr std::array<double, 17> kTimeSteps_s = {
     1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 21600, 43200, 86400};
 
-/** Smallest round step at or above `value` > 0. */
+/** Returns the smallest round step at or above `value` > 0. */
 double roundUp(double value)
 {
     const double decade = std::pow(10.0, std::floor(std::log10(value)));
@@ -48,7 +48,7 @@ NiceTicks niceTicksAround(double lowest, double highest, int most)
         return static_cast<int>(std::ceil(extent / step - 1e-9));
     };
     NiceTicks ticks{.step = roundUp((top - lowest) / std::max(most, least))};
-    // 0 is a tick: that may take one step more than the range has.
+    // 0 must be a tick, which may take one step more than the range.
     while (steps(-lowest, ticks.step) + steps(top, ticks.step) > std::max(most, least))
         ticks.step = roundUp(1.01 * ticks.step);
     ticks.below = steps(-lowest, ticks.step);
@@ -63,12 +63,13 @@ NiceTicks niceTicksExactly(double largest, int count)
 
 NiceRange niceRange(double least, double largest, int most)
 {
-    // A single value has no extent: a tenth of it, so that it is in the middle.
+    // A single value has no extent; a tenth of the value puts it in the middle.
     const double extent =
         largest > least ? largest - least : std::max(0.1 * std::abs(largest), 1e-3);
     const double low = largest > least ? least : least - extent / 2;
     const double high = largest > least ? largest : largest + extent / 2;
-    // Round ends may need one step more than the extent: try until they fit.
+    // Round ends may need one more step than the extent, so smaller counts are tried until they
+    // fit.
     for (int wanted = most;; --wanted) {
         const double step = niceTicks(extent, std::max(1, wanted)).step;
         const double first = std::floor(low / step + 1e-9) * step;

@@ -39,7 +39,7 @@ std::string decimalText(double value)
 
 std::string fixedText(double value, int decimals)
 {
-    std::array<char, 400> buffer{}; // 309 digits before the point at most
+    std::array<char, 400> buffer{}; // at most 309 digits before the point
     char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                     std::chars_format::fixed, decimals)
                           .ptr;

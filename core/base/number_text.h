@@ -5,35 +5,41 @@
 
 namespace berg {
 
-// All the ways in which numbers are written, independent of the locale.
+// These functions write all numbers of the program. None depends on the locale.
 
 /**
- * Shortest text that reads back as the same double: digits from 1e-5 to 1e15, which 1e+05 is not
- * easier to read than, and else with an exponent. For files, tables and messages.
+ * Returns the shortest text that reads back as the same double, for files, tables and messages. It
+ * has plain digits from 1e-5 to 1e15 and an exponent otherwise.
  */
 [[nodiscard]] std::string numberText(double value);
 
-/** The same without a string of its own, for tables of many rows. */
+/** Appends the text of `numberText`, without a temporary string, for tables of many rows. */
 void appendNumber(std::string& text, double value);
 
-/** The same, never with an exponent: for XML decimals. */
+/** Returns the shortest exact text without an exponent, for decimals in XML. */
 [[nodiscard]] std::string decimalText(double value);
 
-// For people to read in reports and on terminals.
+// The functions below serve people who read reports and terminals.
 
-/** `decimals` after the point, rounded; never "-0". */
+/** Returns the rounded value with `decimals` after the point; never "-0". */
 [[nodiscard]] std::string fixedText(double value, int decimals);
 
-/** As `fixedText`, thousands apart: 84213.4 -> "84 213" with decimals = 0 and separator = " ". */
+/**
+ * Returns `fixedText` with the thousands separated: 84213.4 gives "84 213" with decimals = 0 and
+ * separator = " ".
+ */
 [[nodiscard]] std::string groupedText(double value, int decimals, std::string_view separator);
 
-/** As `groupedText` with thin spaces that do not break, and a true minus sign: for documents. */
+/** Returns `groupedText` with thin non-breaking spaces and a true minus sign, for documents. */
 [[nodiscard]] std::string printedNumber(double value, int decimals);
 
-/** As `printedNumber`, with the sign of a difference: "+2.9", "0.0". */
+/** Returns `printedNumber` with the sign of a difference: "+2.9", "0.0". */
 [[nodiscard]] std::string signedNumber(double value, int decimals);
 
-/** Decimals that show `digits` significant digits of values of this size, 0 .. 9. */
+/**
+ * Returns the decimals, 0 to 9, that show `digits` significant digits of values of this size; 0 if
+ * the size is 0 or not finite.
+ */
 [[nodiscard]] int decimalsFor(double size, int digits);
 
 } // namespace berg

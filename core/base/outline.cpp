@@ -13,13 +13,15 @@ namespace berg {
 namespace {
 
 constexpr int kArcsOfCircle = 24;
-/** Of the outline of a polygon that is not convex: where some are left out, the rest is joined in a
- * straight line. */
+/**
+ * Number of places at which the outline of a non-convex polygon is computed; straight lines join
+ * them.
+ */
 constexpr std::size_t kPlacesOfEdges = 2400;
 constexpr std::size_t kMostStepsOfEdge = 48;
-constexpr double kAll = 1 - 1e-9; ///< of a distance that is kept, but for rounding
+constexpr double kAll = 1 - 1e-9; ///< factor on distances that allows for rounding
 
-/** Along a circle from the direction of `normal` on, about it: a tangent polygon. */
+/** Appends an arc around the centre from the direction of `normal` on, as a tangent polygon. */
 void appendArc(std::vector<Point>& outline, const Point& centre_m, const Point& normal,
                double turn_rad, double radius_m)
 {
@@ -30,14 +32,14 @@ void appendArc(std::vector<Point>& outline, const Point& centre_m, const Point& 
                                             std::cos(half_rad));
 }
 
-/** Angle by which the edges turn left at a corner; half a turn at the end of a line. */
+/** Returns the angle by which edges turn left at a corner, half a turn at the end of a line. */
 double turnAt(const Point& in, const Point& out)
 {
     const double side = cross(in, out);
     return side == 0 && in.dot(out) < 0 ? kPi : std::atan2(side, in.dot(out));
 }
 
-/** Round a polygon that runs counter-clockwise, without equal corners beside each other. */
+/** Grows a counter-clockwise polygon without consecutive equal corners. */
 class Growth
 {
 public:
@@ -72,19 +74,19 @@ private:
         return m_corners_m[i % m_corners_m.size()];
     }
     [[nodiscard]] Point edge(std::size_t i) const { return at(i + 1) - at(i); }
-    /** Outwards. */
+    /** Outward unit normal of an edge. */
     [[nodiscard]] Point normal(std::size_t i) const
     {
         const Point along = edge(i).normalized();
         return {along.y(), -along.x()};
     }
-    /** Of the grown polygon, or on its outline. */
+    /** Returns true if the place is outside the grown polygon or on its outline. */
     [[nodiscard]] bool isOutside(const Point& place_m) const
     {
         return distanceToEdges(m_corners_m, place_m) >= m_by_m * kAll &&
                !insidePolygon(m_corners_m, place_m);
     }
-    /** Without corners on straight lines. */
+    /** Appends a place and removes a corner on a straight line. */
     static void append(std::vector<Point>& outline_m, const Point& place_m)
     {
         constexpr double kStraight_m = 1e-6;
@@ -105,7 +107,7 @@ private:
     bool m_isConvex = true;
 };
 
-/** Whether the outline is one line that comes nowhere nearer to the polygon inside it. */
+/** Returns true if the outline is a single line that surrounds the polygon at the distance. */
 bool isRound(std::span<const Point> outline_m, std::span<const Point> polygon_m, double by_m)
 {
     if (outline_m.size() < 3 || !insidePolygon(outline_m, polygon_m.front()))
@@ -144,7 +146,7 @@ std::vector<Point> convexHull(std::vector<Point> points)
                 hull.pop_back();
             hull.push_back(point);
         }
-        hull.pop_back(); // the first one of the other half
+        hull.pop_back(); // it is the first of the other half
         if (!isUpper)
             std::reverse(points.begin(), points.end());
     }

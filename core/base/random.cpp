@@ -32,7 +32,7 @@ std::uint64_t stableHash(std::string_view text)
 
 Random::Random(std::uint64_t seed, std::uint64_t stream)
 {
-    // The stream is scrambled before it is mixed in, so that (1, 2) and (2, 1) differ.
+    // The stream is scrambled before mixing, so that (1, 2) and (2, 1) differ.
     std::uint64_t x = stream;
     x = seed ^ splitmix(x);
     for (std::uint64_t& word : m_state)

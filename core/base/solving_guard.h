@@ -5,28 +5,29 @@
 namespace berg {
 
 /**
- * While one lives, planning and flying on its thread is a bug: `requireSolvingAllowed` throws
- * there. For threads that must stay responsive. To be destroyed on the thread that made it.
+ * Forbids planning and flying on its thread while it exists: `requireSolvingAllowed` throws there.
+ * For threads that must stay responsive. Must be destroyed on the thread that created it.
  */
-class ForbidSolving
+class NoBlockingScope
 {
 public:
-    ForbidSolving() { ++s_guards; }
-    ~ForbidSolving() { --s_guards; }
-    ForbidSolving(const ForbidSolving&) = delete;
-    ForbidSolving& operator=(const ForbidSolving&) = delete;
+    NoBlockingScope() { ++s_guards; }
+    ~NoBlockingScope() { --s_guards; }
+    NoBlockingScope(const NoBlockingScope&) = delete;
+    NoBlockingScope& operator=(const NoBlockingScope&) = delete;
 
 private:
     friend void requireSolvingAllowed();
 
-    inline static thread_local int s_guards = 0; ///< of this thread
+    inline static thread_local int s_guards = 0; ///< number of scopes on this thread
 };
 
-/** At the door of everything that may take long. Throws `std::logic_error` where it is forbidden.
+/**
+ * Guards every function that may take long. Throws `std::logic_error` inside a `NoBlockingScope`.
  */
 inline void requireSolvingAllowed()
 {
-    require(ForbidSolving::s_guards == 0,
+    require(NoBlockingScope::s_guards == 0,
             "planning or flying on a thread that must stay responsive");
 }
 

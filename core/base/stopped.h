@@ -4,11 +4,12 @@
 
 namespace berg {
 
-/** Thrown out of work that was to be stopped: nothing has come of it. No `std::exception`. */
+/** Thrown when work is cancelled; there is no result. Not derived from `std::exception`. */
 struct Stopped
 {
 };
 
+/** Throws `Stopped` if a stop was requested. */
 inline void throwIfStopped(const std::stop_token& stop)
 {
     if (stop.stop_requested())

@@ -13,7 +13,7 @@ using std::chrono::hours;
 
 constexpr hours kHalfDay{12};
 constexpr double kDay_s = 86400;
-constexpr double kMinutesPerDegree = 4; ///< the earth turns a degree in
+constexpr double kMinutesPerDegree = 4; ///< time in which the Earth turns by one degree
 
 double sinDeg(double angle_deg)
 {
@@ -27,15 +27,15 @@ double cosDeg(double angle_deg)
 struct Sun
 {
     double declination_deg = 0;
-    double equation_min = 0; ///< of time: apparent less mean solar time
+    double equation_min = 0; ///< equation of time: apparent less mean solar time
 };
 
-/** Meeus, chapters 21, 24 and 27, low accuracy, as in NOAA's spreadsheet. */
+/** Position of the sun: Meeus, chapters 21, 24 and 27, low accuracy, as in NOAA's spreadsheet. */
 Sun sunAt(SunTime time)
 {
     using namespace std::chrono;
     constexpr double kCentury_d = 36525;
-    constexpr sys_days kEpoch{year(2000) / January / 1}; // J2000.0 is its noon
+    constexpr sys_days kEpoch{year(2000) / January / 1}; // J2000.0 is noon of this day
     const double days_d = duration<double>(time - kEpoch).count() / kDay_s - 0.5;
     const double t = days_d / kCentury_d;
     const double meanLongitude_deg = 280.46646 + t * (36000.76983 + t * 0.0003032);
@@ -61,7 +61,7 @@ Sun sunAt(SunTime time)
             .equation_min = kMinutesPerDegree * degFromRad(equation_rad)};
 }
 
-/** Hour angle of the sun, degrees in [-180, 180]: 0 at solar noon, positive after it. */
+/** Hour angle of the sun, degrees in [-180, 180], 0 at solar noon and positive after it. */
 double hourAngle_deg(SunTime time, const Sun& sun, double longitude_deg)
 {
     using namespace std::chrono;
@@ -78,7 +78,7 @@ SunTime nearestNoon(SunTime time, LatLon place)
     return time - milliseconds(std::llround(60'000 * after_min));
 }
 
-/** When the sun passes the elevation between two times at which it is on either side of it. */
+/** Returns when the sun passes the elevation between two times on either side of it. */
 SunTime crossing(SunTime below, SunTime above, LatLon place, double elevation_deg)
 {
     using std::chrono::abs;

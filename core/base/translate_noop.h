@@ -1,5 +1,6 @@
 #pragma once
 
-// Marks words for lupdate, which knows them by this name; what the program does with them is its
-// own affair. Without Qt, and token by token what Qt says, so that both may be included.
+// Marks texts for lupdate, which recognises the macro's name. The definition equals Qt's token by
+// token, so both headers may be included; it needs no Qt.
 #define QT_TRANSLATE_NOOP(scope, x) x
+#define QT_TRANSLATE_N_NOOP(scope, x) x // with a count, %n

@@ -8,14 +8,14 @@
 #include <functional>
 #include <utility>
 
-// What every solve by COIN needs to keep quiet and to stop in time.
+// These classes keep COIN quiet and stop its solves in time.
 
 namespace berg {
 
-/** True once the solve must end, and ever after. */
+/** Returns true once the solve must end, and from then on. */
 using CoinStop = std::function<bool()>;
 
-/** Swallows everything: CBC raises log levels by itself and aborts after severe messages. */
+/** Swallows all messages: CBC raises log levels by itself and aborts after severe messages. */
 class SilentHandler final : public CoinMessageHandler
 {
 public:
@@ -43,8 +43,8 @@ private:
 };
 
 /**
- * Clp that solves nothing any more after a stop. CBC tidies up with several relaxations then, each
- * of which would cost its preparation before the stopper is asked.
+ * A Clp that solves nothing after a stop. CBC then tidies up with several relaxations, each of
+ * which would pay for its setup before consulting the stopper.
  */
 class StoppableClp final : public OsiClpSolverInterface
 {

@@ -12,7 +12,7 @@ namespace berg {
 
 namespace {
 
-/** What the slack is scaled to, so that Clp's absolute tolerances fit. */
+/** Scaled value of the slack, chosen to suit Clp's absolute tolerances. */
 constexpr double kScaledSlack = 1000;
 
 void load(const CbcPartition& partition, OsiClpSolverInterface& solver)

@@ -4,7 +4,10 @@
 
 namespace berg {
 
-/** Set partitioning by CBC's branch and cut. Throws `Error{SolverFailed}` when CBC fails. */
+/**
+ * Solves a set partitioning problem by CBC's branch and cut. Throws `Error{SolverFailed}` if CBC
+ * fails.
+ */
 [[nodiscard]] CbcChoice bestPartition(const CbcPartition& partition);
 
 } // namespace berg

@@ -7,10 +7,9 @@ namespace berg {
 
 namespace {
 
-/** Costs are scaled to this median, so that Clp's absolute tolerances fit whatever mu and sigma. */
+/** Median to which costs are scaled, to suit Clp's absolute tolerances for any mu and sigma. */
 constexpr double kMedianCost = 100;
-/** Bounds are lowered by this share of sum(sigma t) + mu D: they are as exact as Clp's tolerances.
- */
+/** Share of sum(sigma t) + mu D by which bounds are lowered, because Clp has tolerances. */
 constexpr double kBoundMargin = 1e-7;
 
 double scaleOf(const MilpModel& milp)
@@ -53,7 +52,7 @@ double CbcRun::searchGap() const
 bool CbcRun::mustStop()
 {
     if (!m_stopped)
-        m_stopped = m_failure ? StopReason::Cancelled : m_watch.cut();
+        m_stopped = m_failure ? StopReason::Cancelled : m_watch.stopReason();
     return m_stopped.has_value();
 }
 
@@ -84,7 +83,7 @@ void CbcRun::report() const
         m_watch.report({m_best}, m_bestObjective, m_bound);
 }
 
-void CbcRun::reportNowAndThen()
+void CbcRun::reportAtIntervals()
 {
     constexpr double kEvery_s = 0.1;
     if (m_stopwatch.elapsed_s() < m_reported_s + kEvery_s)

@@ -26,7 +26,7 @@ namespace berg {
 
 namespace {
 
-/** Above it CbcModel takes some values of the node limit for debugging switches. */
+/** Largest node limit; CbcModel takes some higher values for debugging switches. */
 constexpr std::int64_t kLargestNodeLimit = 900'000'000;
 
 double coinBound(double value)
@@ -40,7 +40,7 @@ void harvestFrom(CbcRun& run, const CbcModel& model)
         run.harvest({model.bestSolution(), run.milp().columns.size()});
 }
 
-/** Incumbents, bound and stop of the search tree. */
+/** Passes on incumbents, bound and stop of the search tree. */
 class SearchWatcher final : public CbcEventHandler
 {
 public:
@@ -52,12 +52,12 @@ public:
         const bool stopping = m_run->mustStop();
         // CBC's heuristics search models of their own with a copy of this handler.
         if (m_run->isMain(model_)) {
-            // Only then the bound is that of all open nodes.
+            // Only in this event the bound covers all open nodes.
             if (which == treeStatus && !stopping)
                 m_run->raiseBound(model_->getBestPossibleObjValue());
             m_run->guard([this] {
                 harvestFrom(*m_run, *model_);
-                m_run->reportNowAndThen();
+                m_run->reportAtIntervals();
             });
         }
         return stopping ? stop : noAction;
@@ -68,8 +68,9 @@ private:
 };
 
 /**
- * `AdmissibleFlow` for CBC. It closes most of the gap of the position-indexed relaxation; beside
- * it Probing, Gomory, MIR, clique and zero-half cuts cost more time than they save.
+ * Separates the cuts of `AdmissibleFlow` for CBC. They close most of the gap of the
+ * position-indexed relaxation; with them Probing, Gomory, MIR, clique and zero-half cuts cost more
+ * time than they save.
  */
 class AdmissibleFlowCuts final : public CglCutGenerator
 {
@@ -110,7 +111,7 @@ private:
     const AdmissibleFlow* m_flow;
 };
 
-/** `roundRelaxation` for CBC: an incumbent from every relaxation. */
+/** Applies `roundRelaxation` for CBC, which gives an incumbent from every relaxation. */
 class RelaxationRounding final : public CbcHeuristic
 {
 public:
@@ -137,7 +138,7 @@ private:
             return false;
         const std::vector<double> columns = encode(milp, order);
         if (decode(milp, columns) != order)
-            return false; // flies an arc that the reduced model does not have
+            return false; // it uses an arc missing in the reduced model
         std::copy(columns.begin(), columns.end(), newSolution);
         objectiveValue = value;
         return true;
@@ -180,14 +181,14 @@ void load(const CbcRun& run, OsiClpSolverInterface& solver)
             solver.setInteger(static_cast<int>(c));
 }
 
-/** Limits, gap and starting incumbent. */
+/** Sets limits, gap and starting incumbent. */
 void configure(CbcModel& model, const CbcRun& run)
 {
     const SolveOptions& options = run.options();
     model.setIntegerTolerance(1e-6);
     model.setAllowableGap(0);
     model.setAllowableFractionGap(run.searchGap());
-    model.setPrintFrequency(1); // looks at the gap and calls the watcher at every node
+    model.setPrintFrequency(1); // CBC then checks the gap and calls the watcher at every node
     model.setUseElapsedTime(true);
     if (options.timeLimit_s)
         model.setMaximumSeconds(std::max(0.0, *options.timeLimit_s - run.elapsed_s()));
@@ -222,7 +223,7 @@ std::string detailOf(const CbcModel& model)
            " nodes, " + std::to_string(model.getIterationCount()) + " simplex iterations";
 }
 
-/** Status and reason, `run` and CBC put together; the order of the questions matters. */
+/** Derives status and reason from `run` and CBC. The order of the tests matters. */
 void conclude(const CbcModel& model, const CbcRun& run, SolveOutcome& outcome)
 {
     const Ending ending = endingOf(model);
@@ -270,7 +271,8 @@ SolveOutcome branchAndCut(const OsiClpSolverInterface& relaxation, CbcRun& run)
     if (!run.stopped()) {
         harvestFrom(run, model);
         if (endingOf(model) == Ending::Gap)
-            run.raiseBound(model.getBestPossibleObjValue()); // what the gap was measured with
+            // The bound by which the gap was measured.
+            run.raiseBound(model.getBestPossibleObjValue());
     }
     run.setMain(nullptr);
 
@@ -291,8 +293,9 @@ SolveOutcome search(CbcRun& run)
     load(run, solver);
     constexpr int kNoScaling = 0;
     if (!run.milp().hasOrderColumns)
-        solver.getModelPtr()->scaling(kNoScaling); // its coefficients are 1 and -1
-    // The dual simplex, because initialSolve() begins with a crash that does not ask the stopper.
+        solver.getModelPtr()->scaling(kNoScaling); // the coefficients are 1 and -1
+    // The dual simplex is used because initialSolve() begins with a crash that does not consult the
+    // stopper.
     solver.resolve();
     if (run.mustStop())
         return {.status = run.best().empty() ? SolveStatus::None : SolveStatus::Feasible,
@@ -304,7 +307,7 @@ SolveOutcome search(CbcRun& run)
     return branchAndCut(solver, run);
 }
 
-/** Ended before the search; the hint, if any, comes back. */
+/** Returns the outcome of a solve that ended before the search, with the hint as its plan. */
 SolveOutcome unsolved(const FleetPlan& hint, StopReason reason)
 {
     return {.status = hint.empty() ? SolveStatus::None : SolveStatus::Feasible,
@@ -342,7 +345,7 @@ SolveOutcome solveReduced(const TvpProblem& problem, const SolveOptions& options
     if (!reduced.incumbent.empty())
         incumbent = {reduced.incumbent};
     SolveOutcome outcome;
-    if (const std::optional<StopReason> cut = watch.cut()) {
+    if (const std::optional<StopReason> cut = watch.stopReason()) {
         outcome = unsolved(incumbent, *cut);
     } else {
         SolveOptions warm = options;

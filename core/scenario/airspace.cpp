@@ -1,8 +1,8 @@
 #include "core/scenario/airspace.h"
 
 #include "core/base/outline.h"
-#include "core/scenario/checks.h"
 #include "core/scenario/operation.h"
+#include "core/scenario/text_checks.h"
 
 #include <charconv>
 #include <chrono>
@@ -11,7 +11,7 @@ namespace berg {
 
 namespace {
 
-/** Seconds since 1970 of a text that `isUtcTime`. */
+/** Returns the seconds since 1970 for a text accepted by `isUtcTime`. */
 double seconds(const std::string& text)
 {
     const auto number = [&](std::size_t from, std::size_t length) {
@@ -68,7 +68,7 @@ std::vector<Issue> airspaceIssues(const Scenario& scenario)
                  path + ".area_m",
                  {.id = IssueId::AirspaceEntered,
                   .arguments = {titleOf(area).empty() ? path : printable(titleOf(area)),
-                                area.floor_m}}});
+                                Amount{area.floor_m, Quantity::Height}}}});
     }
     return issues;
 }

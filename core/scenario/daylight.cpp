@@ -1,6 +1,6 @@
 #include "core/scenario/daylight.h"
 
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <algorithm>
 #include <optional>
@@ -16,7 +16,10 @@ std::string padded(int value, std::size_t width)
     return std::string(width - std::min(width, digits.size()), '0') + digits;
 }
 
-/** "06:40", on another day than `day` "2027-01-16 06:40"; the minute that has begun. */
+/**
+ * Returns the time as "06:40", or with its date as "2027-01-16 06:40" if that differs from `day`.
+ * The time is cut to the minute.
+ */
 std::string clockOn(SunTime day, SunTime time)
 {
     using namespace std::chrono;

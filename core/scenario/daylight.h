@@ -8,17 +8,20 @@
 
 namespace berg {
 
-/** When and where a flight begins and ends. */
+/** Times and places of the start and end of a flight. */
 struct FlightHours
 {
-    std::optional<SunTime> takeOff; ///< nullopt: it is aloft already
+    std::optional<SunTime> takeOff; ///< empty if it is already aloft
     SunTime landing;
     LatLon from;
     LatLon to;
 };
 
-/** Warnings of UAV number `index` of the scenario if it takes off or lands outside of daylight and
- * civil twilight, with the end of the dark that is nearer to the day. */
+/**
+ * Returns warnings for UAV number `index` of the scenario if it takes off or lands outside daylight
+ * and civil twilight: for take-off with the next time of sufficient light, for landing with the
+ * last one before. There is no warning if no such time exists within a year.
+ */
 [[nodiscard]] std::vector<Issue> daylightIssues(std::size_t index, const FlightHours& flight);
 
 } // namespace berg

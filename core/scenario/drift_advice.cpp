@@ -1,16 +1,18 @@
 #include "core/scenario/drift_advice.h"
 
 #include "core/scenario/findings.h"
+#include "core/tracking/position_error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace berg {
 
 namespace {
 
-/** More looks at one visit say little more. */
+/** More samples per visit hardly improve the estimate. */
 constexpr double kMostLooks = 100;
 
 SensorSpec sensorOf(const Scenario& scenario, const Uav& uav)
@@ -18,7 +20,7 @@ SensorSpec sensorOf(const Scenario& scenario, const Uav& uav)
     return {.fov_m = uav.fov_m, .shape = scenario.fovShape};
 }
 
-/** Across what is seen, the smaller extent. */
+/** Returns the smaller extent of the field of view, m. */
 double width_m(const Scenario& scenario, const Uav& uav)
 {
     return 2 * surelySeen_m(sensorOf(scenario, uav));
@@ -35,14 +37,26 @@ std::int64_t atLeastOne(double value)
     return std::max<std::int64_t>(1, std::llround(value));
 }
 
-/** To two digits, as nobody knows it better. */
+/** Rounds to two digits, since the value is an estimate. */
 std::int64_t roughly(double value)
 {
     const double digit = std::pow(10, std::max(0.0, std::floor(std::log10(value)) - 1));
     return atLeastOne(value / digit) * std::llround(digit);
 }
 
-/** Of one UAV among all, through all icebergs there are at the start; 0 with fewer than two. */
+/** Returns hours and minutes, such as "0:35". */
+std::string hoursAndMinutes(double time_s)
+{
+    constexpr int kMinutes = 60;
+    const std::int64_t minutes = atLeastOne(time_s / kMinutes);
+    const std::string rest = std::to_string(minutes % kMinutes);
+    return std::to_string(minutes / kMinutes) + (rest.size() < 2 ? ":0" : ":") + rest;
+}
+
+/**
+ * Returns the time of one UAV's share of a tour of all icebergs present at the start, s; 0 with
+ * fewer than two icebergs.
+ */
 double round_s(const Scenario& scenario)
 {
     std::vector<Point> left_m;
@@ -68,7 +82,10 @@ double round_s(const Scenario& scenario)
     return round_m / speed_mps;
 }
 
-/** Standard deviation of the place a round after a visit, in which the filter looks at it. */
+/**
+ * Returns the standard deviation of the position one round after a visit in which the filter takes
+ * as many samples as the view allows.
+ */
 double sdAfterRound_m(const Scenario& scenario, const Iceberg& iceberg, const Uav& uav,
                       double round_s)
 {
@@ -103,11 +120,13 @@ void adviseDrift(const Scenario& scenario, Findings& findings)
     const double view_m = width_m(scenario, uav);
     for (std::size_t i = 0; i < scenario.icebergs.size(); ++i) {
         const Iceberg& iceberg = scenario.icebergs[i];
-        const double sd_m = std::sqrt(initialSigma_m2(iceberg));
-        if (iceberg.observed_s > 0 && sd_m > view_m / 2)
-            findings.warn(
-                entryPath("icebergs", i) + ".observed_s", IssueId::SeenLongAgo,
-                {atLeastOne(iceberg.observed_s / 3600), roughly(sd_m), atLeastOne(sd_m / view_m)});
+        const double sigma_m2 = initialSigma_m2(iceberg);
+        const double within_m = radius95_m(sigma_m2);
+        if (iceberg.observed_s > 0 && std::sqrt(sigma_m2) > view_m / 2)
+            findings.warn(entryPath("icebergs", i) + ".observed_s", IssueId::SeenLongAgo,
+                          {hoursAndMinutes(iceberg.observed_s),
+                           Amount{static_cast<double>(roughly(within_m)), Quantity::Distance},
+                           atLeastOne(within_m / view_m)});
     }
     const double next_s = round_s(scenario);
     if (scenario.observer.model == ObserverModel::Simple || next_s <= 0 ||

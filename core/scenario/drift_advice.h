@@ -7,18 +7,20 @@ namespace berg {
 class Findings;
 
 /**
- * Chance that an iceberg, whose place is normally distributed about the middle of the field of view
- * with this standard deviation along each axis, is in view: erf(h / (sqrt 2 s)) along each side of
- * half width h, 1 - exp(-h^2 / (2 s^2)) of a disk. `spread_m`: that far from the middle in whatever
- * direction, as the members of a cluster are; a view as much smaller on each side is reckoned with.
+ * Returns the probability that an iceberg is in view if its position is normally distributed around
+ * the middle of the field of view with standard deviation `sd_m` along each axis: erf(h / (sqrt 2
+ * s)) along each side of half width h, 1 - exp(-h^2 / (2 s^2)) for a disk. A cluster needs
+ * `spread_m`, the distance of its members from the middle, which makes the view smaller on each
+ * side. Returns 1 if `sd_m` is 0.
  */
 [[nodiscard]] double chanceInView(const SensorSpec& sensor, double sd_m, double spread_m = 0);
 
 /**
- * What drift does before the icebergs are seen: those last seen so long ago that they may be out of
- * view where they are believed to be, and how many will be at the next visit, one round later. The
- * round is that of one UAV among several with an equal share: from each iceberg to the nearest not
- * yet visited, and back.
+ * Reports drift before the icebergs are seen: icebergs last seen so long ago that they may be out
+ * of view at their estimate, and the number that will be out of view at the next visit, one round
+ * later. The round is one UAV's equal share of a tour that goes from each iceberg to the nearest
+ * one not yet visited, and back to the first. The number is reported only with the Kalman observer
+ * and if the round fits the run. The scenario must have no errors.
  */
 void adviseDrift(const Scenario& scenario, Findings& findings);
 

@@ -8,31 +8,40 @@
 
 namespace berg {
 
-/** Corners of a stand-off ring: it is drawn about the circle. */
+/** Number of corners of a stand-off ring, a polygon around the circle. */
 inline constexpr int kRingCorners = 16;
 
-/** What no UAV flies over within the stand-off: of an asset that moves, all that its ring sweeps
- * until the end of the run. None: there is no stand-off. */
+/**
+ * Returns the area that no UAV may enter around an asset: its stand-off ring, swept along the path
+ * of a moving asset until `duration_s`. Returns nullopt if the asset has no stand-off distance.
+ */
 [[nodiscard]] std::optional<NoFlyArea> standoffArea(const Asset& asset, double duration_s);
 
-/** The no-fly areas, then the stand-off ring. */
+/** Returns the no-fly areas, then the stand-off ring. */
 [[nodiscard]] std::vector<NoFlyArea> closedAreas(const Scenario& scenario);
 
+/** Returns true if the area is closed at the altitude, both in metres above sea level. */
 [[nodiscard]] bool isClosedAt(const NoFlyArea& area, double altitude_m);
-/** Place of the first of the areas that is closed there; their count: none is. */
+/**
+ * Returns the index of the first area that is closed at this altitude and place, or the number of
+ * areas if none is.
+ */
 [[nodiscard]] std::size_t closedAt(std::span<const NoFlyArea> areas, double altitude_m,
                                    const Point& place_m);
-/** Corners of those that are closed at that altitude. */
+/** Returns the number of corners of all areas closed at this altitude. */
 [[nodiscard]] std::size_t cornersAt(std::span<const NoFlyArea> areas, double altitude_m);
 
-/** What a UAV stays inside of and outside of at one altitude: the area when it is a geofence, and
- * what is closed there; null: it may fly anywhere. */
+/**
+ * Returns the geofence for one altitude: the area as outer boundary if the scenario has a geofence,
+ * and the closed areas as holes. Returns null if the UAV may fly anywhere.
+ */
 [[nodiscard]] std::shared_ptr<const Geofence> fenceOf(const Scenario& scenario, double altitude_m,
                                                       const Motion& motion);
 
 /**
- * What a flight of the UAV may use of its endurance, and where it ends; none: it is unlimited.
- * Climb and landing, like the turn-around, pass on the ground: nothing is seen meanwhile.
+ * Returns the usable endurance of the UAV and where its sortie ends, or nullopt if the endurance is
+ * unlimited. Climb and landing count as time on the ground, like the turn-around, because nothing
+ * is seen meanwhile.
  */
 [[nodiscard]] std::optional<SortieSpec> sortieOf(const Uav& uav);
 

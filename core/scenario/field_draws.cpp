@@ -6,7 +6,7 @@ namespace berg {
 
 namespace {
 
-/** Rounded to 1/`perUnit`. */
+/** Rounds to multiples of 1/`perUnit`. */
 double rounded(double value, double perUnit)
 {
     return std::round(value * perUnit) / perUnit;

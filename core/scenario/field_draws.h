@@ -5,17 +5,18 @@
 
 namespace berg {
 
-/** Numbers from `low` to `high`. */
+/** Range of numbers from `low` to `high`. */
 struct Span
 {
     double low = 0;
     double high = 0;
 };
 
-/** What an iceberg is drawn from, each number uniform. */
+/** Distributions from which an iceberg is drawn; each number is uniform. */
 struct FieldDraws
 {
-    Point low_m = Point::Zero(); ///< corners of a rectangle
+    Point low_m = Point::Zero(); ///< corner of the rectangle of positions
+    /** Opposite corner. */
     Point high_m = Point::Zero();
     Span speed_mps;
     Span direction_rad; ///< counter-clockwise from east
@@ -23,13 +24,16 @@ struct FieldDraws
     double q_m2ps = 0;
 };
 
-// The order of the draws, and the steps they are rounded to so that tables and files show short
-// numbers, are part of the preset scenarios and must not change.
+// The preset scenarios depend on the order of the draws and on the steps to which they are rounded
+// (so that tables and files show short numbers). Both must not change.
 
-/** Two draws, in steps of 1 cm. */
+/** Draws a position with two random numbers, in steps of 1 cm. */
 [[nodiscard]] Point drawPosition(const FieldDraws& draws, Random& random);
 
-/** An iceberg without an id at `position_m`: three draws, speed, direction and sigma. */
+/**
+ * Draws an iceberg without an id at `position_m` with three random numbers: speed, direction and
+ * sigma.
+ */
 [[nodiscard]] Iceberg drawIceberg(const FieldDraws& draws, const Point& position_m, Random& random);
 
 } // namespace berg

@@ -1,48 +1,59 @@
 #pragma once
 
-// Private to core/scenario.
+// This header is private to core/scenario.
 
 #include "core/base/issue.h"
-#include "core/scenario/checks.h"
 #include "core/scenario/limits.h"
 #include "core/scenario/scenario.h"
+#include "core/scenario/text_checks.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace berg {
 
-/** Gathers the findings of `validate` and `advice`, whose checks call it field by field. */
+/**
+ * Collects the findings of `validate` and `scenarioWarnings`, whose checks call it for each field.
+ */
 class Findings
 {
 public:
+    /** Selects the findings to collect. */
     enum class Kind
     {
         All,
-        Unreadable ///< errors of single fields only
+        Unreadable ///< only errors of single fields
     };
     explicit Findings(Kind kind) : m_kind(kind) {}
 
     using Arguments = std::vector<IssueArgument>;
 
-    /** Of fields that are each in range but do not fit together. */
+    /** Reports an error about fields that are each in range but do not fit together. */
     void conflict(std::string field, IssueId id, Arguments arguments = {})
     {
         if (m_kind == Kind::All)
             error(std::move(field), id, std::move(arguments));
     }
+    /**
+     * Reports an error. Only the first `kMostStored` errors are stored; `take` reports the number
+     * of the others.
+     */
     void error(std::string field, IssueId id, Arguments arguments = {})
     {
         if (++m_errors <= kMostStored)
             add(Severity::Error, std::move(field), id, std::move(arguments));
     }
+    /** Reports a warning. */
     void warn(std::string field, IssueId id, Arguments arguments = {})
     {
         if (m_kind == Kind::All)
             add(Severity::Warning, std::move(field), id, std::move(arguments));
     }
+    /** Reports a hint. */
     void hint(std::string field, IssueId id, Arguments arguments = {})
     {
         if (m_kind == Kind::All)
@@ -50,8 +61,9 @@ public:
     }
 
     /**
-     * False, with an error noted, when the number is not in the limits (NaN never is). What is only
-     * less than the least that is flown can be read.
+     * Returns true if the number is within the limits, otherwise reports an error and returns false
+     * (always for NaN). When collecting Unreadable findings, a positive number below the lower
+     * limit is accepted, because an editor can show it.
      */
     bool inRange(double value, const Limits& limits, const std::string& field)
     {
@@ -68,18 +80,33 @@ public:
         return !value || inRange(*value, limits, field);
     }
 
+    bool inRange(const std::optional<Point>& value, const Limits& limits, const std::string& field)
+    {
+        return !value || inRange(*value, limits, field);
+    }
+
     bool inRange(const Point& value, const Limits& limits, const std::string& field)
     {
         const bool first = inRange(value.x(), limits, entryPath(field, 0));
         return inRange(value.y(), limits, entryPath(field, 1)) && first;
     }
 
+    /** Reports an error if the text is not valid UTF-8. */
     void utf8(const std::string& text, const std::string& field)
     {
         if (!isUtf8(text))
             error(field, IssueId::NotUtf8);
     }
 
+    /** Returns true if a stored error is about a field whose path begins with `field`. */
+    [[nodiscard]] bool has(std::string_view field) const
+    {
+        return std::ranges::any_of(m_issues, [field](const Issue& issue) {
+            return issue.severity == Severity::Error && issue.field.starts_with(field);
+        });
+    }
+
+    /** Returns the findings and leaves this object empty. */
     [[nodiscard]] std::vector<Issue> take()
     {
         if (m_errors > kMostStored)
@@ -88,7 +115,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMostStored = 1000; ///< nobody reads more
+    static constexpr std::size_t kMostStored = 1000; ///< more errors help nobody
 
     void add(Severity severity, std::string field, IssueId id, Arguments arguments)
     {

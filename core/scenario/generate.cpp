@@ -1,10 +1,10 @@
 #include "core/scenario/generate.h"
 
 #include "core/base/angles.h"
-#include "core/scenario/checks.h"
 #include "core/scenario/field_draws.h"
 #include "core/scenario/findings.h"
 #include "core/scenario/presets.h"
+#include "core/scenario/text_checks.h"
 #include "core/scenario/validate.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace berg {
 
 namespace {
 
-/** Draws in vain, one after the other, before there is taken to be no room: milliseconds. */
+/** Failed draws in a row after which the area counts as full; takes milliseconds. */
 constexpr int kMostMisses = 5000;
 constexpr double kAnySpread_deg = 180;
 
@@ -26,7 +26,7 @@ void checkSpan(const char* lowField, const char* highField, const Span& span, co
     faults.inRange(span.low, limits, lowField);
     faults.inRange(span.high, limits, highField);
     if (span.low > span.high)
-        faults.error(highField, IssueId::BelowOther, {lowField});
+        faults.error(highField, IssueId::BelowOther, {FieldPath{lowField}});
 }
 
 void raise(Findings& faults)
@@ -92,7 +92,10 @@ FieldDraws drawsOf(const FieldRequest& request)
     return draws;
 }
 
-/** Places that keep a distance, in cells of that size: what is too near is in the nine round it. */
+/**
+ * Positions with a minimum distance, stored in cells of that size, so conflicts are within nine
+ * cells.
+ */
 class SpacedPlaces
 {
 public:
@@ -136,7 +139,7 @@ private:
     std::map<Cell, std::vector<Point>> m_places;
 };
 
-/** Hands out "berg-K" with rising K, past the ids that are taken. */
+/** Returns ids "berg-K" with increasing K that are not in use. */
 class FreshIds
 {
 public:

@@ -5,37 +5,37 @@
 
 namespace berg {
 
-/** Allowed values of a number. */
+/** Permitted range of a number. */
 struct Limits
 {
     double low = 0;
     double high = 0;
-    bool above = false; ///< `low` itself is not allowed
+    bool above = false; ///< true if `low` itself is excluded
 };
 
-// Sizes beyond which planning or checking would take memory or time without end.
+// These sizes bound the memory and time of planning and checking.
 inline constexpr std::size_t kMostIcebergs = 1000;
 inline constexpr std::size_t kMostUavs = 100;
 inline constexpr std::size_t kMostAreaCorners = 2000;
 inline constexpr std::size_t kMostNoFlyAreas = 100;
 inline constexpr std::size_t kMostAirspaceAreas = 200;
-/** Of the airspeed: in more wind a UAV makes little way. */
+/** Share of the airspeed: in stronger wind a UAV makes little headway. */
 inline constexpr double kStrongWindShare = 0.7;
-inline constexpr std::size_t kMostTrackPoints = 10'000; ///< of one iceberg
+inline constexpr std::size_t kMostTrackPoints = 10'000; ///< points of one iceberg's track
 
 inline constexpr double kLargestCoordinate_m = 1e6;
-inline constexpr double kLargestVelocity_mps = 5; ///< of an iceberg or the current, each component
-// Where the file format sets no upper limit, these keep every sum of a run finite.
+inline constexpr double kLargestVelocity_mps = 5; ///< per component, of an iceberg or the current
+// These limits keep every sum of a run finite where the file format sets no upper limit.
 inline constexpr double kLargestLength_m = 1e6;
 inline constexpr double kLargestTime_s = 1e9;
 inline constexpr double kLargestGrowth_m2ps = 1e6;
 inline constexpr double kLargestSigma_m2 = 1e12;
-inline constexpr std::int64_t kLargestSeed = std::int64_t{1}
-                                             << 53; ///< exact in every reader of JSON
+/** Largest integer that every reader of JSON represents exactly. */
+inline constexpr std::int64_t kLargestSeed = std::int64_t{1} << 53;
 
 /**
- * What the numbers of a scenario may be, the only place that says so: `validate`, readers and input
- * fields ask here, and a test compares it with the page about scenario files.
+ * Permitted values of the numbers of a scenario. `validate`, readers and input fields use this one
+ * list, and a test compares it with the page about scenario files.
  */
 namespace limits {
 inline constexpr Limits kLatitude_deg{.low = -90, .high = 90};
@@ -51,13 +51,13 @@ inline constexpr Limits kTime_s{.low = 0, .high = kLargestTime_s};
 inline constexpr Limits kTrackTime_s{.low = -kLargestTime_s, .high = kLargestTime_s};
 inline constexpr Limits kGrowth_m2ps{.low = 0, .high = kLargestGrowth_m2ps};
 inline constexpr Limits kSigma_m2{.low = 0, .high = kLargestSigma_m2};
-// Nothing that flies is below: smaller numbers make flights that never end.
+// No aircraft is slower or smaller; lower values make flights that never end.
 inline constexpr Limits kAirspeed_mps{.low = 1, .high = 1000};
-inline constexpr Limits kExtent_m{.low = 1, .high = kLargestLength_m};  ///< field of view, altitude
-inline constexpr Limits kEndurance_s{.low = 1, .high = kLargestTime_s}; ///< or none
+inline constexpr Limits kExtent_m{.low = 1, .high = kLargestLength_m}; ///< field of view, altitude
+/** A UAV may also have no limit. */
+inline constexpr Limits kEndurance_s{.low = 1, .high = kLargestTime_s};
 inline constexpr Limits kReservePercent{.low = 0, .high = 90};
-inline constexpr Limits kWindSpeed_mps{.low = 0,
-                                       .high = 150}; ///< stronger gusts were never measured
+inline constexpr Limits kWindSpeed_mps{.low = 0, .high = 150}; ///< about the strongest gust known
 inline constexpr Limits kTemperature_degC{.low = -90, .high = 60};
 inline constexpr Limits kBank_deg{.low = 1, .high = 80};
 inline constexpr Limits kAutopilot_s{.low = 0, .high = 60};
@@ -67,9 +67,9 @@ inline constexpr Limits kSensorInterval_s{.low = 0, .high = 60};
 inline constexpr Limits kDetection{.low = 0, .high = 1, .above = true};
 inline constexpr Limits kTau{.low = 0, .high = 100};
 inline constexpr Limits kPlanningDelay_s{.low = 0, .high = 3600};
-inline constexpr Limits kSmallError_m{.low = 0, .high = 1000}; ///< of a position or a height
+inline constexpr Limits kSmallError_m{.low = 0, .high = 1000}; ///< error of a position or height
 inline constexpr Limits kReaction_s{.low = 0, .high = 600};
-inline constexpr Limits kPart{.low = 0, .high = 10}; ///< of a term of a formula
+inline constexpr Limits kPart{.low = 0, .high = 10}; ///< factor of a term in a formula
 } // namespace limits
 
 } // namespace berg

@@ -11,9 +11,10 @@
 namespace berg {
 namespace {
 
-constexpr double kTurnArm_m = 100; // short against the Earth, long against rounding
+// Short on the scale of the Earth, long compared with rounding errors.
+constexpr double kTurnArm_m = 100;
 
-/** From the plane about one origin to that about another. */
+/** Conversion from the plane around one origin to that around another. */
 class PlaneChange
 {
 public:
@@ -24,14 +25,14 @@ public:
         return m_to.toPlane(m_from.toGeographic(p_m));
     }
 
-    /** How far directions at a place of the old plane turn, counter-clockwise. */
+    /** Returns the counter-clockwise turn of directions at a place of the old plane. */
     [[nodiscard]] double turn_rad(const Point& p_m) const
     {
         const Point east =
             (*this)(p_m + Point(kTurnArm_m, 0)) - (*this)(p_m - Point(kTurnArm_m, 0));
         const Point north =
             (*this)(p_m + Point(0, kTurnArm_m)) - (*this)(p_m - Point(0, kTurnArm_m));
-        // The rotation nearest to the linear map with these columns.
+        // This is the rotation nearest to the linear map with these columns.
         return std::atan2(east.y() - north.x(), east.x() + north.y());
     }
 
@@ -40,7 +41,7 @@ private:
     LocalFrame m_to;
 };
 
-/** Where wind and current are taken to blow and flow: the middle of icebergs and UAVs. */
+/** Returns the centre of icebergs and UAVs, where wind and current are taken to apply. */
 Point middleOfScene_m(const Scenario& scenario)
 {
     Point sum_m = Point::Zero();
@@ -90,7 +91,7 @@ void keepPlaces(Scenario& scenario, const PlaneChange& change)
     asset.position_m = change(asset.position_m);
 }
 
-/** Throws what is wrong now and was not before. */
+/** Throws the errors of `after` in fields that had no findings before. */
 void refuseNewFaults(const Scenario& before, const Scenario& after)
 {
     std::set<std::string> known;

@@ -4,20 +4,22 @@
 
 namespace berg {
 
-/** What stays when a scenario gets another origin. */
+/** Property of a scenario that a new origin preserves. */
 enum class MoveMode
 {
-    KeepLayout, ///< metres about the origin: everything moves along with it
-    KeepPlaces  ///< places on the Earth: everything gets other metres
+    KeepLayout, ///< positions in metres; everything moves with the origin
+    KeepPlaces  ///< positions on the Earth; all positions in metres change
 };
 
 /**
- * The scenario about another origin. With `KeepPlaces` positions, tracks and the area are those of
- * the same places; velocities and headings are turned by the change of grid north where they are,
- * wind and current where the scene is, and the known drift of icebergs by what is left, so that all
- * move over the Earth as before. An uniform wind in one plane is not quite uniform in another.
- * Throws `Error{InvalidInput, "origin"}` with the errors that `validate` finds in it and not in the
- * present one, e.g. what would be too far from the origin, or when the origin is no place.
+ * Returns the scenario with another origin. With `KeepPlaces` positions, tracks and areas stay at
+ * the same places on the Earth. Velocities and headings are turned by the change of grid north at
+ * their places, wind and current by that at the centre of the scene. The known drift of each
+ * iceberg takes up the rest, so that all icebergs move over the Earth as before. A wind that is
+ * uniform in one plane is not quite uniform in another.
+ * Throws `Error{InvalidInput, "origin"}` if the origin is not on the Earth, or with the errors that
+ * `validate` finds in the new scenario in fields about which it finds nothing in the present one,
+ * such as places too far from the origin.
  */
 [[nodiscard]] Scenario movedTo(const Scenario& scenario, const LatLon& origin, MoveMode mode);
 

@@ -21,7 +21,7 @@ std::vector<Point> placesToFly_m(const Scenario& scenario)
         for (const double time_s : {iceberg.appears_s, scenario.duration_s}) {
             const Point place_m =
                 iceberg.position_m + (iceberg.velocity_mps + scenario.current_mps) * time_s;
-            const bool isFlownTo = scenario.area_m.empty() || // those outside are dropped
+            const bool isFlownTo = scenario.area_m.empty() || // icebergs outside are not visited
                                    insidePolygon(scenario.area_m, place_m);
             if (iceberg.appears_s <= scenario.duration_s && isFlownTo)
                 places_m.push_back(place_m);

@@ -8,72 +8,38 @@
 
 namespace berg {
 
-/** A number of an operation by its name in the scenario file. */
-struct OperationNumber
-{
-    std::string_view name;
-    double Operation::*member = nullptr;
-    Limits limits;
-};
-
-/** All of them: readers, checks and input fields ask here. */
-inline constexpr std::array kOperationNumbers{
-    OperationNumber{"margin_m", &Operation::margin_m, limits::kExtent_m},
-    OperationNumber{"span_m", &Operation::span_m, limits::kSmallError_m},
-    OperationNumber{"position_error_m", &Operation::positionError_m, limits::kSmallError_m},
-    OperationNumber{"path_error_m", &Operation::pathError_m, limits::kSmallError_m},
-    OperationNumber{"map_error_m", &Operation::mapError_m, limits::kSmallError_m},
-    OperationNumber{"reaction_s", &Operation::reaction_s, limits::kReaction_s},
-    OperationNumber{"turn_bank_deg", &Operation::turnBank_deg, limits::kBank_deg},
-    OperationNumber{"height_error_m", &Operation::heightError_m, limits::kSmallError_m},
-    OperationNumber{"climb_part", &Operation::climbPart, limits::kPart},
-    OperationNumber{"pull_up_part", &Operation::pullUpPart, limits::kPart},
-    OperationNumber{"buffer_ratio", &Operation::bufferRatio, limits::kPart},
-    OperationNumber{"adjacent_s", &Operation::adjacent_s, limits::kTime_s},
-    OperationNumber{"adjacent_least_m", &Operation::adjacentLeast_m, limits::kLength_m},
-    OperationNumber{"adjacent_most_m", &Operation::adjacentMost_m, limits::kLength_m}};
-
-/** A text of an operation, likewise. */
-struct OperationText
-{
-    std::string_view name;
-    std::string Operation::*member = nullptr;
-};
-
-inline constexpr std::array kOperationTexts{
-    OperationText{"crew", &Operation::crew}, OperationText{"call_sign", &Operation::callSign},
-    OperationText{"contacts", &Operation::contacts}, OperationText{"link", &Operation::link},
-    OperationText{"checklist", &Operation::checklist}};
-
-/** From the inside out; each holds the ones before. */
+/** Parts of an operation volume, from the inside out; each contains the ones before. */
 enum class VolumePart
 {
-    Geography,   ///< what is flown in
-    Contingency, ///< what a flight that leaves it needs to come back
-    Buffer,      ///< where it may come down
-    Adjacent     ///< what it might reach if nobody stopped it
+    Geography,   ///< area of the planned flights
+    Contingency, ///< room to return after leaving the flight geography
+    Buffer,      ///< ground area where a UAV may come down
+    Adjacent     ///< area that a UAV might reach if nobody stopped it
 };
 inline constexpr std::size_t kVolumeParts = 4;
-/** Names in exported files, by part. */
+/** Names of the parts in exported files. */
 inline constexpr std::array<std::string_view, kVolumeParts> kVolumePartIds{
     "flight-geography", "contingency-volume", "ground-risk-buffer", "adjacent-area"};
 
-/** An operation volume by the formulas of `operationVolume`. */
+/** Dimensions and outlines of an operation volume, computed by `operationVolume`. */
 struct OperationVolume
 {
-    double speed_mps = 0;                                    ///< v
-    double height_m = 0;                                     ///< H_FG
-    double ceiling_m = 0;                                    ///< H_CV
-    double outside_m = 0;                                    ///< S_CV
-    double buffer_m = 0;                                     ///< S_GRB
-    double adjacent_m = 0;                                   ///< S_AA
+    double speed_mps = 0;  ///< speed v
+    double height_m = 0;   ///< height H_FG of the flight geography
+    double ceiling_m = 0;  ///< height H_CV of the contingency volume
+    double outside_m = 0;  ///< width S_CV of the contingency volume
+    double buffer_m = 0;   ///< width S_GRB of the ground-risk buffer
+    double adjacent_m = 0; ///< width S_AA of the adjacent area
     std::array<std::vector<Point>, kVolumeParts> outlines_m; ///< by part, counter-clockwise
 
     [[nodiscard]] const std::vector<Point>& outline_m(VolumePart part) const
     {
         return outlines_m[static_cast<std::size_t>(part)];
     }
-    /** Above the sea; none: of what is on the ground, and of all heights. */
+    /**
+     * Returns the top of the part above sea level, or nullopt for the parts on the ground, which
+     * cover all heights.
+     */
     [[nodiscard]] std::optional<double> top_m(VolumePart part) const
     {
         if (part == VolumePart::Geography)
@@ -83,21 +49,22 @@ struct OperationVolume
 };
 
 /**
- * Proposal for the volume of an operation, to be checked with the authority that permits it.
+ * Proposes the volume of an operation, to be checked with the authority that issues the permit.
  *
- * Flight geography: inside of the geofence; without one the hull of all places that a plan may lead
- * to (where UAVs start and land, where icebergs are expected from first to last) with the margin.
- * Its height H_FG is the altitude of the highest UAV, v the largest speed over ground.
+ * The flight geography is the inside of the geofence, or without one the hull of all places to
+ * which a plan may lead (start and landing places of UAVs; expected positions of icebergs when they
+ * appear and at the end of the run, if inside the area) with the margin. H_FG is the altitude of
+ * the highest UAV, v the largest speed over ground.
  *
- *   S_CV = position + path + map error + v t + v^2 / (g tan bank)
- *   H_CV = H_FG + height error + climb part v t + pull-up part v^2 / g
- *   S_GRB = ratio H_CV + span / 2
- *   S_AA = v adjacent time, within its least and most
+ * S_CV = position + path + map error + v t + v^2 / (g tan bank)
+ * H_CV = H_FG + height error + climb part v t + pull-up part v^2 / g
+ * S_GRB = ratio H_CV + span / 2
+ * S_AA = v adjacent time, within its minimum and maximum
  *
- * with t the reaction time; S_AA counts from the contingency volume. Formulas and defaults are
- * those of the calculator of Digisky (version 3.3.0), which follows the guide of the Swiss FOCA; no
- * authority's own text. At 22 m/s and 120 m S_CV is 114 m and H_CV 154 m. The scenario must have a
- * UAV. Cost: small, corners of the geofence squared.
+ * t is the reaction time; S_AA counts from the contingency volume. Formulas and defaults are those
+ * of the calculator of Digisky (version 3.3.0), which follows the guide of the Swiss FOCA; they are
+ * not an authority's own text. At 22 m/s and 120 m S_CV is 114 m and H_CV 154 m. The scenario must
+ * have a UAV. Cost: quadratic in the corners of the geofence.
  */
 [[nodiscard]] OperationVolume operationVolume(const Scenario& scenario, const Operation& operation);
 

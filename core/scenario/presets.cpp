@@ -45,7 +45,7 @@ Scenario randomScenario(std::int64_t seed, const FieldSpec& field)
     Uav uav;
     uav.id = "uav-1";
     uav.position_m = {-500, 500};
-    uav.heading_deg = 45; // the paper's psi of 45 degrees is the same course
+    uav.heading_deg = 45; // course of the paper's psi of 45 degrees
     scenario.uavs.push_back(std::move(uav));
 
     const FieldDraws draws{.low_m = Point::Zero(),

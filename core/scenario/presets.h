@@ -7,13 +7,13 @@
 
 namespace berg {
 
-/** What is known of how icebergs drift, and how they are seen. */
+/** Knowledge of drift, and quality of observations. */
 enum class FieldRegime
 {
-    Published,       ///< as in the paper: in view all is known, velocities always
-    Measured,        ///< measurements with noise, velocities known
-    UnknownVelocity, ///< likewise, velocities not known by 0.1 m/s along each axis
-    FittedDrift      ///< likewise, as icebergs drift: `withFittedDrift`
+    Published,       ///< as in the paper: known velocities and exact sightings
+    Measured,        ///< noisy measurements, known velocities
+    UnknownVelocity, ///< noisy measurements; velocities uncertain by 0.1 m/s along each axis
+    FittedDrift      ///< noisy measurements; drift as in `withFittedDrift`
 };
 inline constexpr std::array<Named<FieldRegime>, 4> kFieldRegimeNames{{
     {FieldRegime::Published, "published"},
@@ -22,13 +22,15 @@ inline constexpr std::array<Named<FieldRegime>, 4> kFieldRegimeNames{{
     {FieldRegime::FittedDrift, "fitted-drift"},
 }};
 
-/** How a random field of icebergs is drawn. Defaults: Table 3 of the paper and what it leaves open.
+/**
+ * Distributions of a random field of icebergs. Defaults: Table 3 of the paper and our choices where
+ * it is silent.
  */
 struct FieldSpec
 {
     int icebergs = 12;
-    Point size_m = Point(5000, 4000); ///< icebergs uniform in [0, x] x [0, y]
-    double speedMax_mps = 0.4;        ///< uniform in [0, max], any direction
+    Point size_m = Point(5000, 4000); ///< positions are uniform in [0, x] x [0, y]
+    double speedMax_mps = 0.4;        ///< speeds are uniform in [0, max] with any direction
     double sigmaMin_m2 = 1;
     double sigmaMax_m2 = 10;
     double q_m2ps = 0.025;
@@ -37,17 +39,28 @@ struct FieldSpec
 };
 
 /**
- * A random scenario: icebergs drawn from `seed` alone, the noise of the run from the same seed;
- * UAV at (-500, 500) m with psi 45 degrees, 1000 s, dt 0.1 s.
+ * Returns a random scenario whose icebergs depend on `seed` and `field` alone; the same seed sets
+ * the noise of the run. The observer is the simple one with `FieldRegime::Published`, else Kalman.
+ * The UAV starts at (-500, 500) m with psi 45 degrees; duration 1000 s, dt 0.1 s. Throws
+ * `std::logic_error` if the seed or the number of icebergs is negative.
  */
 [[nodiscard]] Scenario randomScenario(std::int64_t seed, const FieldSpec& field = {});
 
-/** Its velocity is not known and changes, as real ones do: `kFittedDrift`. */
+/**
+ * Makes the iceberg's velocity unknown and variable, with the statistics of real drift
+ * (`kFittedDrift`); its known velocity becomes 0.
+ */
 void driftAsFitted(Iceberg& iceberg);
-/** The same of all, measured in flight: with the simple observer velocities are known. */
+/**
+ * Applies `driftAsFitted` to every iceberg and sets the Kalman observer, since the simple one knows
+ * velocities.
+ */
 [[nodiscard]] Scenario withFittedDrift(Scenario scenario);
 
-/** What the program opens with: `randomScenario(1)` on the Grand Banks, with ids and a name. */
+/**
+ * Returns the scenario with which the program opens: `randomScenario(1)` on the Grand Banks, with
+ * ids and a name.
+ */
 [[nodiscard]] Scenario defaultScenario();
 
 } // namespace berg

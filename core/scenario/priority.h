@@ -5,20 +5,26 @@
 
 namespace berg {
 
-/** So far ahead the way of an iceberg past an asset is looked at. */
+/** Time ahead in which the closest approach of an iceberg to an asset is computed, s. */
 inline constexpr double kApproachHorizon_s = 3600;
 
-/** The iceberg as seen from the asset; the asset's position is that of the start of the run. */
+/**
+ * Returns position and velocity of the iceberg relative to the asset at `time_s`. The asset's
+ * position is the one at the start of the run.
+ */
 [[nodiscard]] RelativeMotion relativeToAsset(const Asset& asset, double time_s,
                                              const Point& iceberg_m, const Point& velocity_mps);
 
 /**
- * What multiplies sigma in planning (zeta stays unweighted): 1 + gain exp(-(d / range)^2), d the
- * least distance between asset and iceberg from now until `kApproachHorizon_s`.
+ * Returns the factor of sigma in planning (zeta stays unweighted): 1 + gain exp(-(d / range)^2)
+ * with d the least distance between asset and iceberg within `kApproachHorizon_s` from now.
  */
 [[nodiscard]] double priority(const Asset& asset, const RelativeMotion& motion);
 
-/** Inside this an iceberg is an alarm: `alarm_m`, half the range where that is not set. */
+/**
+ * Returns the radius of the inner ring, which raises alarms: `alarm_m`, or half the range if that
+ * is 0.
+ */
 [[nodiscard]] double alarmRadius_m(const Asset& asset);
 
 } // namespace berg

@@ -8,27 +8,34 @@
 namespace berg {
 
 /**
- * Two UAVs of one pad and altitude layer are planned to arrive at least so long apart: one landing
- * keeps the next one waiting no longer (`tests/bench/RESULTS.md`).
+ * Least planned time between two arrivals at one pad in one altitude layer, s. One landing delays
+ * the next by no more (`tests/bench/RESULTS.md`).
  */
 inline constexpr double kRecoverySlot_s = 30;
 
-/** Rows of the UAVs that land on the pad of UAV `uav` out of its altitude layer: their endurances
- * are limited, and separation is on. Never contains `uav`. */
+/**
+ * Returns the indices of other UAVs with limited endurance that land on the pad of UAV `uav` from
+ * its altitude layer; empty if it is unlimited itself or there is no separation.
+ */
 [[nodiscard]] std::vector<int> padMates(const Scenario& scenario, std::size_t uav);
 
 /**
- * What is withheld of a sortie with so much usable endurance, so that the UAV arrives a slot before
- * it ends, for a wait at the pad, and not within a slot of any of those `taken_s`: the times left
- * until mates have to be home. At most half of the endurance.
+ * Returns the endurance to withhold from a sortie with usable endurance `usable_s`, so that the UAV
+ * arrives one slot before it ends, as a reserve for waiting at the pad, and not within a slot of
+ * any time in `taken_s`, the times left until other UAVs must be home. At most half of the
+ * endurance.
  */
 [[nodiscard]] double withheldFor_s(double usable_s, std::vector<double> taken_s);
 
-/** The same by UAV for the first sorties, which begin at once; 0 for those that have a pad or a
- * layer for themselves. */
+/**
+ * Returns the endurance withheld from the first sortie of each UAV, s; the sorties begin together.
+ * It is 0 for a UAV that shares no pad and layer.
+ */
 [[nodiscard]] std::vector<double> withheldAtStart_s(const Scenario& scenario);
 
-/** Returns when a sortie with so much withheld ends, after take-off; nullopt if it needs no slot.
+/**
+ * Returns the time after take-off at which a sortie of UAV `uav` with `withheld_s` withheld ends,
+ * or nullopt if the UAV needs no slot (`padMates`).
  */
 [[nodiscard]] std::optional<double> slotOfSortie_s(const Scenario& scenario, std::size_t uav,
                                                    double withheld_s);

@@ -18,7 +18,7 @@ Track initialTrack(const Iceberg& iceberg, ObserverModel model, const Point& cur
                 .velocitySpread_mps = iceberg.velocityTime_s > 0 ? iceberg.velocitySpread_mps : 0,
                 .velocityTime_s = iceberg.velocityTime_s};
     track.setVariances(grown(track.variances(), track.process(), iceberg.observed_s));
-    if (model == ObserverModel::Simple) { // from now on the velocity is the one given
+    if (model == ObserverModel::Simple) { // the velocity is known from now on
         track.mixed_m2ps = track.velocity_m2ps2 = 0;
         track.velocitySpread_mps = track.velocityTime_s = 0;
     }

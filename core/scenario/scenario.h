@@ -14,20 +14,22 @@
 
 namespace berg {
 
-// Everything a user can set, as plain values. Angles are kept in the degrees the user typed (and
-// the file holds), so that saving never changes a number; the simulation converts.
-// `extraJson` keeps members of the file that this version does not know: the text of a JSON
-// object, empty when there are none; they are written back unchanged.
+// Everything a user can set, as plain values. Angles stay in the degrees that the user typed (and
+// the file holds), so saving never changes a number; the simulation converts them. `extraJson` is
+// the text of a JSON object with the members of the file that this version does not know, or empty;
+// they are written back unchanged.
 
-/** Weather that a UAV is not flown in. */
+/** Weather limits of a UAV. */
 struct WeatherLimits
 {
+    /** Strongest permitted wind; empty means no limit. */
     std::optional<double> wind_mps;
     std::optional<double> gust_mps;
-    bool icing = false; ///< it may be flown in icing conditions
+    bool icing = false; ///< true if it may fly in icing conditions
     bool operator==(const WeatherLimits&) const = default;
 };
 
+/** One UAV with its start, camera and limits. */
 struct Uav
 {
     std::string id;
@@ -36,35 +38,41 @@ struct Uav
     double heading_deg = 45; ///< clockwise from north
     UavSpec spec;
     Point fov_m = Point(600, 600); ///< field of view along and across the heading
-    std::optional<Point> home_m;   ///< where it lands; none: where it starts
-    double turnaround_s = 600;     ///< on the ground between two sorties
+    std::optional<Point> home_m;   ///< landing place; empty means the start
+    double turnaround_s = 600;     ///< time on the ground between two sorties
     WeatherLimits weather;
     std::string extraJson;
     bool operator==(const Uav&) const = default;
 };
 
+/** One iceberg: estimate, uncertainty and drift model. */
 struct Iceberg
 {
     std::string id;
     std::string name;
     Point position_m = Point::Zero();   ///< estimate at t = 0, and truth in the simple model
-    Point velocity_mps = Point::Zero(); ///< known part
-    double velocitySd_mps = 0;          ///< of what it is known to when last seen, along each axis
-    double velocitySpread_mps = 0;      ///< of the velocity in the long run, along each axis
-    double velocityTime_s = 0; ///< in which its own velocity fades to 1/e; 0: it is constant
+    Point velocity_mps = Point::Zero(); ///< known drift without the current
+    /** Standard deviation of `velocity_mps` when last seen, along each axis. */
+    double velocitySd_mps = 0;
+    /** Long-term standard deviation of the velocity, along each axis. */
+    double velocitySpread_mps = 0;
+    /** Time in which its own velocity fades to 1/e; 0 means a constant velocity. */
+    double velocityTime_s = 0;
     double q_m2ps = 0.025;
     double sigma0_m2 = 5;
-    double observed_s = 0; ///< age of the last observation at t = 0, since when sigma0 has grown
+    double observed_s = 0; ///< age of the last observation at t = 0; sigma0 has grown since
+    /** Run time from which it is known, s. */
     double appears_s = 0;
     double radius_m = 50;
-    std::string uav;     ///< id of the UAV that alone is to visit it; empty: any
-    RecordedTrack track; ///< true motion where it is known; empty: drawn from velocity and q
+    std::string uav;     ///< id of the only UAV that may visit it; empty means any
+    RecordedTrack track; ///< recorded true motion; if empty it is drawn from velocity and q
     std::string trackExtraJson;
     std::string extraJson;
     bool operator==(const Iceberg&) const = default;
 };
 
-/** Platform or ship to protect: icebergs near it, or coming near, are visited first (`priority`).
+/**
+ * Protected platform or ship. Icebergs near it, or approaching it, are visited first (`priority`).
  */
 struct Asset
 {
@@ -73,35 +81,36 @@ struct Asset
     Point velocity_mps = Point::Zero();
     double range_m = 10000;
     double gain = 5;
-    double alarm_m = 0;                      ///< radius of the inner ring; 0: half the range
-    double standoff_m = 0;                   ///< no UAV comes nearer; 0: any may
-    std::optional<double> standoffCeiling_m; ///< above which it may; none: at no height
+    double alarm_m = 0;    ///< radius of the inner ring; 0 means half the range
+    double standoff_m = 0; ///< distance that every UAV keeps; 0 means none
+    /** Height above which UAVs may cross the ring; empty means no height. */
+    std::optional<double> standoffCeiling_m;
     std::string extraJson;
     bool operator==(const Asset&) const = default;
 };
 
-/** A simple polygon that no UAV flies into whose altitude lies within the heights. */
+/** A simple polygon that no UAV may enter whose altitude is between floor and ceiling. */
 struct NoFlyArea
 {
     std::string name;
     std::vector<Point> corners_m;
-    double floor_m = 0;              ///< above the sea, as the altitude of a UAV
-    std::optional<double> ceiling_m; ///< none: without end
+    double floor_m = 0;              ///< above sea level, like the altitude of a UAV
+    std::optional<double> ceiling_m; ///< empty means unlimited
     std::string extraJson;
     bool operator==(const NoFlyArea&) const = default;
 };
 
-/** Where the link to the UAVs is kept from. */
+/** The ground station of the link to the UAVs. */
 struct GroundStation
 {
     Point position_m = Point::Zero();
-    double antenna_m = 2;          ///< above the sea
-    std::optional<double> range_m; ///< of the link; none: to the radio horizon
+    double antenna_m = 2;          ///< above sea level
+    std::optional<double> range_m; ///< range of the link; empty means the radio horizon
     std::string extraJson;
     bool operator==(const GroundStation&) const = default;
 };
 
-/** What is known of the weather besides the wind; temperatures are those at the sea. */
+/** Known weather besides the wind; temperatures are at sea level. */
 struct Weather
 {
     std::optional<double> gust_mps;
@@ -111,8 +120,8 @@ struct Weather
     bool operator==(const Weather&) const = default;
 };
 
-/** What moves and what sees it: all that zeta of a flight depends on, whoever plans it. */
-struct ScenarioMotion
+/** Motion and sensing: everything on which zeta of a flight depends, whatever the plan. */
+struct ScenarioPhysics
 {
     double duration_s = 1000;
     std::int64_t seed = 1;
@@ -120,29 +129,32 @@ struct ScenarioMotion
     bool noise = true;
     Point wind_mps = Point::Zero();
     Point current_mps = Point::Zero(); ///< carries every iceberg in addition to its own velocity
-    std::vector<Point> area_m;         ///< icebergs outside are not monitored; empty: unbounded
+    std::vector<Point> area_m; ///< icebergs outside are not monitored; empty means unbounded
     ObserverSpec observer;
     FovShape fovShape = FovShape::Body; ///< file: planner.fov_shape
     std::vector<Uav> uavs;
     std::vector<Iceberg> icebergs;
-    bool operator==(const ScenarioMotion&) const = default;
+    bool operator==(const ScenarioPhysics&) const = default;
 };
 
-/** All but how it is planned: runs in equal worlds can be set beside each other. */
-struct ScenarioWorld : ScenarioMotion
+/** Everything but the planner: runs in equal worlds can be compared. */
+struct ScenarioWorld : ScenarioPhysics
 {
     LatLon origin{47, -48};
-    std::string startUtc;  ///< ISO 8601 with Z; empty: times are relative
-    bool geofence = false; ///< the UAVs stay inside the area
+    std::string startUtc;  ///< ISO 8601 with Z; if empty, times are relative
+    bool geofence = false; ///< true if UAVs stay inside the area
     std::vector<NoFlyArea> noFly;
-    /** UAVs of one altitude layer are kept so far apart, horizontally; 0: they are not. */
+    /** Least horizontal distance of UAVs in one altitude layer; 0 disables separation. */
     double separation_m = 200;
     Weather weather;
     std::optional<GroundStation> groundStation;
     std::optional<Asset> asset;
-    double planningTime_s = 0; ///< file: planner.planning_delay_s; a plan is in force so late
-    bool clusters = false;     ///< file: planner.clusters; several in one view: a point
-    std::optional<double> reachRadius_m; ///< file: planner.reach_radius_m; none: reached in view
+    /** File: planner.planning_delay_s; delay after which a plan is in force. */
+    double planningTime_s = 0;
+    /** File: planner.clusters; icebergs that fit one view are planned as one point. */
+    bool clusters = false;
+    /** File: planner.reach_radius_m; if empty, an iceberg is reached once in view. */
+    std::optional<double> reachRadius_m;
     std::string plannerExtraJson;
     std::string originExtraJson;
     std::string observerExtraJson;
@@ -151,23 +163,23 @@ struct ScenarioWorld : ScenarioMotion
 };
 
 /**
- * What an application for a permit is made of: constants of the volume that the flights are kept
- * within (`operationVolume`, which has the formulas and their source), and what people fill in.
+ * Basis of a permit application: constants of the volume in which flights stay (`operationVolume`
+ * has the formulas and their source), and texts to fill in.
  */
 struct Operation
 {
-    double margin_m = 500; ///< round the places that plans lead to, for turns and changes
+    double margin_m = 500; ///< around the places of the plans, for turns and replanning
     double span_m = 3;     ///< largest dimension of a UAV
     double positionError_m = 3;
-    double pathError_m = 3; ///< of the autopilot
+    double pathError_m = 3; ///< path-keeping error of the autopilot
     double mapError_m = 1;
     double reaction_s = 1;
-    double turnBank_deg = 30; ///< in the turn back
+    double turnBank_deg = 30; ///< bank angle in the turn back
     double heightError_m = 4;
-    double climbPart = 0.707; ///< of the speed that leads upwards until there is a reaction
-    double pullUpPart = 0.3;  ///< of v^2/g that levelling out takes
-    double bufferRatio = 1;   ///< width of the buffer by the height it is fallen from
-    double adjacent_s = 180;  ///< of flight, within the next two
+    double climbPart = 0.707; ///< share of the speed that is climb during the reaction time
+    double pullUpPart = 0.3;  ///< share of v^2/g used by levelling out
+    double bufferRatio = 1;   ///< width of the buffer divided by the height of the fall
+    double adjacent_s = 180;  ///< flight time to the edge, limited by the next two
     double adjacentLeast_m = 5000;
     double adjacentMost_m = 35000;
     std::string crew;
@@ -179,43 +191,47 @@ struct Operation
     bool operator==(const Operation&) const = default;
 };
 
-/** Airspace that has a rule: told when the operation enters it, but flown into all the same. */
+/** Regulated airspace. Entering it is reported, but plans may lead through it. */
 struct AirspaceArea
 {
     std::string name;
-    std::string kind; ///< class or type, as its source has it: "D", "R", "TRA", ...
+    std::string kind; ///< class or type as given by the source: "D", "R", "TRA", ...
     std::vector<Point> corners_m;
     double floor_m = 0;
-    std::optional<double> ceiling_m; ///< none: without end
-    std::string fromUtc;             ///< ISO 8601 with Z; empty: since ever
-    std::string untilUtc;            ///< likewise
+    std::optional<double> ceiling_m; ///< empty means unlimited
+    std::string fromUtc;             ///< ISO 8601 with Z; if empty, active from any time
+    std::string untilUtc;            ///< ISO 8601 with Z; if empty, active without end
     std::string extraJson;
     bool operator==(const AirspaceArea&) const = default;
 };
 
-/** What only people read. */
+/** Members that do not affect the flight. */
 struct ScenarioLabels
 {
     std::string name;
     std::string notes;
-    std::optional<Operation> operation; ///< none: no permit is applied for
+    std::optional<Operation> operation; ///< empty if no permit is applied for
     std::vector<AirspaceArea> airspace;
     bool operator==(const ScenarioLabels&) const = default;
 };
 
+/** A complete scenario as stored in a .berg file. */
 struct Scenario : ScenarioLabels, ScenarioWorld
 {
     PlannerSettings planner;
     bool operator==(const Scenario&) const = default;
 };
 
-/** sigma at t = 0: sigma0 and what position and velocity have changed since the last observation.
+/**
+ * Returns sigma at time 0, which is sigma0 plus the growth of position and velocity uncertainty
+ * since the last observation.
  */
 [[nodiscard]] double initialSigma_m2(const Iceberg& iceberg);
 /**
- * The iceberg at t = 0, carried by the current, to which its velocity fades. With measurements its
- * velocity is as uncertain as given, and since the last observation so is its position along with
- * it.
+ * Returns the track of the iceberg at t = 0. It moves with the current, to which its own velocity
+ * fades. Since the last observation the uncertainty of its velocity has spread to its position.
+ * From t = 0 on the Kalman observer has the given velocity uncertainty, while the simple observer
+ * knows the velocity.
  */
 [[nodiscard]] Track initialTrack(const Iceberg& iceberg, ObserverModel model,
                                  const Point& current_mps = Point::Zero());

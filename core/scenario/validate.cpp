@@ -1,12 +1,11 @@
 #include "core/scenario/validate.h"
 
-#include "core/plan/solve/names.h"
-#include "core/scenario/advice.h"
 #include "core/scenario/airspace.h"
-#include "core/scenario/checks.h"
 #include "core/scenario/fence.h"
+#include "core/scenario/fields.h"
 #include "core/scenario/findings.h"
-#include "core/scenario/operation.h"
+#include "core/scenario/scenario_warnings.h"
+#include "core/scenario/text_checks.h"
 #include "core/vehicle/safety_guard.h"
 
 #include <algorithm>
@@ -18,22 +17,6 @@
 namespace berg {
 
 namespace {
-
-void checkRun(const Scenario& s, Findings& findings)
-{
-    findings.utf8(s.name, "name");
-    findings.utf8(s.notes, "notes");
-    findings.inRange(s.origin.latitude_deg, limits::kLatitude_deg, "origin.latitude_deg");
-    findings.inRange(s.origin.longitude_deg, limits::kLongitude_deg, "origin.longitude_deg");
-    if (!s.startUtc.empty() && !isUtcTime(s.startUtc))
-        findings.error("start_utc", IssueId::NotUtcTime);
-    const bool duration = findings.inRange(s.duration_s, limits::kDuration_s, "duration_s");
-    const bool dt = findings.inRange(s.dt_s, limits::kTimeStep_s, "dt_s");
-    if (duration && dt && s.dt_s > s.duration_s)
-        findings.conflict("dt_s", IssueId::StepTooLong);
-    if (s.seed < 0 || s.seed > kLargestSeed)
-        findings.error("seed", IssueId::OutOfRange, {std::int64_t{0}, kLargestSeed, s.seed});
-}
 
 void checkPolygon(const std::vector<Point>& corners_m, const std::string& path, Findings& findings)
 {
@@ -50,42 +33,92 @@ void checkPolygon(const std::vector<Point>& corners_m, const std::string& path, 
         findings.conflict(path, IssueId::AreaNotSimple);
 }
 
+/** Checks the value of a field by itself. */
+template <class T, class Value>
+void checkValue(const Field<T>& field, const Value& value, const std::string& path,
+                Findings& findings)
+{
+    if constexpr (std::is_same_v<Value, std::string>) {
+        if (field.quantity != Quantity::Utc)
+            findings.utf8(value, path);
+        else if (!value.empty() && !isUtcTime(value))
+            findings.error(path, IssueId::NotUtcTime);
+    } else if constexpr (std::is_same_v<Value, std::vector<Point>>) {
+        if (field.traits.presence == Presence::Needed || !value.empty())
+            checkPolygon(value, path, findings);
+    } else if constexpr (std::is_same_v<Value, std::int64_t>) {
+        if (value < 0 || value > kLargestSeed)
+            findings.error(path, IssueId::OutOfRange, {std::int64_t{0}, kLargestSeed, value});
+    } else if constexpr (!std::is_enum_v<Value> && !std::is_same_v<Value, bool>) {
+        if (!field.limits)
+            return;
+        Limits limits = *field.limits;
+        if constexpr (std::is_same_v<Value, double>)
+            if (field.traits.zeroIsNone && !(value > 0))
+                limits.low = 0;
+        findings.inRange(value, limits, path);
+    }
+}
+
+/** Checks each field by itself; `path` is the path of the object and ends with a dot. */
+template <class T>
+void checkFields(std::span<const Field<T>> fields, const T& object, const std::string& path,
+                 Findings& findings)
+{
+    for (const Field<T>& field : fields)
+        withField(field, object, [&](const auto& value) {
+            checkValue(field, value, path + field.name, findings);
+        });
+}
+
+template <class T>
+void checkFields(const T& object, const std::string& path, Findings& findings)
+{
+    checkFields(fieldsOf<T>(), object, path, findings);
+}
+
+template <class T>
+void checkFields(const std::optional<T>& object, const std::string& path, Findings& findings)
+{
+    if (object)
+        checkFields(*object, path, findings);
+}
+
+void checkRun(const Scenario& s, Findings& findings)
+{
+    checkFields(s, "", findings);
+    checkFields(s.origin, "origin.", findings);
+    if (!findings.has("duration_s") && !findings.has("dt_s") && s.dt_s > s.duration_s)
+        findings.conflict("dt_s", IssueId::StepTooLong);
+}
+
 void checkHeights(double floor_m, const std::optional<double>& ceiling_m, const std::string& field,
                   Findings& findings)
 {
-    if (findings.inRange(ceiling_m, limits::kCeiling_m, field) && ceiling_m &&
-        *ceiling_m <= floor_m)
-        findings.conflict(field, IssueId::CeilingTooLow, {floor_m, *ceiling_m});
+    if (ceiling_m && *ceiling_m <= floor_m && !findings.has(field))
+        findings.conflict(
+            field, IssueId::CeilingTooLow,
+            {Amount{floor_m, Quantity::Height}, Amount{*ceiling_m, Quantity::Height}});
 }
 
-void checkAreas(const Scenario& s, Findings& findings)
+/** Checks fields and heights of an area. */
+template <class Area>
+void checkArea(const Area& area, const std::string& path, Findings& findings)
 {
-    if (!s.area_m.empty())
-        checkPolygon(s.area_m, "area_m", findings);
-    if (s.noFly.size() > kMostNoFlyAreas) {
+    checkFields(area, path + '.', findings);
+    if (!findings.has(path + ".floor_m"))
+        checkHeights(area.floor_m, area.ceiling_m, path + ".ceiling_m", findings);
+}
+
+void checkNoFlyAreas(const std::vector<NoFlyArea>& areas, Findings& findings)
+{
+    if (areas.size() > kMostNoFlyAreas) {
         findings.error("no_fly", IssueId::NoFlyCount,
-                       {countOf(kMostNoFlyAreas), countOf(s.noFly.size())});
+                       {countOf(kMostNoFlyAreas), countOf(areas.size())});
         return;
     }
-    for (std::size_t i = 0; i < s.noFly.size(); ++i) {
-        const NoFlyArea& area = s.noFly[i];
-        const std::string path = entryPath("no_fly", i);
-        findings.utf8(area.name, path + ".name");
-        checkPolygon(area.corners_m, path + ".area_m", findings);
-        if (findings.inRange(area.floor_m, limits::kLength_m, path + ".floor_m"))
-            checkHeights(area.floor_m, area.ceiling_m, path + ".ceiling_m", findings);
-    }
-}
-
-void checkOperation(const std::optional<Operation>& operation, Findings& findings)
-{
-    if (!operation)
-        return;
-    for (const OperationNumber& number : kOperationNumbers)
-        findings.inRange((*operation).*number.member, number.limits,
-                         "operation." + std::string(number.name));
-    for (const OperationText& text : kOperationTexts)
-        findings.utf8((*operation).*text.member, "operation." + std::string(text.name));
+    for (std::size_t i = 0; i < areas.size(); ++i)
+        checkArea(areas[i], entryPath("no_fly", i), findings);
 }
 
 void checkAirspace(const std::vector<AirspaceArea>& airspace, Findings& findings)
@@ -98,90 +131,40 @@ void checkAirspace(const std::vector<AirspaceArea>& airspace, Findings& findings
     for (std::size_t i = 0; i < airspace.size(); ++i) {
         const AirspaceArea& area = airspace[i];
         const std::string path = entryPath("airspace", i);
-        findings.utf8(area.name, path + ".name");
-        findings.utf8(area.kind, path + ".kind");
-        checkPolygon(area.corners_m, path + ".area_m", findings);
-        if (findings.inRange(area.floor_m, limits::kLength_m, path + ".floor_m"))
-            checkHeights(area.floor_m, area.ceiling_m, path + ".ceiling_m", findings);
-        if (!area.fromUtc.empty() && !isUtcTime(area.fromUtc))
-            findings.error(path + ".from_utc", IssueId::NotUtcTime);
-        if (!area.untilUtc.empty() && !isUtcTime(area.untilUtc))
-            findings.error(path + ".until_utc", IssueId::NotUtcTime);
+        checkArea(area, path, findings);
         if (endsTooEarly(area))
-            findings.conflict(
-                path + ".until_utc", IssueId::AirspaceTimes,
-                {path + ".from_utc", titleOf(area).empty() ? path : printable(titleOf(area))});
+            findings.conflict(path + ".until_utc", IssueId::AirspaceTimes,
+                              {titleOf(area).empty() ? path : printable(titleOf(area))});
     }
 }
 
-void checkWeather(const Weather& weather, Findings& findings)
-{
-    findings.inRange(weather.gust_mps, limits::kWindSpeed_mps, "weather.gust_mps");
-    findings.inRange(weather.temperature_degC, limits::kTemperature_degC,
-                     "weather.temperature_degc");
-    findings.inRange(weather.dewPoint_degC, limits::kTemperature_degC, "weather.dew_point_degc");
-}
-
-void checkGroundStation(const std::optional<GroundStation>& station, Findings& findings)
-{
-    if (!station)
-        return;
-    findings.inRange(station->position_m, limits::kCoordinate_m, "ground_station.position_m");
-    findings.inRange(station->antenna_m, limits::kLength_m, "ground_station.antenna_m");
-    findings.inRange(station->range_m, limits::kExtent_m, "ground_station.range_m");
-}
-
-/** An id must be there, readable and unique over UAVs and icebergs together. */
+/** Checks that an id is present, readable and unique among UAVs and icebergs together. */
 void checkId(const std::string& id, const std::string& owner,
              std::map<std::string, std::string>& ownerOfId, Findings& findings)
 {
-    findings.utf8(id, owner + ".id");
     if (id.empty())
         findings.error(owner + ".id", IssueId::IdEmpty);
     if (id.empty() || !isUtf8(id))
         return;
     const auto [it, isNew] = ownerOfId.try_emplace(id, owner);
     if (!isNew)
-        findings.error(owner + ".id", IssueId::IdTaken, {printable(id), it->second});
+        findings.error(owner + ".id", IssueId::IdTaken, {printable(id), FieldPath{it->second}});
 }
 
-/** What is left to fly with after reserve, climb and landing. */
-void checkReserve(const UavSpec& spec, const std::string& path, Findings& findings)
+/**
+ * Checks that reserve, climb and landing leave flight time, and that the autopilot is fast enough.
+ */
+void checkEndurance(const UavSpec& spec, const std::string& path, Findings& findings)
 {
-    bool inRange =
-        findings.inRange(spec.reservePercent, limits::kReservePercent, path + ".reserve_percent");
-    inRange = findings.inRange(spec.reserve_s, limits::kTime_s, path + ".reserve_s") && inRange;
-    inRange = findings.inRange(spec.climb_s, limits::kTime_s, path + ".climb_s") && inRange;
-    inRange = findings.inRange(spec.landing_s, limits::kTime_s, path + ".landing_s") && inRange;
-    if (inRange && spec.endurance_s > 0 && usableEndurance_s(spec) <= 0)
+    const auto isInRange = [&](const char* field) { return !findings.has(path + field); };
+    if (isInRange(".reserve_") && isInRange(".climb_s") && isInRange(".landing_s") &&
+        spec.endurance_s > 0 && usableEndurance_s(spec) <= 0)
         findings.conflict(path + ".endurance_s", IssueId::NothingToFly,
-                          {spec.endurance_s, spec.endurance_s - usableEndurance_s(spec)});
-}
-
-void checkUav(const Uav& uav, const std::string& path, Findings& findings)
-{
-    findings.utf8(uav.name, path + ".name");
-    findings.inRange(uav.position_m, limits::kCoordinate_m, path + ".position_m");
-    if (!std::isfinite(uav.heading_deg))
-        findings.error(path + ".heading_deg", IssueId::NotFinite);
-    findings.inRange(uav.spec.airspeed_mps, limits::kAirspeed_mps, path + ".airspeed_mps");
-    findings.inRange(uav.spec.maxBank_deg, limits::kBank_deg, path + ".max_bank_deg");
-    findings.inRange(uav.fov_m, limits::kExtent_m, path + ".fov_m");
-    findings.inRange(uav.spec.altitude_m, limits::kExtent_m, path + ".altitude_m");
-    // In memory 0 stands for "none"; a file leaves the member out instead.
-    findings.inRange(uav.spec.endurance_s,
-                     uav.spec.endurance_s > 0 ? limits::kEndurance_s : limits::kTime_s,
-                     path + ".endurance_s");
-    if (uav.home_m)
-        findings.inRange(*uav.home_m, limits::kCoordinate_m, path + ".home_m");
-    findings.inRange(uav.turnaround_s, limits::kTime_s, path + ".turnaround_s");
-    checkReserve(uav.spec, path, findings);
-    findings.inRange(uav.weather.wind_mps, limits::kWindSpeed_mps, path + ".max_wind_mps");
-    findings.inRange(uav.weather.gust_mps, limits::kWindSpeed_mps, path + ".max_gust_mps");
-    if (findings.inRange(uav.spec.autopilot_s, limits::kAutopilot_s, path + ".autopilot_s") &&
-        uav.spec.endurance_s > 0 && uav.spec.autopilot_s > kSlowestHoming_s)
+                          {Amount{spec.endurance_s, Quantity::Seconds},
+                           Amount{spec.endurance_s - usableEndurance_s(spec), Quantity::Seconds}});
+    if (isInRange(".autopilot_s") && spec.endurance_s > 0 && spec.autopilot_s > kSlowestHoming_s)
         findings.conflict(path + ".autopilot_s", IssueId::AutopilotTooSlow,
-                          {kSlowestHoming_s, uav.spec.autopilot_s});
+                          {kSlowestHoming_s, spec.autopilot_s});
 }
 
 void checkUavs(const Scenario& s, std::map<std::string, std::string>& ownerOfId, Findings& findings)
@@ -193,11 +176,12 @@ void checkUavs(const Scenario& s, std::map<std::string, std::string>& ownerOfId,
     for (std::size_t i = 0; i < s.uavs.size(); ++i) {
         const std::string path = entryPath("uavs", i);
         checkId(s.uavs[i].id, path, ownerOfId, findings);
-        checkUav(s.uavs[i], path, findings);
+        checkFields(s.uavs[i], path + '.', findings);
+        checkEndurance(s.uavs[i].spec, path, findings);
     }
 }
 
-/** The UAVs start and land inside a polygon that can be kept inside of. */
+/** Checks that UAVs start and land inside the geofence and that it is not too complex. */
 void checkGeofence(const Scenario& s, Findings& findings)
 {
     if (!s.geofence)
@@ -220,7 +204,7 @@ void checkGeofence(const Scenario& s, Findings& findings)
     }
 }
 
-/** The UAVs start and land outside what they cannot fly into, which can be flown round. */
+/** Checks that UAVs start and land outside closed areas and that these are not too complex. */
 void checkClosedAreas(const Scenario& s, Findings& findings)
 {
     if (s.noFly.size() > kMostNoFlyAreas)
@@ -250,7 +234,7 @@ void checkClosedAreas(const Scenario& s, Findings& findings)
                           {countOf(kMostFenceCorners), countOf(corners)});
 }
 
-/** Times that rise, each with a place; an empty track is none. */
+/** Checks that times increase and each has a position. An empty track is valid. */
 void checkTrack(const RecordedTrack& track, const std::string& path, Findings& findings)
 {
     if (track.empty() && track.position_m.empty())
@@ -276,22 +260,6 @@ void checkTrack(const RecordedTrack& track, const std::string& path, Findings& f
     }
 }
 
-void checkIceberg(const Iceberg& iceberg, const std::string& path, Findings& findings)
-{
-    findings.utf8(iceberg.name, path + ".name");
-    findings.inRange(iceberg.position_m, limits::kCoordinate_m, path + ".position_m");
-    findings.inRange(iceberg.velocity_mps, limits::kVelocity_mps, path + ".velocity_mps");
-    findings.inRange(iceberg.velocitySd_mps, limits::kSpeed_mps, path + ".velocity_sd_mps");
-    findings.inRange(iceberg.velocitySpread_mps, limits::kSpeed_mps, path + ".velocity_spread_mps");
-    findings.inRange(iceberg.velocityTime_s, limits::kTime_s, path + ".velocity_time_s");
-    findings.inRange(iceberg.q_m2ps, limits::kGrowth_m2ps, path + ".q_m2ps");
-    findings.inRange(iceberg.sigma0_m2, limits::kSigma_m2, path + ".sigma0_m2");
-    findings.inRange(iceberg.observed_s, limits::kTime_s, path + ".observed_s");
-    findings.inRange(iceberg.appears_s, limits::kTime_s, path + ".appears_s");
-    findings.inRange(iceberg.radius_m, limits::kLength_m, path + ".radius_m");
-    checkTrack(iceberg.track, path + ".track", findings);
-}
-
 void checkIcebergs(const Scenario& s, std::map<std::string, std::string>& ownerOfId,
                    Findings& findings)
 {
@@ -306,16 +274,16 @@ void checkIcebergs(const Scenario& s, std::map<std::string, std::string>& ownerO
         const Iceberg& iceberg = s.icebergs[i];
         const std::string path = entryPath("icebergs", i);
         checkId(iceberg.id, path, ownerOfId, findings);
-        checkIceberg(iceberg, path, findings);
+        checkFields(iceberg, path + '.', findings);
+        checkTrack(iceberg.track, path + ".track", findings);
         if (iceberg.appears_s > s.duration_s && std::isfinite(iceberg.appears_s))
             findings.hint(path + ".appears_s", IssueId::AppearsTooLate);
     }
 }
 
-/** Whom icebergs are kept for, and how far apart those fly. */
+/** Checks that the UAVs to which icebergs are assigned exist. */
 void checkFleet(const Scenario& s, Findings& findings)
 {
-    findings.inRange(s.separation_m, limits::kLength_m, "separation_m");
     if (s.icebergs.size() > kMostIcebergs)
         return;
     std::set<std::string_view> known;
@@ -324,13 +292,12 @@ void checkFleet(const Scenario& s, Findings& findings)
     for (std::size_t i = 0; i < s.icebergs.size(); ++i) {
         const std::string& uav = s.icebergs[i].uav;
         const std::string path = entryPath("icebergs", i) + ".uav";
-        findings.utf8(uav, path);
         if (isUtf8(uav) && !uav.empty() && !known.contains(uav))
             findings.conflict(path, IssueId::UnknownUav, {printable(uav)});
     }
 }
 
-/** The slowest UAV whose airspeed is valid; null when there is none. */
+/** Returns the slowest UAV with a valid airspeed, or null if there is none. */
 const Uav* slowestUav(const Scenario& s)
 {
     const Uav* slowest = nullptr;
@@ -341,10 +308,9 @@ const Uav* slowestUav(const Scenario& s)
     return slowest;
 }
 
-/** Wind and current: what the UAV can still make way against, and follow. */
+/** Checks that UAVs can fly against wind and current and follow the icebergs. */
 void checkDrift(const Scenario& s, Findings& findings)
 {
-    const bool current = findings.inRange(s.current_mps, limits::kVelocity_mps, "current_mps");
     if (!s.wind_mps.allFinite()) {
         findings.error("wind_mps", IssueId::NotFinitePair);
         return;
@@ -354,14 +320,16 @@ void checkDrift(const Scenario& s, Findings& findings)
         return;
     const double airspeed_mps = slowest->spec.airspeed_mps;
     const double wind_mps = s.wind_mps.norm();
-    const std::vector<IssueArgument> speeds{wind_mps, printable(slowest->id), airspeed_mps};
+    const std::vector<IssueArgument> speeds{
+        Amount{std::round(100 * wind_mps) / 100, Quantity::Speed}, printable(slowest->id),
+        Amount{airspeed_mps, Quantity::Speed}};
     if (!(wind_mps < airspeed_mps)) {
         findings.conflict("wind_mps", IssueId::WindTooFast, speeds);
         return;
     }
     if (wind_mps >= kStrongWindShare * airspeed_mps)
         findings.warn("wind_mps", IssueId::StrongWind, speeds);
-    if (!current || s.icebergs.size() > kMostIcebergs)
+    if (findings.has("current_mps") || s.icebergs.size() > kMostIcebergs)
         return;
     for (std::size_t i = 0; i < s.icebergs.size(); ++i) {
         const Point drift_mps = s.icebergs[i].velocity_mps + s.current_mps;
@@ -370,35 +338,12 @@ void checkDrift(const Scenario& s, Findings& findings)
     }
 }
 
-void checkAsset(const Scenario& s, Findings& findings)
-{
-    if (!s.asset)
-        return;
-    findings.utf8(s.asset->name, "asset.name");
-    findings.inRange(s.asset->position_m, limits::kCoordinate_m, "asset.position_m");
-    findings.inRange(s.asset->velocity_mps, limits::kAssetVelocity_mps, "asset.velocity_mps");
-    findings.inRange(s.asset->range_m, limits::kExtent_m, "asset.range_m");
-    findings.inRange(s.asset->gain, limits::kGain, "asset.gain");
-    findings.inRange(s.asset->alarm_m, limits::kLength_m, "asset.alarm_m");
-    findings.inRange(s.asset->standoff_m, limits::kLength_m, "asset.standoff_m");
-    checkHeights(0, s.asset->standoffCeiling_m, "asset.standoff_ceiling_m", findings);
-}
-
 void checkObserver(const Scenario& s, Findings& findings)
 {
-    const ObserverSpec& observer = s.observer;
-    findings.inRange(observer.positionSd_m, limits::kLength_m, "observer.position_sd_m");
-    if (findings.inRange(observer.interval_s, limits::kSensorInterval_s, "observer.interval_s") &&
-        observer.model == ObserverModel::Kalman && observer.interval_s < s.dt_s)
+    checkFields(s.observer, "observer.", findings);
+    if (!findings.has("observer.interval_s") && s.observer.model == ObserverModel::Kalman &&
+        s.observer.interval_s < s.dt_s)
         findings.conflict("observer.interval_s", IssueId::SensorIntervalTooShort);
-    findings.inRange(observer.detection, limits::kDetection, "observer.detection");
-}
-
-void checkPlanner(const Scenario& s, Findings& findings)
-{
-    findings.inRange(s.planner.tau, limits::kTau, "planner.tau");
-    findings.inRange(s.planningTime_s, limits::kPlanningDelay_s, "planner.planning_delay_s");
-    findings.inRange(s.reachRadius_m, limits::kExtent_m, "planner.reach_radius_m");
 }
 
 std::vector<Issue> found(const Scenario& scenario, Findings::Kind kind)
@@ -406,8 +351,8 @@ std::vector<Issue> found(const Scenario& scenario, Findings::Kind kind)
     Findings findings(kind);
     std::map<std::string, std::string> ownerOfId;
     checkRun(scenario, findings);
-    checkAreas(scenario, findings);
-    checkOperation(scenario.operation, findings);
+    checkNoFlyAreas(scenario.noFly, findings);
+    checkFields(scenario.operation, "operation.", findings);
     checkAirspace(scenario.airspace, findings);
     checkUavs(scenario, ownerOfId, findings);
     checkGeofence(scenario, findings);
@@ -415,11 +360,13 @@ std::vector<Issue> found(const Scenario& scenario, Findings::Kind kind)
     checkIcebergs(scenario, ownerOfId, findings);
     checkFleet(scenario, findings);
     checkDrift(scenario, findings);
-    checkAsset(scenario, findings);
-    checkWeather(scenario.weather, findings);
-    checkGroundStation(scenario.groundStation, findings);
+    checkFields(scenario.asset, "asset.", findings);
+    if (scenario.asset)
+        checkHeights(0, scenario.asset->standoffCeiling_m, "asset.standoff_ceiling_m", findings);
+    checkFields(scenario.weather, "weather.", findings);
+    checkFields(scenario.groundStation, "ground_station.", findings);
     checkObserver(scenario, findings);
-    checkPlanner(scenario, findings);
+    checkFields(plannerFields(), scenario, "planner.", findings);
     return findings.take();
 }
 
@@ -428,8 +375,8 @@ std::vector<Issue> found(const Scenario& scenario, Findings::Kind kind)
 std::vector<Issue> validate(const Scenario& scenario)
 {
     std::vector<Issue> issues = found(scenario, Findings::Kind::All);
-    if (!hasErrors(issues)) // advice reckons with the numbers
-        for (Issue& issue : advice(scenario))
+    if (!hasErrors(issues)) // the warnings compute with the numbers
+        for (Issue& issue : scenarioWarnings(scenario))
             issues.push_back(std::move(issue));
     return issues;
 }

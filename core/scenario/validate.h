@@ -6,19 +6,20 @@
 namespace berg {
 
 /**
- * All findings about a scenario at once. Errors: what no program can fly (out of range, not
- * finite, duplicate ids, self-crossing area, wind as fast as the UAV). Warnings: what this version
- * does not fly as it stands, wind above 0.7 of the airspeed. Hints: nothing to plan. A scenario
- * without errors also gets the warnings and hints of `advice`. Fields are named by their path in
- * the scenario file.
+ * Returns all findings about a scenario. Errors prevent a flight: values out of range or not
+ * finite, duplicate ids, a self-crossing area, wind as fast as the UAV. Warnings concern scenarios
+ * that this version cannot fly as given, and wind above 0.7 of the airspeed. Hints report that
+ * there is nothing to plan. A scenario without errors also gets the warnings and hints of
+ * `scenarioWarnings`. Each finding names its field by the path in the scenario file.
  */
 [[nodiscard]] std::vector<Issue> validate(const Scenario& scenario);
 
 /**
- * Of those errors the ones that no editor can show either: a field that by itself is out of range,
- * not finite or no text, an id that is missing or taken, a list too long. The others are about
- * fields that do not fit together, such as a UAV outside the geofence: such a scenario is saved and
- * opened to be put right, but not flown.
+ * Returns the errors of `validate` that even an editor cannot show: a single field that is out of
+ * range, not finite or not text, an id that is missing or taken, a list that is too long. A
+ * positive number below a lower limit above 0 is not among them. The remaining errors mostly
+ * concern fields that do not fit together, such as a UAV outside the geofence; such a scenario can
+ * be saved and opened for correction, but not flown.
  */
 [[nodiscard]] std::vector<Issue> unreadable(const Scenario& scenario);
 

@@ -29,9 +29,12 @@ void adviseWeather(const Scenario& scenario, Findings& findings)
         const std::string path = entryPath("uavs", i);
         if (limits.wind_mps && wind_mps > *limits.wind_mps)
             findings.warn(path + ".max_wind_mps", IssueId::WindLimit,
-                          {shownWind_mps, *limits.wind_mps});
+                          {Amount{shownWind_mps, Quantity::Speed},
+                           Amount{*limits.wind_mps, Quantity::Speed}});
         if (limits.gust_mps && gust_mps > *limits.gust_mps)
-            findings.warn(path + ".max_gust_mps", IssueId::GustLimit, {gust_mps, *limits.gust_mps});
+            findings.warn(
+                path + ".max_gust_mps", IssueId::GustLimit,
+                {Amount{gust_mps, Quantity::Speed}, Amount{*limits.gust_mps, Quantity::Speed}});
         if (!limits.icing && isIcing(scenario.weather, uav.spec.altitude_m))
             findings.warn(path + ".icing", IssueId::Icing);
     }

@@ -14,9 +14,9 @@ namespace berg {
 
 namespace {
 
-/** Circle flown while every iceberg is in view: this much wider than the tightest turn. */
+/** Ratio of the circle flown while every iceberg is in view to the tightest turn. */
 constexpr double kCircleMargin = 1.2;
-/** Between two searches for a path home, while none is known. */
+/** Time between two searches for a path home while none is known. */
 constexpr std::int64_t kNextSearch_s = 10;
 
 SafetyGuard guardOf(const Uav& uav, const Scenario& scenario)
@@ -32,7 +32,10 @@ SafetyGuard guardOf(const Uav& uav, const Scenario& scenario)
     return SafetyGuard(std::move(guarded));
 }
 
-/** Whether no UAV that comes straight from there can fly over the place and stay inside. */
+/**
+ * Returns true if a UAV that comes straight from `from_m` cannot fly over the place and stay
+ * inside.
+ */
 bool isFencedOff(const Geofence* fence, const Point& from_m, const Point& place_m)
 {
     const Point leg_m = place_m - from_m;
@@ -60,52 +63,53 @@ Autopilot::Autopilot(const Uav& uav, const Scenario& scenario)
     m_guard.proveReturn(m_pose, m_u_radps, 0);
 }
 
-/** A turn rate is held for a command: more than the whole error at a time makes it swing. */
+/** Limits the gain: turning by more than the whole error until the next command oscillates. */
 void Autopilot::limitTurnGain()
 {
     m_guidance.gains.turn_1ps = std::min(LosGains().turn_1ps, 1 / m_guard.uav().clock.command_s());
 }
 
-const Errand* Autopilot::errand() const
+const FlightTarget* Autopilot::flightTarget() const
 {
     if (const Leg* leg = std::get_if<Leg>(&m_mode))
-        return &leg->errand;
+        return &leg->flightTarget;
     if (const RunOut* runOut = std::get_if<RunOut>(&m_mode))
-        return &runOut->errand;
+        return &runOut->flightTarget;
     const Searching* searching = std::get_if<Searching>(&m_mode);
-    return searching != nullptr ? &searching->errand : nullptr;
+    return searching != nullptr ? &searching->flightTarget : nullptr;
 }
 
 bool Autopilot::fliesTo(int iceberg) const
 {
-    const Errand* now = errand();
+    const FlightTarget* now = flightTarget();
     return now != nullptr && (now->target == iceberg ||
                               std::ranges::find(now->members, iceberg) != now->members.end());
 }
 
-Point targetPlace_m(const Errand& errand, const Observer& observer)
+Point targetPlace_m(const FlightTarget& flightTarget, const Observer& observer)
 {
-    return errand.members.empty() ? observer.estimate_m(errand.target)
-                                  : middle_m(observer, errand.members);
+    return flightTarget.members.empty() ? observer.estimate_m(flightTarget.target)
+                                        : middle_m(observer, flightTarget.members);
 }
 
 UavState Autopilot::state() const
 {
     const SortieState& sortie = m_guard.sortie();
-    const Errand errand = this->errand() != nullptr ? *this->errand() : Errand();
+    const FlightTarget flightTarget =
+        this->flightTarget() != nullptr ? *this->flightTarget() : FlightTarget();
     return {.pose = m_pose,
             .u_radps = m_u_radps,
             .crossTrack_m = m_crossTrack_m,
             .flown_m = m_flown_m,
             .mode = mode(),
-            .target = errand.target,
+            .target = flightTarget.target,
             .lastReached = m_lastReached,
             .guidance = m_guidance,
             .runOut_m = m_runOut_m,
             .misses = m_misses,
-            .aim = errand.aim,
-            .members = errand.members,
-            .membersBy_s = errand.membersBy_s,
+            .aim = flightTarget.aim,
+            .members = flightTarget.members,
+            .membersBy_s = flightTarget.membersBy_s,
             .aloft_s = sortie.aloft_s,
             .ground_s = sortie.ground_s,
             .withheld_s = sortie.withheld_s,
@@ -133,7 +137,7 @@ Eigen::MatrixXd legLengths_m(const GuardedUav& uav, std::span<const Point> place
         for (Eigen::Index i = 0; i < n; ++i) {
             const Point leg_m =
                 places_m[static_cast<std::size_t>(j)] - places_m[static_cast<std::size_t>(i)];
-            // Air distance U t_ij: what a leg costs when the wind helps or hinders.
+            // The air distance U t_ij is the cost of a leg that the wind helps or hinders.
             lengths_m(i, j) =
                 calm ? leg_m.norm() : airspeed_mps * flightTime_s(leg_m, airspeed_mps, wind_mps);
         }
@@ -187,28 +191,28 @@ bool isWorthSearching(const Autopilot& uav, const Search& search, const Observer
            priority(observer, target) * observer.track(target).sigma_m2 / leg_s;
 }
 
-void Autopilot::setTarget(Errand errand, const Observer& observer)
+void Autopilot::setTarget(FlightTarget flightTarget, const Observer& observer)
 {
     m_misses = 0;
-    if (errand.target < 0) {
+    if (flightTarget.target < 0) {
         if (m_lastReached < 0)
             m_lastReached =
                 nearest(observer, m_pose.position_m, [&](int i) { return observer.active(i); });
         m_mode = m_lastReached < 0 ? Mode(Idle{}) : Mode(Circle{});
         return;
     }
-    if (!errand.members.empty()) {
-        const std::array leg_m{m_pose.position_m, middle_m(observer, errand.members)};
-        errand.membersBy_s = observer.world().time_s() + longestTurn_s(motion()) +
-                             legLengths_m(m_guard.uav(), leg_m)(0, 1) / motion().airspeed_mps;
+    if (!flightTarget.members.empty()) {
+        const std::array leg_m{m_pose.position_m, middle_m(observer, flightTarget.members)};
+        flightTarget.membersBy_s = observer.world().time_s() + longestTurn_s(motion()) +
+                                   legLengths_m(m_guard.uav(), leg_m)(0, 1) / motion().airspeed_mps;
     }
-    m_guidance.startLeg(errand.aim ? errand.aim->from_m : m_pose.position_m);
-    m_mode = Leg{std::move(errand)};
+    m_guidance.startLeg(flightTarget.aim ? flightTarget.aim->from_m : m_pose.position_m);
+    m_mode = Leg{std::move(flightTarget)};
 }
 
 void Autopilot::search()
 {
-    m_mode = Searching{errand() != nullptr ? *errand() : Errand()};
+    m_mode = Searching{flightTarget() != nullptr ? *flightTarget() : FlightTarget()};
 }
 
 void Autopilot::goHome()
@@ -223,7 +227,7 @@ void Autopilot::obey(FlightOrder order, const Observer& observer)
     if (isOnGround())
         return;
     if (order == FlightOrder::ReturnNow) {
-        m_guard.needHome(m_withoutLimit);
+        m_guard.requireHome(m_withoutLimit);
         limitTurnGain();
         m_guard.proveReturn(m_pose, m_u_radps, observer.world().step());
         goHome();
@@ -279,8 +283,8 @@ bool Autopilot::command(int uav, Observer& observer, StepReport& report)
         return true;
     const bool wasHomeward = isHomeward();
     if (!wasHomeward) {
-        const double wished_radps = steer(uav, observer, report);
-        if (const auto u_radps = m_guard.command_radps(m_pose, wished_radps)) {
+        const double desired_radps = steer(uav, observer, report);
+        if (const auto u_radps = m_guard.command_radps(m_pose, desired_radps)) {
             m_u_radps = *u_radps;
             return true;
         }
@@ -322,7 +326,10 @@ bool Autopilot::isInsideFence() const
     return fence == nullptr || fence->contains(m_pose.position_m);
 }
 
-/** Nothing that flies itself leaves it but from a start too near; wind and telemetry may. */
+/**
+ * Reports crossings of the fence. An autopilot crosses it only after a start too close to it; wind
+ * and telemetry may lead across.
+ */
 void Autopilot::watchFence(int uav, StepReport& report) const
 {
     const Geofence* fence = m_guard.uav().fence.get();
@@ -346,21 +353,21 @@ double Autopilot::steer(int uav, Observer& observer, StepReport& report)
         return steerSearch(uav, observer, report);
     case FlightMode::Hold:
         return steerRound(std::get<Hold>(m_mode).place_m);
-    case FlightMode::Idle: // nothing to fly to: hold where it is
+    case FlightMode::Idle: // no target: hold the present place
         m_crossTrack_m = 0;
         return motion().limit_radps / kCircleMargin;
     case FlightMode::Home:
     case FlightMode::Ground:
         break;
     }
-    throw std::logic_error("Autopilot: homeward UAVs are not steered by their errand");
+    throw std::logic_error("Autopilot: homeward UAVs are not steered by their flightTarget");
 }
 
-/** Along the leg to what drifts, the cross-track error put on record. */
+/** Steers along the leg to a drifting target and records the cross-track error. */
 LosGuidance::Command Autopilot::steerAlong(const Point& end_m, const Point& drift_mps)
 {
     Motion relative = motion();
-    if (!relative.wind_mps.isZero(0)) // without wind the paper's law, which has no crab angle
+    if (!relative.wind_mps.isZero(0)) // the paper's law for calm air has no crab angle
         relative.wind_mps -= drift_mps;
     const LosGuidance::Command command =
         m_guidance.steer(m_pose, end_m, relative, m_guard.uav().clock.command_s());
@@ -368,7 +375,7 @@ LosGuidance::Command Autopilot::steerAlong(const Point& end_m, const Point& drif
     return command;
 }
 
-/** Straight at the place. */
+/** Steers straight at the place. */
 double Autopilot::steerAt(const Point& place_m) const
 {
     const Point path_m = place_m - m_pose.position_m;
@@ -376,35 +383,35 @@ double Autopilot::steerAt(const Point& place_m) const
                              m_guidance.gains.turn_1ps);
 }
 
-Point Autopilot::legEnd_m(const Errand& errand, const Observer& observer) const
+Point Autopilot::legEnd_m(const FlightTarget& flightTarget, const Observer& observer) const
 {
-    const Point place_m = targetPlace_m(errand, observer);
+    const Point place_m = targetPlace_m(flightTarget, observer);
     return m_guard.uav().fence ? m_guard.uav().fence->beside_m(place_m) : place_m;
 }
 
 double Autopilot::steerLeg(const Observer& observer)
 {
-    Errand& errand = std::get<Leg>(m_mode).errand;
-    if (errand.aim)
-        return steerAim(*errand.aim);
-    const Point end_m = legEnd_m(errand, observer);
+    FlightTarget& flightTarget = std::get<Leg>(m_mode).flightTarget;
+    if (flightTarget.aim)
+        return steerAim(*flightTarget.aim);
+    const Point end_m = legEnd_m(flightTarget, observer);
     if (const std::optional<double> u_radps = steerRoundFence(end_m))
         return *u_radps;
-    if (!errand.members.empty()) { // not along the leg: the view has little to spare beside it
+    if (!flightTarget.members.empty()) { // a view of a cluster has little room beside the middle
         const Point leg_m = end_m - m_guidance.start_m;
         const Point flown_m = m_pose.position_m - m_guidance.start_m;
         m_crossTrack_m = leg_m.isZero(0) ? 0 : cross(leg_m.normalized(), flown_m);
         return steerAt(end_m);
     }
-    const Point& drift_mps = observer.track(errand.target).velocity_mps;
+    const Point& drift_mps = observer.track(flightTarget.target).velocity_mps;
     const LosGuidance::Command command = steerAlong(end_m, drift_mps);
     if (!command.passedEnd)
         return command.u_radps;
     ++m_misses;
     if (m_needsRunOut) {
-        // Each further miss gets more room, so that in the end the leg is straight.
+        // Each further miss gets more room, so that the leg becomes straight in the end.
         m_runOut_m = 2 * m_turnRadius_m * m_misses;
-        m_mode = RunOut{std::move(errand)};
+        m_mode = RunOut{std::move(flightTarget)};
         return steerRunOut();
     }
     m_guidance.startLeg(m_pose.position_m);
@@ -415,7 +422,7 @@ double Autopilot::steerAim(AimedLeg& aim)
 {
     if (aim.turn_rad == 0)
         return steerAlong(aim.abeam_m).u_radps;
-    // The side of the turn is part of the plan; the last step ends it exactly.
+    // The plan includes the side of the turn; the last command ends it exactly.
     const double command_s = m_guard.uav().clock.command_s();
     const double limit_radps = motion().limit_radps;
     const double u_radps = std::clamp(aim.turn_rad / command_s, -limit_radps, limit_radps);
@@ -430,7 +437,7 @@ double Autopilot::steerRunOut()
     m_crossTrack_m = 0;
     m_runOut_m -= motion().airspeed_mps * m_guard.uav().clock.command_s();
     if (m_runOut_m <= 0) {
-        m_mode = Leg{std::move(std::get<RunOut>(m_mode).errand)};
+        m_mode = Leg{std::move(std::get<RunOut>(m_mode).flightTarget)};
         m_guidance.startLeg(m_pose.position_m);
     }
     return 0;
@@ -441,7 +448,8 @@ double Autopilot::steerRound(const Point& place_m)
     m_crossTrack_m = 0;
     const Point from_m = m_pose.position_m - place_m;
     const double radius_m = circleRadius_m(motion());
-    // Counter-clockwise tangent, turned inwards outside the circle and outwards inside it.
+    // The course is the counter-clockwise tangent, turned inwards outside the circle and outwards
+    // inside it.
     const double bearing_rad = std::atan2(from_m.y(), from_m.x());
     const double course_rad =
         bearing_rad + kPi / 2 + std::atan((from_m.norm() - radius_m) / (radius_m / 2));
@@ -452,7 +460,7 @@ double Autopilot::steerSearch(int uav, Observer& observer, StepReport& report)
 {
     const std::optional<Search>& search = observer.searches().of(uav);
     if (!search)
-        return 0; // ended; a plan follows
+        return 0; // the search has ended; a plan follows
     const Point corner_m = observer.estimate_m(search->iceberg) + search->path.corner_m();
     const bool fencedOff = isFencedOff(m_guard.uav().fence.get(), m_guidance.start_m, corner_m);
     if (!fencedOff)

@@ -7,103 +7,136 @@
 
 namespace berg {
 
-/** What a UAV is sent to. */
-struct Errand
+/** The iceberg, cluster or aimed leg that a UAV flies to. */
+struct FlightTarget
 {
-    int target = -1;             ///< index into the icebergs; -1: none
-    std::optional<AimedLeg> aim; ///< flown instead of the way to the target's estimate
-    std::vector<int> members;    ///< the target is the middle of these; empty: it is one iceberg
-    double membersBy_s = 0;      ///< when they are overdue
+    int target = -1; ///< index into the icebergs; -1 means no iceberg
+    /** Leg to fly in place of the straight leg to the target's estimate. */
+    std::optional<AimedLeg> aim;
+    std::vector<int> members; ///< icebergs of the cluster to fly over; empty for a single iceberg
+    double membersBy_s = 0;   ///< run time from which the cluster is overdue, s
 };
 
 /**
- * Flies one UAV: turns what it is sent to into turn rates, within what its `SafetyGuard` allows.
- * Knows of icebergs what the observer tells.
+ * Flies one UAV: turns its flight target into turn rates that its `SafetyGuard` allows. It learns
+ * about icebergs only from the observer.
  */
 class Autopilot
 {
 public:
+    /**
+     * Starts at the UAV's start pose in mode Idle. The wind, fence and endurance are those of
+     * `scenario`, which must have no errors (`validate`).
+     */
     Autopilot(const Uav& uav, const Scenario& scenario);
 
     [[nodiscard]] const DubinsState& pose() const { return m_pose; }
-    /** Its place before it moved last. */
+    /** Returns the position before the last call of `move`, m. */
     [[nodiscard]] const Point& before_m() const { return m_before_m; }
     [[nodiscard]] FlightMode mode() const { return static_cast<FlightMode>(m_mode.index()); }
-    /** On its way home or on the ground. */
+    /** Returns true if the UAV flies home or is on the ground. */
     [[nodiscard]] bool isHomeward() const { return mode() == FlightMode::Home || isOnGround(); }
-    /** On its way home, on the ground or holding it is not. */
+    /**
+     * Returns true if plans are made for the UAV: it neither flies home, nor holds, nor is on the
+     * ground.
+     */
     [[nodiscard]] bool isPlanned() const { return !isHomeward() && mode() != FlightMode::Hold; }
+    /** Returns the operator's order in force. */
     [[nodiscard]] FlightOrder order() const { return m_order; }
     [[nodiscard]] bool isOnGround() const { return mode() == FlightMode::Ground; }
-    /** Where it may be; without a geofence everywhere. */
+    /** Returns true if the UAV is inside its geofence, or has none. */
     [[nodiscard]] bool isInsideFence() const;
-    /** Null: it is sent to nothing. */
-    [[nodiscard]] const Errand* errand() const;
-    /** Index of the iceberg it is sent to; -1: none. */
-    [[nodiscard]] int target() const { return errand() ? errand()->target : -1; }
-    /** Whether it is sent to it, alone or as one of a cluster. */
+    /**
+     * Returns the target, or null if the UAV has none. The pointer is valid until the next change.
+     */
+    [[nodiscard]] const FlightTarget* flightTarget() const;
+    /** Returns the index of the target iceberg, or -1 if there is none. */
+    [[nodiscard]] int target() const { return flightTarget() ? flightTarget()->target : -1; }
+    /** Returns true if the iceberg is the target or a member of the target cluster. */
     [[nodiscard]] bool fliesTo(int iceberg) const;
-    /** What is put on record, without what others know: search, planned alone. */
+    /**
+     * Returns the recorded state, except `search` and `isAlone`, which the autopilot does not know.
+     */
     [[nodiscard]] UavState state() const;
 
     [[nodiscard]] const Motion& motion() const { return m_guard.uav().motion; }
     [[nodiscard]] double altitude_m() const { return m_altitude_m; }
     [[nodiscard]] const SensorSpec& sensor() const { return m_sensor; }
     [[nodiscard]] const SafetyGuard& guard() const { return m_guard; }
-    /** Whether it cannot come within reach of the place without leaving its fence. */
+    /** Returns true if the UAV cannot come within reach of the place without leaving its fence. */
     [[nodiscard]] bool isShutOff(const Point& place_m) const;
-    /** Endurance left when it would be home, flying there at once: `SafetyGuard::homeMargin_s`. */
+    /**
+     * Returns the endurance left on arrival if the UAV flew home now, s, below 0 if it would be
+     * late: `SafetyGuard::homeMargin_s`. Returns nullopt if the endurance is unlimited.
+     */
     [[nodiscard]] std::optional<double> homeMargin_s(const Observer& observer) const;
 
-    /** A target of -1: round the last iceberg reached, the nearest one when there is none. */
-    void setTarget(Errand errand, const Observer& observer);
-    /** Searches for what the observer knows it to search for, before the target. */
+    /**
+     * Flies to the target. With target -1 the UAV circles the last iceberg reached, else the
+     * nearest active one, else it holds where it is (Idle).
+     */
+    void setTarget(FlightTarget flightTarget, const Observer& observer);
+    /** Flies the observer's search for this UAV; the present target is kept for afterwards. */
     void search();
+    /** Switches to mode Home. */
     void goHome();
-    /** None: an order that was given before has come to its end. */
+    /**
+     * Carries out an operator's order. `FlightOrder::None` ends the order in force. On the ground
+     * the order is only stored; any order but None prevents the next take-off.
+     */
     void obey(FlightOrder order, const Observer& observer);
+    /** Records the iceberg reached last, which the UAV circles when it has no target. */
     void setReached(int iceberg) { m_lastReached = iceberg; }
-    /** In mode Ground; false: it would not come home, and tries again later. */
+    /**
+     * Takes off on a course with a safe return. The UAV must be on the ground. Returns false, and
+     * stays there, if no safe return would exist after take-off.
+     */
     [[nodiscard]] bool takeOff(const Observer& observer);
-    /** Of the endurance: `SafetyGuard::withhold`. */
+    /** Withholds part of the endurance, s, from this sortie: `SafetyGuard::withhold`. */
     void withhold(double withheld_s) { m_guard.withhold(withheld_s); }
+    /** Sets the wind from now on and proves the return path again. */
     void setWind(const Point& wind_mps, const Observer& observer);
-    /** Made for the wind that blows; null: none from now on. */
+    /** Sets the fence, built for the present wind; null removes it. */
     void setFence(std::shared_ptr<const Geofence> fence, const Observer& observer);
 
-    /** The turn rate of the step that ends now, held between two commands. False: it has to go home
-     * and is on its way. */
+    /**
+     * Sets the turn rate for the step that ends now, if a command is due. Returns false if the UAV
+     * had to turn home with this command.
+     */
     [[nodiscard]] bool command(int uav, Observer& observer, StepReport& report);
-    /** Whether it is given a command in the step that ends now. */
+    /** Returns true if a command is due in the step that ends now. */
     [[nodiscard]] bool isCommanded(const World& world) const;
     [[nodiscard]] double turnRate_radps() const { return m_u_radps; }
-    /** In place of its command, until the next one. */
+    /** Replaces the turn rate, rad/s, until the next command. */
     void deviateTo(double u_radps);
-    /** Flies that step, or takes the pose at its end from outside. */
+    /**
+     * Moves the UAV by one step of the Dubins model, or to the pose in `measured` if that is not
+     * null. Reports landing, fence crossings and late returns.
+     */
     void move(int uav, const DubinsState* measured, StepReport& report);
 
 private:
     template <FlightMode>
-    struct Alone
+    struct Untargeted
     {
     };
     template <FlightMode>
-    struct Sent
+    struct Targeted
     {
-        Errand errand;
+        FlightTarget flightTarget;
     };
     struct Hold
     {
         Point place_m;
     };
-    using Idle = Alone<FlightMode::Idle>;
-    using Leg = Sent<FlightMode::Leg>;
-    using RunOut = Sent<FlightMode::RunOut>;
-    using Circle = Alone<FlightMode::Circle>;
-    using Searching = Sent<FlightMode::Search>;
-    using Home = Alone<FlightMode::Home>;
-    using Ground = Alone<FlightMode::Ground>;
-    /** In the order of `FlightMode`. */
+    using Idle = Untargeted<FlightMode::Idle>;
+    using Leg = Targeted<FlightMode::Leg>;
+    using RunOut = Targeted<FlightMode::RunOut>;
+    using Circle = Untargeted<FlightMode::Circle>;
+    using Searching = Targeted<FlightMode::Search>;
+    using Home = Untargeted<FlightMode::Home>;
+    using Ground = Untargeted<FlightMode::Ground>;
+    /** Alternatives in the order of `FlightMode`. */
     using Mode = std::variant<Idle, Leg, RunOut, Circle, Searching, Home, Ground, Hold>;
 
     void watchFence(int uav, StepReport& report) const;
@@ -114,51 +147,73 @@ private:
     [[nodiscard]] double steerRunOut();
     [[nodiscard]] double steerRound(const Point& place_m);
     [[nodiscard]] double steerSearch(int uav, Observer& observer, StepReport& report);
-    /** Towards the corner that the geofence leads round on the way there; none: it does not. */
+    /**
+     * Returns the turn rate to the next fence corner on the path to `end_m`, or nullopt if the
+     * straight path is clear.
+     */
     [[nodiscard]] std::optional<double> steerRoundFence(const Point& end_m);
-    /** Where the leg to the target ends: beside a no-fly area that it is in. */
-    [[nodiscard]] Point legEnd_m(const Errand& errand, const Observer& observer) const;
+    /**
+     * End of the leg to the target, moved to the nearest edge if the target is in a no-fly area.
+     */
+    [[nodiscard]] Point legEnd_m(const FlightTarget& flightTarget, const Observer& observer) const;
     [[nodiscard]] LosGuidance::Command steerAlong(const Point& end_m,
                                                   const Point& drift_mps = Point::Zero());
     [[nodiscard]] double steerAt(const Point& place_m) const;
 
     SensorSpec m_sensor;
-    SortieSpec m_withoutLimit; ///< for a return that is ordered where the endurance is unlimited
+    SortieSpec m_withoutLimit; ///< sortie for an ordered return when the endurance is unlimited
     double m_altitude_m;
     double m_turnRadius_m;
-    double m_reach_m;   ///< so near an iceberg it has reached it, or surely sees it
-    bool m_needsRunOut; ///< reach smaller than the turn radius: see `FlightMode::RunOut`
+    double m_reach_m;   ///< distance at which an iceberg is reached or certainly in view
+    bool m_needsRunOut; ///< true if `m_reach_m` is below the turn radius: see `FlightMode::RunOut`
     SafetyGuard m_guard;
 
     DubinsState m_pose;
     Point m_before_m = Point::Zero();
     double m_u_radps = 0;
     double m_crossTrack_m = 0;
-    double m_flown_m = 0; ///< through the air
+    double m_flown_m = 0; ///< distance flown through the air
     Mode m_mode;
     FlightOrder m_order = FlightOrder::None;
     int m_lastReached = -1;
     LosGuidance m_guidance;
-    double m_runOut_m = 0;        ///< left to fly straight in mode RunOut
-    int m_misses = 0;             ///< times the target was passed without reaching it
-    std::optional<Point> m_via_m; ///< corner flown to, round which the geofence leads
+    double m_runOut_m = 0;        ///< distance left to fly straight in mode RunOut
+    int m_misses = 0;             ///< number of times the target was passed without reaching it
+    std::optional<Point> m_via_m; ///< fence corner that the UAV flies to now
 };
 
-/** Where the target is believed to be, the middle of a cluster. */
-[[nodiscard]] Point targetPlace_m(const Errand& errand, const Observer& observer);
-/** Of the circle flown while every iceberg is in view. */
+/**
+ * Returns the estimated position of the target now, m; for a cluster the middle of the smallest
+ * circle around its members. The target must be an iceberg or cluster.
+ */
+[[nodiscard]] Point targetPlace_m(const FlightTarget& flightTarget, const Observer& observer);
+/**
+ * Returns the radius of the circle over ground that a UAV flies while every iceberg is in view, m:
+ * 1.2 times the tightest turn, wind included.
+ */
 [[nodiscard]] double circleRadius_m(const Motion& motion);
-/** Of the legs between places: over ground, through the air in wind; round the fence. */
+/**
+ * Returns the N x N matrix of leg lengths between the places, row = from, in metres: air distance U
+ * t_ij in wind, distance over ground without; around the fence where there is one.
+ */
 [[nodiscard]] Eigen::MatrixXd legLengths_m(const GuardedUav& uav, std::span<const Point> places_m);
-/** How many icebergs of this order, from its start, can be visited before home must be reached;
- * none: unlimited. */
+/**
+ * Returns how many icebergs of the order, from its first, can be visited before the UAV must turn
+ * home, or nullopt if the endurance is unlimited.
+ */
 [[nodiscard]] std::optional<int> thisSortie(const Autopilot& uav, std::span<const int> order,
                                             const Observer& observer);
-/** Chance per second of finding it, times what that takes away. */
+/**
+ * Returns the expected gain of the search per second, m^2/s: the chance of finding the iceberg per
+ * second times its weighted variance.
+ */
 [[nodiscard]] double searchGain_m2ps(const Autopilot& uav, const Search& search,
                                      const Observer& observer);
-/** Whether the search gains more per second than flying to the target: its sigma, which the
- * sighting takes away, over the time until then. */
+/**
+ * Returns true if the search gains more per second than the flight to the target, which gains the
+ * target's weighted sigma over its flight time. Returns false if the search has no corner left, and
+ * otherwise true if there is no target.
+ */
 [[nodiscard]] bool isWorthSearching(const Autopilot& uav, const Search& search,
                                     const Observer& observer);
 

@@ -8,7 +8,7 @@ namespace berg {
 
 namespace {
 
-/** Icebergs farther out of reach than this are out of view in spite of all rounding. */
+/** Margin on the reach of a view that covers all rounding. */
 constexpr double kReachMargin_m = 1;
 
 } // namespace
@@ -18,7 +18,7 @@ FieldOfView Camera::part(double share) const
     SensorSpec seen = sensor;
     if (isOn)
         seen.fov_m *= share;
-    else // nothing is within these extents
+    else // no point is within NaN extents
         seen.fov_m.setConstant(std::numeric_limits<double>::quiet_NaN());
     return {seen, pose.position_m, pose.psi_rad};
 }
@@ -36,7 +36,7 @@ void Cameras::add(const Camera& camera)
     m_views.emplace_back();
 }
 
-void Cameras::point(int uav, const DubinsState& pose, FlightMode mode)
+void Cameras::setPose(int uav, const DubinsState& pose, FlightMode mode)
 {
     Camera& camera = m_cameras[toIndex(uav)];
     camera.pose = pose;
@@ -64,7 +64,7 @@ int Cameras::viewer(const Point& place_m)
     for (std::size_t uav = 0; uav < m_cameras.size(); ++uav) {
         const double near_m = m_cameras[uav].reach_m + kReachMargin_m;
         if ((place_m - m_cameras[uav].pose.position_m).squaredNorm() > near_m * near_m)
-            continue; // most places: without a sine
+            continue; // most places are this far: saves a sine
         if (!m_views[uav])
             m_views[uav] = m_cameras[uav].view();
         if (m_views[uav]->contains(place_m))

@@ -6,18 +6,19 @@
 
 namespace berg {
 
-/** The camera of one UAV, and where it is. */
+/** The camera of one UAV and its pose. */
 struct Camera
 {
     SensorSpec sensor;
     double airspeed_mps = 0;
     DubinsState pose;
-    bool isOn = true;      ///< off on the ground
-    bool maySearch = true; ///< not on the way home, nor holding
+    bool isOn = true;      ///< false on the ground
+    bool maySearch = true; ///< false while the UAV flies home or holds
+    /** Distance beyond which nothing is in view, m. */
     double reach_m = FieldOfView::reach_m(sensor);
 
     [[nodiscard]] FieldOfView view() const { return part(1); }
-    /** An iceberg whose estimate is in this part of it should be seen. */
+    /** Returns the inner half of the view. An iceberg whose estimate is in it should be seen. */
     [[nodiscard]] FieldOfView middle() const { return part(kMiddleOfView); }
 
 private:
@@ -26,14 +27,17 @@ private:
     [[nodiscard]] FieldOfView part(double share) const;
 };
 
-/** Index of the first view with the place in it; -1: none. */
+/** Returns the index of the first view that contains the place, or -1 if none does. */
 [[nodiscard]] int firstWith(std::span<const FieldOfView> views, const Point& place_m);
 
-/** What the UAVs can see from where they are, by UAV. */
+/** Fields of view and reach of all UAVs, by UAV. */
 class Cameras
 {
 public:
-    /** With a reach radius an iceberg is reached within it, else in view. */
+    /**
+     * With `reachRadius_m` an iceberg is reached within that distance, else as soon as it is in
+     * view.
+     */
     Cameras(std::optional<double> reachRadius_m, const Point& wind_mps)
         : m_reachRadius_m(reachRadius_m), m_wind_mps(wind_mps.norm())
     {
@@ -42,28 +46,34 @@ public:
     [[nodiscard]] int count() const { return static_cast<int>(m_cameras.size()); }
     [[nodiscard]] const Camera& of(int uav) const { return m_cameras[toIndex(uav)]; }
     void add(const Camera& camera);
-    /** The UAV is there now. */
-    void point(int uav, const DubinsState& pose, FlightMode mode);
+    /** Sets the pose of the UAV. Its camera is off in mode Ground. */
+    void setPose(int uav, const DubinsState& pose, FlightMode mode);
     void setWind(const Point& wind_mps) { m_wind_mps = wind_mps.norm(); }
 
+    /** Returns the fields of view by UAV; that of a UAV on the ground contains no place. */
     [[nodiscard]] std::vector<FieldOfView> views() const;
+    /** Returns `Camera::middle` by UAV. */
     [[nodiscard]] std::vector<FieldOfView> middles() const;
-    /** The first UAV that has the place in view; -1: none. */
+    /** Returns the first UAV that has the place in view now, or -1 if none has. */
     [[nodiscard]] int viewer(const Point& place_m);
 
     [[nodiscard]] const std::optional<double>& reachRadius_m() const { return m_reachRadius_m; }
+    /** Returns true if there is a reach radius and the place is within it. */
     [[nodiscard]] bool isWithinReach(int uav, const Point& place_m) const;
+    /** Returns true if there is a reach radius and the place is within it of any UAV. */
     [[nodiscard]] bool isWithinReachOfAny(const Point& place_m) const;
-    /** For a place in no view, the steps until it may be, at least 1: UAVs and place being as fast
-     * as they can. */
+    /**
+     * Returns the number of steps, at least 1, before a place now out of view can come into view,
+     * if the UAVs and the place approach each other at their highest speeds.
+     */
     [[nodiscard]] std::int64_t stepsOutOfReach(const Point& place_m, double speedLimit_mps,
                                                double dt_s) const;
 
 private:
     std::optional<double> m_reachRadius_m;
-    double m_wind_mps; ///< its speed
+    double m_wind_mps; ///< wind speed
     std::vector<Camera> m_cameras;
-    /** Made when they are first needed, as each costs a sine. */
+    /** Views computed on first use after a move, since each costs a sine. */
     std::vector<std::optional<FieldOfView>> m_views;
 };
 

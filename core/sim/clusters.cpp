@@ -13,19 +13,20 @@ namespace berg {
 
 namespace {
 
-/** Standard deviations that the view has to spare for a member. */
+/** Standard deviations of a member's position that the view must have to spare. */
 constexpr double kDeviations = 2;
-/** A turn is flown this much wider than the tightest one, which the autopilot comes to by and by.
+/**
+ * Ratio of a flown turn to the tightest one, because the autopilot reaches its turn rate gradually.
  */
 constexpr double kTurnMargin = 1.2;
 
-/** Over ground; in wind the widest that becomes of it. */
+/** Largest radius over ground of a turn in the wind. */
 double widestTurn_m(const Motion& motion)
 {
     return kTurnMargin * (motion.airspeed_mps + motion.wind_mps.norm()) / motion.limit_radps;
 }
 
-/** False inside the circles of tightest turn, where the UAV would have to fly away first. */
+/** Returns false for places inside the circles of tightest turn, which the UAV must leave first. */
 bool canTurnOnto(const DubinsState& uav, const Motion& motion, const Point& place_m)
 {
     const double radius_m = widestTurn_m(motion);
@@ -35,7 +36,7 @@ bool canTurnOnto(const DubinsState& uav, const Motion& motion, const Point& plac
     });
 }
 
-/** Whether the fence can be kept on any course over the place. */
+/** Returns true if the UAV can stay inside the fence on any course over the place. */
 bool isFlownOver(const Geofence& fence, const Point& place_m)
 {
     constexpr int kCourses = 16;
@@ -45,7 +46,7 @@ bool isFlownOver(const Geofence& fence, const Point& place_m)
     return true;
 }
 
-/** Single icebergs that become clusters. */
+/** Unites single icebergs into clusters. */
 class Grouping
 {
 public:
@@ -75,7 +76,7 @@ public:
     }
 
 private:
-    /** Two groups that are allowed to be one. */
+    /** Two groups whose union is permitted. */
     struct Union
     {
         double radius_m = 0;
@@ -109,7 +110,10 @@ private:
                 offer(other, chosen.a);
     }
 
-    /** Of the circle round the members, the largest for any UAV; none: they are no cluster. */
+    /**
+     * Returns the radius of the circle around the members, the largest over the UAVs, or nullopt if
+     * they may not be a cluster.
+     */
     [[nodiscard]] std::optional<double> radiusOf(const std::vector<int>& members) const
     {
         const Circle now = circleAt(members, m_time_s);
@@ -125,7 +129,10 @@ private:
         return largest_m;
     }
 
-    /** For one UAV: the larger of now and when it is there. */
+    /**
+     * Returns the larger radius of now and at this UAV's arrival, or nullopt if a rule forbids the
+     * cluster.
+     */
     [[nodiscard]] std::optional<double>
     radiusFor(const ClusterRules& rules, const std::vector<int>& members, const Circle& now) const
     {
@@ -156,8 +163,9 @@ private:
     std::span<const ClusterRules> m_uavs;
     double m_time_s;
     double m_widest_m = 0;
-    std::vector<Point> m_places_m;          ///< by track, now
-    std::vector<std::vector<int>> m_groups; ///< each at the index of its first; empty: of another
+    std::vector<Point> m_places_m; ///< by track, now
+    /** Each at the index of its first member; empty once united with another. */
+    std::vector<std::vector<int>> m_groups;
     std::vector<Union> m_unions;
 };
 

@@ -13,53 +13,59 @@ namespace berg {
 class Simulation;
 
 /**
- * How many of the order can be visited before home must be reached, clusters as a whole; none:
- * unlimited. Takes them as visited one by one, which is a longer way than to their middle.
+ * Returns how many icebergs of the order UAV `uav` can visit before it must turn home, clusters
+ * counted only as a whole, or nullopt if the endurance is unlimited. Members are counted as visited
+ * one by one, which is longer than the flight to the middle of their cluster.
  */
 [[nodiscard]] std::optional<int> thisSortie(const Simulation& simulation, int uav,
                                             std::span<const int> order,
                                             std::span<const std::vector<int>> clusters);
 
-/** Passing nearer to its middle than this is flying over a cluster. */
+/** A pass closer than this to the middle counts as flying over the cluster, m. */
 inline constexpr double kFlownOver_m = 10;
 
-/** How one UAV flies to clusters, and what they may be for it. */
+/** Conditions under which one UAV may fly to clusters. */
 struct ClusterRules
 {
     double time_s = 0;
     DubinsState uav;
     Motion motion;
-    double cover_m = 0; ///< largest distance of a member from the UAV at which it counts
-    std::shared_ptr<const Geofence> fence; ///< null: none
-    std::vector<bool> visitable;           ///< by track: what it may visit; empty: all
+    /** Largest distance between UAV and member at which the member counts as seen. */
+    double cover_m = 0;
+    std::shared_ptr<const Geofence> fence; ///< null if there is no fence
+    /** By track: whether the UAV may visit it; empty means every track. */
+    std::vector<bool> visitable;
 };
 
-/** Whether the UAV may visit all of them. */
+/** Returns true if the UAV may visit every member. */
 [[nodiscard]] bool mayVisit(const ClusterRules& rules, std::span<const int> members);
 
-/** What turning onto the straight way to a cluster adds to it at most: a full turn. */
+/**
+ * Returns the time of a full turn, s: the most that turning onto the straight path to a cluster
+ * adds.
+ */
 [[nodiscard]] double longestTurn_s(const Motion& motion);
 
 /**
- * Icebergs that can be planned as one point: flying over the middle of the smallest circle round
- * their estimates brings all of them into view at once. That circle is no larger than `cover_m`
- * less 2 standard deviations of the least certain one and the error of flying, now and when the
- * UAV, on a straight way after a full turn, is there. (In between it is no larger either: estimates
- * move straight, and the radius is then a convex function of time.) The UAV can turn onto the
- * middle at once, and fly over it on any course inside the fence. With several UAVs that holds for
- * each that may visit all of the members, of which there is one at least.
+ * Groups icebergs that can be planned as one point, because flying over the middle of the smallest
+ * circle around their estimates brings all of them into view at once.
+ * For each UAV that may visit all members (at least one), the radius of that circle is at most
+ * `cover_m` less 2 standard deviations of the least certain member and the guidance error, both now
+ * and at arrival after a full turn and a straight leg. In between it is no larger, because
+ * estimates move in straight lines and the radius is then a convex function of time. The UAV can
+ * also turn onto the middle at once and fly over it on any course inside the fence.
  *
- * Returns groups of indices into `tracks`, two and more in each, ascending, as are the first of
- * the groups; each index once at most. Groups grow out of single icebergs, the two that come into
- * the smallest circle first, while that is allowed: so they do not depend on the order of the
- * tracks but for ties, and tight ones, which are seen early and surely, come before wide ones. (The
- * fewest groups would be a disk cover, NP-hard, and would take wide ones first.) Cost: the square
- * of the count.
+ * Returns groups of two or more indices into `tracks`, each ascending and ordered by their first
+ * index; an index appears at most once. Groups grow from single icebergs by repeatedly uniting the
+ * two whose union has the smallest circle. The result therefore does not depend on the order of the
+ * tracks except for ties, and tight groups, which are seen early and reliably, form before wide
+ * ones. (The smallest number of groups is a disk cover problem, NP-hard, and would prefer wide
+ * groups.) There must be at least one UAV. Cost: quadratic in the number of tracks.
  */
 [[nodiscard]] std::vector<std::vector<int>> clustersOf(std::span<const Track> tracks,
                                                        std::span<const ClusterRules> uavs);
 
-/** The cluster that this one leads or is in; empty: none. */
+/** Returns the members of the cluster that contains the iceberg, or an empty span if none does. */
 [[nodiscard]] std::span<const int> clusterWith(std::span<const std::vector<int>> clusters,
                                                int iceberg);
 

@@ -13,17 +13,19 @@ namespace berg {
 namespace {
 
 constexpr std::array kLengths_s{8.0, 12.0, 16.0, 20.0, 26.0, 32.0, 40.0, 50.0};
-/** Turns tried: so many to either side. */
+/** Number of turn angles tried to either side. */
 constexpr int kTurns = 6;
 constexpr double kLargestTurn_rad = kPi;
-/** Parts of the turn rate's limit, and seconds before the turn. */
+/** Shares of the turn rate limit, and seconds of straight flight before the turn. */
 constexpr std::array kRateParts{1.0, 0.5};
 constexpr std::array kLeads_s{0.0, 4.0};
-/** Autopilots that hardly ever command at the same time do not depart together. */
+/** Longest common period of commands with which UAVs depart together. */
 constexpr double kLongestRound_s = 30;
 constexpr int kMostTries = 4'000;
 
-/** Every one of them commands after so many steps. */
+/**
+ * Returns the number of steps after which every UAV has a command due, or 0 if that takes too long.
+ */
 std::int64_t commonSteps(std::span<const Departing> uavs)
 {
     std::int64_t steps = 1;
@@ -35,13 +37,16 @@ std::int64_t commonSteps(std::span<const Departing> uavs)
     return steps;
 }
 
-/** Straight on for some time, a turn, then straight on; either disc at its end. */
+/**
+ * Builds departures of straight flight, a turn and straight flight, each with both discs at its
+ * end.
+ */
 std::vector<Departure> candidates(const Departing& uav, std::int64_t steps)
 {
     const GuardedUav& own = uav.guard.uav();
     const std::int64_t commands = steps / own.clock.steps;
     std::vector<Departure> found;
-    for (int turn = 0; turn <= 2 * kTurns; ++turn) // the least turn first, right before left
+    for (int turn = 0; turn <= 2 * kTurns; ++turn) // smallest turn first, right before left
         for (const double part : kRateParts)
             for (const double lead_s : kLeads_s) {
                 const double rate_radps = (turn % 2 == 1 ? -1 : 1) * part * own.motion.limit_radps;
@@ -66,19 +71,22 @@ std::vector<Departure> candidates(const Departing& uav, std::int64_t steps)
                     found.push_back(departure);
                 }
                 if (turn == 0)
-                    break; // straight on whatever the rate
+                    break; // straight flight does not depend on the rate
             }
     return found;
 }
 
-/** How near two of them may come, in parts. */
+/** Permitted approach of two departing UAVs. */
 struct Nearness
 {
-    double ofStart = 0;      ///< of the distance they start at, until they are apart
-    double ofSeparation = 0; ///< of the separation, once they have been apart
+    double ofStart = 0;      ///< share of their distance at the start, until they are apart
+    double ofSeparation = 0; ///< share of the separation, after they have been apart
 };
 
-/** The last two for those that are apart, but start towards each other. */
+/**
+ * Requirements tried in this order. The last two serve UAVs that are apart but start towards each
+ * other.
+ */
 constexpr std::array kNearest{Nearness{0.99, 1}, Nearness{0.5, 1}, Nearness{0, 1}, Nearness{0, 0.5},
                               Nearness{0, 0}};
 
@@ -98,7 +106,7 @@ bool isApart(const Departure& a, const Departure& b, double discs_m, double sepa
     return true;
 }
 
-/** One departure each, chosen one UAV after another. */
+/** Chooses one departure for each UAV, one UAV after another. */
 class Choice
 {
 public:

@@ -1,8 +1,8 @@
 #include "core/sim/fleet.h"
 
-#include "core/scenario/advice.h"
 #include "core/scenario/fence.h"
 #include "core/scenario/recovery.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/sim/clusters.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace berg {
 
 namespace {
 
-/** Whether it was on the ground, or nowhere, before this step. */
+/** Returns true if the UAV was on the ground, or not yet simulated, before this step. */
 bool isJustAloft(const Autopilot& uav, const World& world)
 {
     return world.step() == 1 ||
@@ -71,7 +71,7 @@ bool Fleet::visitable(int uav, int iceberg) const
 {
     const Track& track = m_observer.track(iceberg);
     const World& world = m_observer.world();
-    const int assigned = world.body(iceberg).assignedUav;
+    const int assigned = world.parameters(iceberg).assignedUav;
     return m_observer.active(iceberg) && track.status == TrackStatus::Tracked && !track.inView &&
            (assigned < 0 || assigned == uav) && !isReachedUnseen(m_observer, iceberg) &&
            !autopilot(uav).isShutOff(m_observer.estimate_m(iceberg));
@@ -101,20 +101,20 @@ bool Fleet::clusterable(int uav, int iceberg) const
 
 void Fleet::advance(std::span<const DubinsState> poses)
 {
-    m_observer.world().tick(); // the estimates steered at are those at the end of the step
+    m_observer.world().tick(); // steering uses the estimates at the end of the step
     m_report.trigger = PlanReason::None;
     for (int uav = 0; uav < count(); ++uav) {
         Autopilot& me = m_autopilots[toIndex(uav)];
         if (!me.command(uav, m_observer, m_report))
             noteHomeward(uav);
         if (poses.empty())
-            keepApart(uav);
+            enforceSeparation(uav);
         me.move(uav, poses.empty() ? nullptr : &poses[toIndex(uav)], m_report);
         if (me.isOnGround())
             m_separation.leave(uav);
         else if (!poses.empty())
             enterLayer(uav);
-        m_observer.cameras().point(uav, me.pose(), me.mode());
+        m_observer.cameras().setPose(uav, me.pose(), me.mode());
     }
     watchSeparation();
     m_observer.observe(m_observer.world().dt_s(), m_report);
@@ -127,36 +127,36 @@ void Fleet::enterLayer(int uav)
     m_separation.enter(uav, me.guard(), me.pose());
 }
 
-/** What it was commanded gives way to what keeps it apart from the others of its layer. */
-void Fleet::keepApart(int uav)
+/** Replaces the autopilot's command by one that keeps the UAV separated in its layer. */
+void Fleet::enforceSeparation(int uav)
 {
     Autopilot& me = m_autopilots[toIndex(uav)];
     if (!m_separation.concerns(uav) || !me.isCommanded(m_observer.world()))
         return;
-    Separation::Wish wish{.rate_radps = me.turnRate_radps(),
-                          .hasGoal = me.isHomeward() || me.target() >= 0};
+    Separation::DesiredTurn desired{.rate_radps = me.turnRate_radps(),
+                                    .hasGoal = me.isHomeward() || me.target() >= 0};
     if (me.isHomeward() && me.guard().uav().sortie) {
-        wish.home_m = me.guard().uav().sortie->home_m;
-        wish.due_s = m_observer.world().time_s() + me.guard().slotLeft_s();
+        desired.home_m = me.guard().uav().sortie->home_m;
+        desired.due_s = m_observer.world().time_s() + me.guard().slotLeft_s();
     }
-    me.deviateTo(m_separation.command_radps(uav, me.guard(), me.pose(), wish));
+    me.deviateTo(m_separation.command_radps(uav, me.guard(), me.pose(), desired));
 }
 
-void Fleet::setTarget(int uav, Errand errand, bool mayGoOn, bool keepsSearch)
+void Fleet::setTarget(int uav, FlightTarget flightTarget, bool mayContinueLeg, bool keepsSearch)
 {
     Autopilot& me = m_autopilots[toIndex(uav)];
-    const Errand* now = me.errand();
-    if (mayGoOn && errand.target >= 0 && !errand.aim && now != nullptr &&
-        now->target == errand.target && now->members == errand.members && !now->aim) {
-        // Another UAV may have left it its search.
+    const FlightTarget* now = me.flightTarget();
+    if (mayContinueLeg && flightTarget.target >= 0 && !flightTarget.aim && now != nullptr &&
+        now->target == flightTarget.target && now->members == flightTarget.members && !now->aim) {
+        // Another UAV may have passed on its search.
         if (me.mode() != FlightMode::Search && !(keepsSearch && m_observer.isLeftToPlan()))
             beginOrEndSearch(uav);
         return;
     }
-    me.setTarget(std::move(errand), m_observer);
+    me.setTarget(std::move(flightTarget), m_observer);
     if (!keepsSearch || !m_observer.isLeftToPlan())
         beginOrEndSearch(uav);
-    // Home, when there is something to be visited, but not in this sortie.
+    // The UAV flies home if icebergs can be visited, but not in this sortie.
     if (me.target() < 0 && me.mode() != FlightMode::Search && me.guard().uav().sortie &&
         nearest(m_observer, me.pose().position_m,
                 [this, uav](int i) { return visitable(uav, i); }) >= 0 &&
@@ -172,14 +172,16 @@ void Fleet::sendHome(int uav)
 
 void Fleet::noteHomeward(int uav)
 {
-    m_observer.cameras().point(uav, autopilot(uav).pose(), autopilot(uav).mode());
+    m_observer.cameras().setPose(uav, autopilot(uav).pose(), autopilot(uav).mode());
     leaveSearch(uav);
-    // What it was to visit is left to the others.
+    // The others can visit its targets now.
     m_report.add({.kind = EventKind::HomeBound, .uav = uav}, PlanReason::Fleet);
 }
 
-/** Of a UAV that is not planned any more: the nearest one that may search goes on with it, else
- * nobody for now. */
+/**
+ * Passes the search of a UAV that is no longer planned to the nearest UAV that may continue it, or
+ * gives it up for now.
+ */
 void Fleet::leaveSearch(int uav)
 {
     if (!isSearchedByPlan())
@@ -202,7 +204,7 @@ void Fleet::leaveSearch(int uav)
 
 bool Fleet::maySearch(int uav, int iceberg) const
 {
-    const int assigned = m_observer.world().body(iceberg).assignedUav;
+    const int assigned = m_observer.world().parameters(iceberg).assignedUav;
     return m_observer.active(iceberg) && (assigned < 0 || assigned == uav) &&
            affordable(uav, iceberg);
 }
@@ -215,15 +217,15 @@ bool Fleet::hasSomethingToSearch(int uav) const
            });
 }
 
-/** Now: one of them flies such a plan. */
+/** Returns true if a UAV flies an aimed plan now, which then includes the searches. */
 bool Fleet::isSearchedByPlan() const
 {
     return searchesByPlan() && std::ranges::any_of(m_autopilots, [](const Autopilot& uav) {
-               return uav.isPlanned() && uav.errand() != nullptr && uav.errand()->aim;
+               return uav.isPlanned() && uav.flightTarget() != nullptr && uav.flightTarget()->aim;
            });
 }
 
-/** With a new target: searched for first, or no longer. */
+/** Starts or ends a search when the UAV gets a new target. */
 void Fleet::beginOrEndSearch(int uav)
 {
     Autopilot& me = m_autopilots[toIndex(uav)];
@@ -244,9 +246,10 @@ void Fleet::beginOrEndSearch(int uav)
 }
 
 /**
- * With a new target: what has been given up is searched for again where that gains more, because
- * the rest is fresh by now; without one in any case, as where it was sought it may have come since.
- * A new pattern, begun at the datum; what has been seen to be empty stays so.
+ * Resumes a search that was given up if it gains more than the new target, because the other
+ * icebergs have been seen recently; without a target in any case, because the iceberg may have
+ * drifted back into the area searched. The pattern starts anew at the datum, but probabilities of
+ * cells seen empty are retained.
  */
 void Fleet::searchAgain(int uav)
 {
@@ -277,7 +280,9 @@ void Fleet::setReached(int uav)
     m_separation.arrive(uav);
 }
 
-/** Of the sortie that begins now, so that it ends in a slot of its own. */
+/**
+ * Withholds endurance from the sortie that begins now, so that it ends in its own recovery slot.
+ */
 void Fleet::takeSlot(int uav)
 {
     const std::vector<int>& mates = m_padMates[toIndex(uav)];
@@ -293,7 +298,7 @@ void Fleet::takeSlot(int uav)
 
 bool Fleet::takeOffWhenDue(int uav)
 {
-    constexpr double kRounding = 1e-3; // of a step: what counting it down leaves of whole steps
+    constexpr double kRounding = 1e-3; // share of a step, covers the rounding of the countdown
     Autopilot& me = m_autopilots[toIndex(uav)];
     const World& world = m_observer.world();
     if (!me.isOnGround() || me.order() != FlightOrder::None ||
@@ -304,7 +309,7 @@ bool Fleet::takeOffWhenDue(int uav)
         !m_separation.hasRoom(uav, me.pose().position_m) || !me.takeOff(m_observer))
         return false;
     enterLayer(uav);
-    m_observer.cameras().point(uav, me.pose(), me.mode());
+    m_observer.cameras().setPose(uav, me.pose(), me.mode());
     m_report.add({.kind = EventKind::TookOff, .uav = uav});
     return true;
 }
@@ -312,16 +317,16 @@ bool Fleet::takeOffWhenDue(int uav)
 bool Fleet::endOverdueCluster(int uav)
 {
     const Autopilot& me = autopilot(uav);
-    if (me.mode() != FlightMode::Leg || me.errand()->members.empty())
+    if (me.mode() != FlightMode::Leg || me.flightTarget()->members.empty())
         return false;
-    const Errand& errand = *me.errand();
+    const FlightTarget& flightTarget = *me.flightTarget();
     const DubinsState& pose = me.pose();
-    const Point path_m = targetPlace_m(errand, m_observer) - pose.position_m;
+    const Point path_m = targetPlace_m(flightTarget, m_observer) - pose.position_m;
     const Point ahead(std::cos(pose.psi_rad), std::sin(pose.psi_rad));
     const bool flownOver = path_m.norm() <= kFlownOver_m && ahead.dot(path_m) <= 0;
-    if (!flownOver && m_observer.world().time_s() < errand.membersBy_s)
+    if (!flownOver && m_observer.world().time_s() < flightTarget.membersBy_s)
         return false;
-    std::ranges::copy_if(errand.members, std::back_inserter(m_unclustered),
+    std::ranges::copy_if(flightTarget.members, std::back_inserter(m_unclustered),
                          [&](int member) { return !isReached(m_observer, uav, member); });
     return true;
 }
@@ -375,12 +380,12 @@ void Fleet::order(int uav, FlightOrder order)
     m_autopilots[toIndex(uav)].obey(order, m_observer);
     if (autopilot(uav).isHomeward() && !wasHomeward)
         noteHomeward(uav);
-    m_observer.cameras().point(uav, autopilot(uav).pose(), autopilot(uav).mode());
+    m_observer.cameras().setPose(uav, autopilot(uav).pose(), autopilot(uav).mode());
     if (!autopilot(uav).isPlanned())
         leaveSearch(uav);
 }
 
-/** Of the pairs aloft in one altitude layer. */
+/** Reports close pairs aloft in one altitude layer and updates their least distance. */
 void Fleet::watchSeparation()
 {
     const World& world = m_observer.world();
@@ -391,7 +396,7 @@ void Fleet::watchSeparation()
             if (!m_separation.shareLayer(a, b) || first.isOnGround() || second.isOnGround())
                 continue;
             const double distance_m = (first.pose().position_m - second.pose().position_m).norm();
-            // At the end of the last step, or at the start.
+            // Distance at the end of the last step, or at the start.
             const double before_m = (first.before_m() - second.before_m()).norm();
             m_closest_m = std::min({m_closest_m.value_or(distance_m), before_m, distance_m});
             const bool wasApart = isJustAloft(first, world) || isJustAloft(second, world) ||

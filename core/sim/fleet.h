@@ -6,64 +6,111 @@
 namespace berg {
 
 /**
- * The UAVs and what they know: flies them a step, sends them to icebergs, to searches and home, and
- * knows who may visit what. Says nothing about when that is to be planned.
+ * All UAVs with their shared observer. Advances them by a step, sends them to targets, searches and
+ * home, and decides who may visit what. When to plan is decided elsewhere (`PlanTrigger`).
  */
 class Fleet
 {
 public:
+    /**
+     * The scenario must have no errors (`validate`). `noise` is empty or the result of `drawNoise`
+     * for these icebergs. Throws `std::logic_error` for noise of another scenario or without UAVs.
+     */
     Fleet(const Scenario& scenario, std::span<const DriftNoise> noise);
 
     [[nodiscard]] const Observer& observer() const { return m_observer; }
     [[nodiscard]] Observer& observer() { return m_observer; }
+    /** Returns the events since the log took them, and the plan reason of the last step. */
     [[nodiscard]] StepReport& report() { return m_report; }
     [[nodiscard]] int count() const { return static_cast<int>(m_autopilots.size()); }
     [[nodiscard]] const Autopilot& autopilot(int uav) const { return m_autopilots[toIndex(uav)]; }
     [[nodiscard]] const std::vector<Autopilot>& autopilots() const { return m_autopilots; }
+    /**
+     * Returns the least horizontal distance so far of two UAVs aloft in one altitude layer, m, or
+     * nullopt if there was no such pair.
+     */
     [[nodiscard]] const std::optional<double>& closest_m() const { return m_closest_m; }
+    /**
+     * Returns the icebergs that are in no cluster until they are seen, because a pass over their
+     * cluster missed them.
+     */
     [[nodiscard]] const std::vector<int>& unclustered() const { return m_unclustered; }
 
-    /** As `available`, whether or not the endurance allows it. */
+    /** Returns true if the iceberg would be `available` with unlimited endurance. */
     [[nodiscard]] bool visitable(int uav, int iceberg) const;
-    /** Whether it may be planned for the UAV: active, not lost, in no field of view, not within
-     * reach, not kept for another one, and within its endurance. */
+    /**
+     * Returns true if the iceberg may be planned for the UAV: it is active, tracked, out of every
+     * field of view, not assigned to another UAV, not shut off by the fence, and can be visited
+     * within the endurance. With the simple observer it must also be outside the acceptance radius
+     * of every UAV.
+     */
     [[nodiscard]] bool available(int uav, int iceberg) const;
-    /** By its estimate; the first one among equals, -1: none is available. */
+    /**
+     * Returns the available iceberg with the nearest estimate, the first among equals, or -1 if
+     * none is available.
+     */
     [[nodiscard]] int nearestAvailable(int uav) const;
-    /** Whether the scenario asks for clusters. */
+    /** Returns true if the scenario groups nearby icebergs into clusters. */
     [[nodiscard]] bool plansClusters() const { return m_clusters; }
-    /** Whether it may be planned for the UAV as one of a cluster. */
+    /** Returns true if the iceberg is available to the UAV and may be a member of a cluster. */
     [[nodiscard]] bool clusterable(int uav, int iceberg) const;
 
-    /** Whether it may be sent to search for it at all. */
+    /**
+     * Returns true if the UAV may search for the iceberg: it is active, not assigned to another
+     * UAV, and within the endurance.
+     */
     [[nodiscard]] bool maySearch(int uav, int iceberg) const;
-    /** Whether it has no search and may begin one: no plan searches for what is given up. */
+    /**
+     * Returns true if the UAV has no search, may begin one that was given up, and plans do not
+     * search for lost icebergs now.
+     */
     [[nodiscard]] bool mayBeginSearch(int uav) const
     {
         return !m_observer.searches().of(uav) && !m_observer.isLeftToPlan() &&
                hasSomethingToSearch(uav);
     }
-    /** Whether plans with aim points have the places of lost icebergs among those they order; else
-     * searches are begun and ended between plan and UAV. Where looks tell less than all. */
+    /**
+     * Returns true if aimed plans include the likely places of lost icebergs (Kalman observer with
+     * searches). Otherwise searches start and end outside the plans.
+     */
     [[nodiscard]] bool searchesByPlan() const
     {
         const ObserverSpec& spec = m_observer.world().observer();
         return spec.model == ObserverModel::Kalman && spec.search != SearchPattern::None;
     }
 
-    /** One step: `poses` as for `Simulation::advanceStep`. */
+    /** Advances one step; `poses` as for `Simulation::advanceStep`. */
     void advance(std::span<const DubinsState> poses);
-    /** `mayGoOn`: a UAV that is on a leg to it already flies on. `keepsSearch`: what is
-     * searched for by plan stays so, although this target has no aim. */
-    void setTarget(int uav, Errand errand, bool mayGoOn, bool keepsSearch);
+    /**
+     * Sends the UAV to a target. With `mayContinueLeg` a UAV already on a straight leg to it
+     * continues that leg. With `keepsSearch` plans continue to search for lost icebergs although
+     * this target has no aim. Unless plans search, the UAV may begin, resume or give up a search.
+     * Without a target and a search, a UAV of limited endurance flies home if icebergs can be
+     * visited, but none in this sortie.
+     */
+    void setTarget(int uav, FlightTarget flightTarget, bool mayContinueLeg, bool keepsSearch);
+    /** Records that the UAV has reached its target, which must exist. */
     void setReached(int uav);
-    /** After the turn-around, as soon as there is something to fly to. */
+    /**
+     * Starts the next sortie at a whole second when the turn-around is over, no order is in force,
+     * something can be visited or searched for, the pad is clear and a safe return exists. Returns
+     * true if the UAV took off.
+     */
     [[nodiscard]] bool takeOffWhenDue(int uav);
-    /** Whether its cluster has been flown over, or should have been by now, with members that did
-     * not come into view: those are not where they should be, and flown to one by one. */
+    /**
+     * Returns true if the UAV has flown over its target cluster, or is overdue there, without
+     * having all members in view. Members not reached are not where they should be, so this call
+     * makes them unclustered, and they are visited one by one.
+     */
     [[nodiscard]] bool endOverdueCluster(int uav);
+    /** Sets the wind from now on; UAVs that can no longer be home in time turn home. */
     void setWind(const Point& wind_mps);
+    /**
+     * Replaces the protected asset. A changed stand-off ring changes the fences; UAVs that can no
+     * longer be home in time turn home.
+     */
     void setAsset(const Asset& asset);
+    /** Gives the UAV an operator's order. */
     void order(int uav, FlightOrder order);
 
 private:
@@ -78,19 +125,20 @@ private:
     void sendHomeWhenLate(int uav);
     void enterLayer(int uav);
     void takeSlot(int uav);
-    void keepApart(int uav);
+    void enforceSeparation(int uav);
     void watchSeparation();
 
     bool m_clusters;
     double m_separation_m;
-    /** Of the scenario what `fenceOf` asks for; shared by the copies that are put on record. */
+    /** Fence data of the scenario, as `fenceOf` needs it. Recorded copies of the fleet share it. */
     std::shared_ptr<const Scenario> m_bounds;
     Observer m_observer;
     std::vector<Autopilot> m_autopilots;
-    std::vector<std::vector<int>> m_padMates; ///< by UAV
+    std::vector<std::vector<int>> m_padMates; ///< by UAV: others that use the same pad
     Separation m_separation;
     StepReport m_report;
-    std::vector<int> m_unclustered; ///< in no cluster until seen: one was passed without them
+    /** Icebergs that a pass over their cluster missed; in no cluster until seen. */
+    std::vector<int> m_unclustered;
     std::optional<double> m_closest_m;
 };
 

@@ -13,11 +13,11 @@ namespace berg {
 namespace {
 
 constexpr double kSample_s = 1;
-/** A flight that takes so many times as long as its straight legs does not get there. */
+/** A flight that takes this many times the time of its straight legs is abandoned. */
 constexpr double kPatience = 4;
 constexpr double kLeastPatience_s = 3600;
 
-/** Time enough to fly the order, seconds. */
+/** Returns the time allowed for the order, s. */
 double longestFlight_s(const Scenario& scene, const UavOrder& order)
 {
     const std::vector<Visit> visits = plannedVisits(scene, order.icebergs, order.clusters);
@@ -25,7 +25,10 @@ double longestFlight_s(const Scenario& scene, const UavOrder& order)
     return std::min(604800.0, kLeastPatience_s + kPatience * straight_s);
 }
 
-/** The stand-off ring stays what it is: of an asset that moves it depends on the duration. */
+/**
+ * Freezes the stand-off ring as a no-fly area, since the ring of a moving asset depends on the
+ * duration.
+ */
 Scenario withTime(Scenario scene, double duration_s)
 {
     scene.noFly = closedAreas(scene);
@@ -50,7 +53,7 @@ public:
     FlyablePath fly()
     {
         sample();
-        while (!m_simulation.finished() && goOn()) {
+        while (!m_simulation.finished() && updateTarget()) {
             m_simulation.advanceStep();
             if (m_simulation.step() % m_sampleSteps == 0)
                 sample();
@@ -61,11 +64,11 @@ public:
     }
 
 private:
-    /** The only one of the scene. */
+    /** State of the scene's only UAV. */
     [[nodiscard]] UavState uav() const { return m_simulation.uav(0); }
 
-    /** Whether there is something left to fly to; tells the autopilot what. */
-    bool goOn()
+    /** Sends the autopilot to its next target. Returns false if the flight has ended. */
+    bool updateTarget()
     {
         if (uav().mode == FlightMode::Ground) {
             m_path.visits.push_back(
@@ -94,7 +97,7 @@ private:
 
     [[nodiscard]] double pathEnd_s() const { return m_paths[m_leg].points.back().time_s; }
 
-    /** Along the leg that there is, or straight to the next one. */
+    /** Continues the present aimed leg, or flies straight to the next iceberg. */
     void flyOn(bool isNewLeg)
     {
         if (m_leg >= m_paths.size()) {
@@ -103,7 +106,7 @@ private:
         }
         const bool continues = !isNewLeg && uav().aim;
         AimedLeg leg = continues ? *uav().aim : m_order.legs[m_leg];
-        leg.sighting_s = pathEnd_s(); // whatever is seen before, it is flown to its end
+        leg.sighting_s = pathEnd_s(); // sightings before the end do not end the leg
         leg.end_s.reset();
         m_simulation.setTarget(0, m_rest.front(), leg);
     }
@@ -114,7 +117,7 @@ private:
         const std::span<const int> members = clusterWith(m_order.clusters, target);
         std::vector<int> together =
             members.empty() ? std::vector{target} : std::vector(members.begin(), members.end());
-        std::erase_if(together, [this](int member) { // seen on the way to the others
+        std::erase_if(together, [this](int member) { // skips members seen on the path to the others
             return std::ranges::find(m_rest, member) == m_rest.end();
         });
         visit(together);
@@ -122,7 +125,7 @@ private:
             m_rest.erase(m_rest.begin());
     }
 
-    /** Those next in the order that are in view, or too far to be home in time after. */
+    /** Removes the next icebergs of the order that are in view or too far for a timely return. */
     void passOverVisible()
     {
         while (!m_rest.empty() && !m_simulation.available(0, m_rest.front())) {
@@ -132,7 +135,7 @@ private:
         }
     }
 
-    /** On legs with aims whatever comes into view is seen, in whatever order. */
+    /** Removes every iceberg in view: aimed legs see icebergs in any order. */
     void passOverAllVisible()
     {
         std::erase_if(m_rest, [this](int iceberg) {
@@ -178,8 +181,8 @@ private:
     std::vector<int> m_rest; ///< icebergs still to be visited
     Simulation m_simulation;
     std::int64_t m_sampleSteps;
-    std::vector<AimedPath> m_paths; ///< of the legs with aims
-    std::size_t m_leg = 0;          ///< of those, the one that is flown
+    std::vector<AimedPath> m_paths; ///< of the aimed legs
+    std::size_t m_leg = 0;          ///< index of the present leg in `m_paths`
     FlyablePath m_path;
 };
 

@@ -6,29 +6,32 @@
 
 namespace berg {
 
-/** An order for one UAV, as planners give it. */
+/** Visiting order for one UAV, as planners return it. */
 struct UavOrder
 {
-    std::vector<int> icebergs;              ///< indices in visiting order
-    std::vector<std::vector<int>> clusters; ///< visited as one; all in `icebergs`, in sequence
-    std::vector<AimedLeg> legs; ///< how it is flown to begin with; empty: straight to each
-    std::vector<PlannedSearch> searches = {}; ///< for lost icebergs, on the legs
+    std::vector<int> icebergs; ///< indices in visiting order
+    /** Groups visited as one point; members follow each other in `icebergs`. */
+    std::vector<std::vector<int>> clusters;
+    std::vector<AimedLeg> legs; ///< aimed legs at the start of the order; empty means straight legs
+    std::vector<PlannedSearch> searches = {}; ///< places of lost icebergs on the legs
 };
 
-/** A way through an order with turns. */
+/** Flown path through an order, turns included. */
 struct FlyablePath
 {
-    std::vector<TrackPoint> track; ///< one a second, and its end
-    std::vector<Visit> visits;     ///< when each is in view or in reach, and home
+    std::vector<TrackPoint> track; ///< one point per second, and the end
+    /** Times at which each iceberg is in view or reached, and the arrival home. */
+    std::vector<Visit> visits;
 };
 
 /**
- * Flies the order with the first UAV of the scene from its start, by the very simulation that flies
- * missions, without planning anew: to each iceberg that is not in view already, and with limited
- * endurance home when the rest is too far. `home`: at the end straight home. Icebergs that cannot
- * be caught up with end it. Legs with aims are flown to their ends (`aimedPaths`), and what they
- * leave is flown to straight. The scene is that of `presentScene`, times of legs
- * count from its start.
+ * Flies the order with the first UAV of the scene from its start, with the simulation that flies
+ * missions but without replanning. Icebergs already in view count as visited; with limited
+ * endurance the UAV flies home when the rest is too far. Aimed legs are flown to their ends
+ * (`aimedPaths`), then the icebergs left are flown to straight. With `home` the path ends with a
+ * straight line home. An iceberg that the UAV cannot catch up with ends the path. The scene is that
+ * of `presentScene`, without errors; times of legs count from its start. Returns the path with
+ * times in seconds since that start.
  */
 [[nodiscard]] FlyablePath flyOrder(const Scenario& scene, const UavOrder& order, bool home);
 

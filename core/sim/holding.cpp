@@ -56,7 +56,7 @@ double holdingRadius_m(const SafetyGuard& guard)
     double radius_m = circle_m;
     if (motion.wind_mps.isZero(0))
         return radius_m + kRounding_m;
-    for (int course = 0; course < kCourses; ++course) { // to the right it is the same mirrored
+    for (int course = 0; course < kCourses; ++course) { // circles to the right are mirror images
         DubinsState pose{.psi_rad = 2 * kPi * course / kCourses};
         const Point middle_m = middleBeside_m(pose, motion, 1);
         const double round_m = 3 * kPi * circle_m;

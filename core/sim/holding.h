@@ -4,23 +4,29 @@
 
 namespace berg {
 
-// Holding: circles over ground, in wind too.
+// Holding patterns: circles over ground, in wind too.
 
-/** Direction of the course over ground. */
+/** Returns the unit vector of the course over ground. */
 [[nodiscard]] Point aheadOf(const DubinsState& pose, const Motion& motion);
 
-/** Middle of the circle over ground tangent to the course; `side`: 1 left, -1 right. */
+/**
+ * Returns the centre of the circle over ground (`circleOverGround_m`) tangent to the course; `side`
+ * is 1 for left, -1 for right.
+ */
 [[nodiscard]] Point middleBeside_m(const DubinsState& pose, const Motion& motion, double side);
 
 /**
- * Round the middle: the turn rate after which the circle tangent to the course lies there again,
- * but for what lies across the course, which the turn itself takes along.
+ * Returns the turn rate of a UAV that circles `middle_m`, rad/s: after one command the circle
+ * tangent to the course is centred there again, as far as the displacement along the course is
+ * concerned. The turn itself carries the displacement across it.
  */
 [[nodiscard]] double holdingRate_radps(const SafetyGuard& guard, const DubinsState& pose,
                                        const Point& middle_m, double side);
 
-/** Of a disc that the UAV does not leave while it holds, from any course: commands that are held do
- * not follow the circle exactly in wind. */
+/**
+ * Returns the radius of a disc that the UAV does not leave while it holds, from any course, m. It
+ * exceeds the circle because held commands do not follow the circle exactly in wind.
+ */
 [[nodiscard]] double holdingRadius_m(const SafetyGuard& guard);
 
 } // namespace berg

@@ -1,6 +1,32 @@
 #include "core/sim/intervention.h"
 
+#include <array>
+
 namespace berg {
+
+namespace {
+
+/** Returns which members have a value, as an array for comparison. */
+auto partsOf(const Intervention& i)
+{
+    return std::array{i.tau.has_value(),     i.policy.has_value(),   i.wind_mps.has_value(),
+                      i.asset.has_value(),   i.appears.has_value(),  i.seen.has_value(),
+                      i.removed.has_value(), i.assigned.has_value(), i.commanded.has_value()};
+}
+
+} // namespace
+
+std::optional<LastChange> lastChangeOf(std::span<const Intervention> interventions)
+{
+    if (interventions.empty())
+        return std::nullopt;
+    const Intervention& last = interventions.back();
+    std::size_t before = interventions.size() - 1;
+    while (before > 0 && interventions[before - 1].time_s == last.time_s &&
+           partsOf(interventions[before - 1]) == partsOf(last))
+        --before;
+    return LastChange{.first = interventions[before], .before = before};
+}
 
 PlannerSettings withChanges(PlannerSettings settings, const Intervention& intervention)
 {

@@ -3,48 +3,63 @@
 #include "core/sim/simulation.h"
 
 #include <algorithm>
+#include <span>
 
 namespace berg {
 
-/** One iceberg and the UAV that alone is to visit it. */
+/** Assigns one iceberg to one UAV, which alone may visit it. */
 struct Assignment
 {
-    std::string iceberg; ///< id
-    std::string uav;     ///< id; empty: any may
+    std::string iceberg; ///< iceberg id
+    std::string uav;     ///< UAV id; empty means any UAV
     bool operator==(const Assignment&) const = default;
 };
 
-/** What one UAV is told to do. */
+/** An operator's order to one UAV. */
 struct UavCommand
 {
-    std::string uav; ///< id
+    std::string uav; ///< UAV id
     FlightOrder order = FlightOrder::None;
     bool operator==(const UavCommand&) const = default;
 };
 
-/** A change made in flight, replayed from the run file. Empty members change nothing. */
+/**
+ * A change made in flight. The run file stores it and a replay applies it again. Members without a
+ * value change nothing.
+ */
 struct Intervention
 {
-    double time_s = 0;
+    double time_s = 0; ///< run time of the change, s
     std::optional<double> tau;
     std::optional<PolicyKind> policy;
-    std::optional<Point> wind_mps;      ///< from now on
-    std::optional<Asset> asset;         ///< protected from now on; its position is that at time 0
-    std::optional<Iceberg> appears;     ///< a new iceberg, here and now
-    std::optional<std::string> seen;    ///< id of one that somebody else sees now, or saw
-    double seenAge_s = 0;               ///< so long ago
-    std::optional<std::string> removed; ///< id of one that is none, or is not to be watched
+    std::optional<Point> wind_mps; ///< wind over ground from now on
+    /** Protected asset from now on; its position is the one at time 0. */
+    std::optional<Asset> asset;
+    std::optional<Iceberg> appears;     ///< new iceberg that appears now
+    std::optional<std::string> seen;    ///< id of an iceberg that somebody else has sighted
+    double seenAge_s = 0;               ///< age of that sighting, s
+    std::optional<std::string> removed; ///< id of an iceberg to monitor no longer
     std::optional<Assignment> assigned;
     std::optional<UavCommand> commanded;
-    std::string extraJson = {}; ///< members of its object in the file that are not known
+    std::string extraJson = {}; ///< unknown members of its object in the run file
     bool operator==(const Intervention&) const = default;
 };
 
-/** The settings with those that the intervention changes. */
+/** The last group of interventions that were made together: of one kind and at one instant. */
+struct LastChange
+{
+    Intervention first;     ///< first of them
+    std::size_t before = 0; ///< number of interventions before `first`
+};
+
+/** Returns the last change among a mission's interventions, or nullopt if there are none. */
+[[nodiscard]] std::optional<LastChange> lastChangeOf(std::span<const Intervention> interventions);
+
+/** Returns `settings` with the tau and policy of the intervention, where it has them. */
 [[nodiscard]] PlannerSettings withChanges(PlannerSettings settings,
                                           const Intervention& intervention);
 
-/** -1: there is none of that id. */
+/** Returns the index of the entry with this id, or -1 if there is none. */
 template <class Entry>
 [[nodiscard]] int indexOfId(const std::vector<Entry>& entries, const std::string& id)
 {
@@ -53,9 +68,9 @@ template <class Entry>
 }
 
 /**
- * Changes the world: the one place where that is done, in flight and when looking back. The
- * intervention fits it (`Mission::intervene` checks). `icebergs` are those of the mission, by
- * index; `uavs` those of the scenario.
+ * Applies the intervention to the simulation, in flight and when an earlier instant is restored; no
+ * other code does so. Its ids must exist (`Mission::intervene` checks them). `icebergs` are the
+ * mission's, by index, and `uavs` the scenario's.
  */
 void apply(const Intervention& intervention, Simulation& world,
            const std::vector<Iceberg>& icebergs, const std::vector<Uav>& uavs);

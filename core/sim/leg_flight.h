@@ -10,26 +10,29 @@
 namespace berg {
 
 /**
- * A UAV that flies a plan ahead: straight legs at its airspeed in the wind, each aimed at where
- * what drifts will be (flight time t = d / (w_par + sqrt(U^2 - w_n^2)) with wind minus drift in
- * place of the wind). Turns take no time. Whatever foretells when a plan comes to an iceberg asks
- * this class.
+ * A UAV that flies a plan ahead along straight legs at its airspeed in the wind. Each leg is aimed
+ * at the predicted position of its drifting target: flight time t = d / (w_par + sqrt(U^2 - w_n^2))
+ * with wind minus drift in place of the wind. Turns take no time. Every prediction of arrival times
+ * uses this class.
  */
 class LegFlight
 {
 public:
+    /** Starts at `from_m` at time 0. */
     LegFlight(const Point& from_m, double airspeed_mps, const Point& wind_mps)
         : m_airspeed_mps(airspeed_mps), m_wind_mps(wind_mps), m_position_m(from_m)
     {
     }
 
+    /** Returns the time since the start, s. */
     [[nodiscard]] double time_s() const { return m_time_s; }
     [[nodiscard]] const Point& position_m() const { return m_position_m; }
 
     /**
-     * Flies to what is at `place_m` at the start and drifts with `drift_mps`; returns where it is
-     * met. What drifts too fast to be sure of (relative wind not below the airspeed) is taken as
-     * standing still from the start of its leg, as in planning.
+     * Flies to a target that is at `place_m` at the start and drifts with `drift_mps`; returns the
+     * meeting point. If the relative wind is not below the airspeed, the UAV cannot be sure to
+     * catch up, and the target is taken as standing still from the start of its leg, as in
+     * planning.
      */
     Point flyTo(const Point& place_m, const Point& drift_mps)
     {
@@ -43,7 +46,10 @@ public:
         return m_position_m;
     }
 
-    /** Flies to the track's estimate; `start_s`: its time at the start. */
+    /**
+     * Flies to the track's estimate, whose time at the start of the flight is `start_s`, s; returns
+     * the meeting point.
+     */
     Point flyTo(const Track& track, double start_s)
     {
         if (track.velocityTime_s == 0)
@@ -54,12 +60,14 @@ public:
             .centre_m;
     }
 
-    /** Flies to the middle of what moves, slower than the UAV makes way; returns it as it is then.
+    /**
+     * Flies to the centre of a moving circle, which must be slower than the UAV's ground speed.
+     * `circleAt` returns the circle at a time since the start, s. Returns the circle on arrival.
      */
     template <class CircleAt>
     Circle flyTo(const CircleAt& circleAt)
     {
-        constexpr int kRounds = 20; // each as much nearer as the place is slower
+        constexpr int kRounds = 20; // each reduces the error by the ratio of speeds
         double arrival_s = m_time_s;
         for (int round = 0; round < kRounds; ++round)
             arrival_s = m_time_s + flightTime_s(circleAt(arrival_s).centre_m - m_position_m,
@@ -79,9 +87,12 @@ private:
 
 struct ForecastStart;
 
-/** The UAV at the end of the order, flown from that start as `forecastPlan` has it. */
-[[nodiscard]] LegFlight flownAhead(const ForecastStart& start, std::size_t uav,
-                                   std::span<const int> order,
-                                   std::span<const std::vector<int>> clusters);
+/**
+ * Flies the order of UAV `uav` from `start` as `forecastPlan` does and returns the flight at its
+ * end.
+ */
+[[nodiscard]] LegFlight flyAhead(const ForecastStart& start, std::size_t uav,
+                                 std::span<const int> order,
+                                 std::span<const std::vector<int>> clusters);
 
 } // namespace berg

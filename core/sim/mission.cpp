@@ -24,11 +24,11 @@ const Scenario& checked(const Scenario& scenario)
     return scenario;
 }
 
-/** Who is seen with the target; empty: it is no cluster. */
-std::vector<int> seenWithTarget(const Errand& errand)
+/** Returns the other members of the target's cluster; empty for a single iceberg. */
+std::vector<int> seenWithTarget(const FlightTarget& flightTarget)
 {
-    std::vector<int> others = errand.members;
-    std::erase(others, errand.target);
+    std::vector<int> others = flightTarget.members;
+    std::erase(others, flightTarget.target);
     return others;
 }
 
@@ -75,7 +75,7 @@ void Mission::setIncumbentListener(std::function<void(const PlanEvent&)> listene
     m_incumbentListener = std::move(listener);
 }
 
-/** The event is one of this instant. */
+/** Adds an event with the present time. */
 void Mission::note(MissionEvent event)
 {
     const bool isInEveryRun = event.kind == EventKind::Planned ||
@@ -96,11 +96,11 @@ void Mission::noteStep()
     for (int uav = 0; uav < m_simulation.uavCount(); ++uav)
         if (m_simulation.planReason(uav) == PlanReason::TargetReached) {
             ++m_visits.at(static_cast<std::size_t>(uav));
-            const Errand& errand = *m_simulation.fleet().autopilot(uav).errand();
+            const FlightTarget& flightTarget = *m_simulation.fleet().autopilot(uav).flightTarget();
             note({.kind = EventKind::Reached,
-                  .iceberg = errand.target,
+                  .iceberg = flightTarget.target,
                   .uav = uav,
-                  .together = seenWithTarget(errand)});
+                  .together = seenWithTarget(flightTarget)});
         }
     if (m_simulation.world().asset() && m_simulation.world().isWholeSecond())
         noteAlarms();
@@ -108,11 +108,11 @@ void Mission::noteStep()
 
 void Mission::noteEvents()
 {
-    for (MissionEvent& event : m_simulation.acceptEvents())
+    for (MissionEvent& event : m_simulation.drainEvents())
         note(std::move(event));
 }
 
-/** One for each time an iceberg is found to be on its way into the inner ring. */
+/** Adds an alarm each time an iceberg is newly predicted to enter the inner ring. */
 void Mission::noteAlarms()
 {
     m_alarmed.resize(static_cast<std::size_t>(m_simulation.icebergCount()));
@@ -150,8 +150,8 @@ void Mission::intervene(Intervention intervention)
     }
     if (intervention.commanded)
         requireUav(intervention.commanded->uav, "commanded.uav");
-    // A plan still due is made before the change, as a replay does: it comes to this instant by
-    // `advance`, which leaves no plan due.
+    // A plan still due is made before the change, as in a replay, which reaches this instant
+    // through `advance` and so leaves no plan due.
     if (!m_simulation.finished())
         static_cast<void>(planWhenDue({}));
 
@@ -207,8 +207,9 @@ void Mission::noteChanges(const Intervention& intervention)
 }
 
 /**
- * Throws `Error{InvalidInput}` when there is no iceberg of that id now. What is removed may have
- * left the area before: another policy, flown in a world changed like this one, knows it elsewhere.
+ * Throws `Error{InvalidInput}` if no iceberg with this id is monitored now. An iceberg to remove
+ * may have left the area already: a comparison flies the same interventions with another policy,
+ * whose estimates differ.
  */
 void Mission::requireAppeared(const std::string& iceberg, const char* field) const
 {
@@ -220,7 +221,10 @@ void Mission::requireAppeared(const std::string& iceberg, const char* field) con
                     {{Severity::Error, field, {IssueId::NoSuchIceberg, {iceberg}}}});
 }
 
-/** The same of a UAV; the empty id is that of any, which only an assignment can be to. */
+/**
+ * Throws `Error{InvalidInput}` if the scenario has no UAV with this id. The empty id means any UAV
+ * and is valid for assignments only.
+ */
 void Mission::requireUav(const std::string& uav, const char* field) const
 {
     const bool isAny = uav.empty() && field == std::string_view("assigned.uav");

@@ -8,60 +8,62 @@
 
 namespace berg {
 
-/** What the log of a mission names. */
+/** Kinds of events in the log of a mission. */
 enum class EventKind
 {
+    /** A plan came into force. */
     Planned,
     Reached,
     Sighted,
     Appeared,
-    PlannerFailed, ///< it threw; the last plan is flown on
-    Alarm,         ///< found to be on its way into the inner ring of the asset
+    PlannerFailed, ///< the planner failed; the previous plan stays in force
+    Alarm,         ///< an iceberg is predicted to enter the asset's inner ring
     Intervention,
-    Left, ///< the area
+    Left, ///< an iceberg has left the area
     Lost,
     Found,
     GivenUp,
     HomeBound,
     Landed,
     TookOff,
-    LateHome,  ///< home cannot be reached in time any more: another wind, or it had to wait
-    Close,     ///< two UAVs of one altitude layer have come near each other
+    /** The UAV will be late at home, because of a new wind or because it had to wait. */
+    LateHome,
+    Close,     ///< two UAVs of one altitude layer are closer than the separation
     LeftFence, ///< a UAV has left the geofence
-    BackInside ///< it is inside again
+    BackInside ///< the UAV is inside the geofence again
 };
 
-/** What an intervention that the log names has changed. */
+/** The part of a mission that an intervention has changed. */
 enum class ChangedPart
 {
     Planner, ///< tau or policy
     Wind,
     Asset,
-    Assignment, ///< of an iceberg to a UAV
-    Removal,    ///< of an iceberg
-    Order       ///< to a UAV
+    Assignment, ///< assignment of an iceberg to a UAV
+    Removal,    ///< removal of an iceberg
+    Order       ///< operator's order to a UAV
 };
 
-/** One line of the event log: what happened, without words. Sentences are made where it is shown.
- */
+/** One entry of the event log. The log text is composed where it is shown. */
 struct MissionEvent
 {
     double time_s = 0;
     EventKind kind = EventKind::Planned;
-    int iceberg = -1;      ///< index; -1: none in particular
-    int uav = -1;          ///< likewise
-    int otherUav = -1;     ///< Close: the other one
-    double distance_m = 0; ///< Close: between them
-    double entry_s = 0;    ///< Alarm: until it is in the ring
-    bool reported = false; ///< Sighted: not by a UAV, by somebody else; Appeared: added in flight
-    std::vector<int> together;                ///< Reached: the others of its cluster
-    AnswerSource source = AnswerSource::None; ///< Planned
-    bool fellBack = false;                    ///< Planned: the last plan is kept
-    std::string failure;                      ///< PlannerFailed: the reason, in English
-    ChangedPart changed{};                    ///< Intervention
-    PolicyKind policy{};                      ///< Intervention in the planner: in force since then
-    double tau = 0;                           ///< likewise
-    FlightOrder order{};                      ///< Intervention by an order: that one
+    int iceberg = -1;      ///< index, or -1 if no iceberg is concerned
+    int uav = -1;          ///< index, or -1 if no UAV is concerned
+    int otherUav = -1;     ///< Close: index of the other UAV
+    double distance_m = 0; ///< Close: distance between the two
+    double entry_s = 0;    ///< Alarm: time until it enters the ring
+    /** Sighted: reported by somebody other than a UAV; Appeared: added in flight. */
+    bool reported = false;
+    std::vector<int> together;                ///< Reached: other members of the cluster
+    AnswerSource source = AnswerSource::None; ///< Planned: origin of the answer
+    bool fellBack = false;                    ///< Planned: the previous plan is continued
+    std::string failure;                      ///< PlannerFailed: reason, in English
+    ChangedPart changed{};                    ///< Intervention: changed part
+    PolicyKind policy{};                      ///< Intervention in the planner: policy in force
+    double tau = 0;                           ///< Intervention in the planner: tau in force
+    FlightOrder order{};                      ///< Intervention by an order: that order
 };
 
 } // namespace berg

@@ -9,7 +9,7 @@ namespace berg {
 
 namespace {
 
-/** Flies a copy of a keyframe on, with what the mission has on record. */
+/** Continues a copy of a keyframe with the mission's recorded plans and interventions. */
 class Rewind
 {
 public:
@@ -63,7 +63,7 @@ private:
     }
     [[nodiscard]] bool isNow(double time_s) const { return stepOf(time_s) == m_world.step(); }
 
-    /** Entries of a record in order of time that came before this step. */
+    /** Counts the entries of a chronological record before this step. */
     template <class Entry>
     [[nodiscard]] std::size_t countBefore(const std::vector<Entry>& record) const
     {
@@ -72,7 +72,7 @@ private:
         return static_cast<std::size_t>(now - record.begin());
     }
 
-    /** Plans and interventions of this step, in the order they came. */
+    /** Applies the plans and interventions of this step in their original order. */
     void apply()
     {
         const std::vector<PlanEvent>& plans = m_mission.plans();
@@ -85,7 +85,8 @@ private:
                 ++m_intervention;
             } else if (m_plan < plans.size() && isNow(plans[m_plan].time_s)) {
                 const PlanEvent& plan = plans[m_plan];
-                // Asked for because a plan came into force that things had overtaken.
+                // This interim plan was requested because a plan came into force with a target no
+                // longer available.
                 if (plan.interim && plan.reason == PlanReason::Intervention &&
                     m_world.planReason(plan.uav) != PlanReason::Intervention)
                     m_world.requestPlan();

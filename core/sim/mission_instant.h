@@ -4,22 +4,23 @@
 
 namespace berg {
 
-/** A mission as it was at one instant, after the plan that was made there if one was. */
+/** State of a mission at one instant, after any plan made at that instant. */
 struct MissionInstant
 {
     Simulation simulation;
-    PlannerSettings planner;       ///< in force, interventions applied
-    std::size_t plans = 0;         ///< so many of the mission's plans had been made,
-    std::size_t events = 0;        ///< events had come
-    std::size_t interventions = 0; ///< and interventions
+    PlannerSettings planner;       ///< settings in force, interventions applied
+    std::size_t plans = 0;         ///< number of plans made so far
+    std::size_t events = 0;        ///< number of events so far
+    std::size_t interventions = 0; ///< number of interventions so far
     Metrics metrics;
 };
 
 /**
- * The instant at `time_s`, rounded to a step and kept inside what was flown: the nearest keyframe
- * before, flown on with the plans on record, so no solver runs. Its state equals that of the
- * flight bit for bit. Cost: a keyframe interval of flight at most, which is longer in long flights
- * (`Recorder`).
+ * Restores the mission at `time_s`, rounded to a step and limited to the time flown. It flies on
+ * from the nearest keyframe before with the recorded plans and interventions, so no solver runs,
+ * and the state equals that of the flight bit for bit. Throws `std::logic_error` if the mission was
+ * flown without a record. Cost: at most the flight between two keyframes, which are farther apart
+ * in long flights (`Recorder`).
  */
 [[nodiscard]] MissionInstant instantAt(const Mission& mission, double time_s);
 

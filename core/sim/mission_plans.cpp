@@ -1,4 +1,4 @@
-// How plans are made and put in force: the part of `Mission` that asks the planner.
+// The part of `Mission` that requests plans from the planner and puts them into force.
 
 #include "core/sim/clusters.h"
 #include "core/sim/mission.h"
@@ -12,7 +12,7 @@ namespace berg {
 
 namespace {
 
-/** Asked at every step: without a list. */
+/** Avoids building a list, because it is called at every step. */
 bool nobodyIsPlanned(const Fleet& fleet)
 {
     for (int uav = 0; uav < fleet.count(); ++uav)
@@ -21,7 +21,7 @@ bool nobodyIsPlanned(const Fleet& fleet)
     return true;
 }
 
-/** What the log keeps of an answer, of all its UAVs; time, order and reason are the caller's. */
+/** Copies what the log stores of an answer; the caller adds time, order and reason. */
 PlanEvent planEvent(const PlanAnswer& answer)
 {
     const SolveOutcome& outcome = answer.outcome;
@@ -40,7 +40,7 @@ PlanEvent planEvent(const PlanAnswer& answer)
             .fellBack = answer.fellBack};
 }
 
-/** One event for each UAV of the request; time and reasons are the caller's. */
+/** Returns one event for each UAV of the request; the caller adds times and reasons. */
 std::vector<PlanEvent> planEvents(const PlanAnswer& answer, const PlanRequest& request)
 {
     std::vector<PlanEvent> events;
@@ -58,12 +58,13 @@ std::vector<PlanEvent> planEvents(const PlanAnswer& answer, const PlanRequest& r
                              });
         event.legs = own.legs;
         event.outlook = own.outlook;
+        event.laterVisits = own.laterVisits;
         events.push_back(std::move(event));
     }
     return events;
 }
 
-/** Of the clusters, what the UAV can still fly to as one point. */
+/** Returns the clusters, reduced to the members that the UAV can still visit as one point. */
 std::vector<std::vector<int>> stillClusters(std::vector<std::vector<int>> clusters, int uav,
                                             const Simulation& simulation)
 {
@@ -75,10 +76,10 @@ std::vector<std::vector<int>> stillClusters(std::vector<std::vector<int>> cluste
 
 } // namespace
 
-/** Puts a pending plan in force and asks for one where it is needed. False: cancelled. */
+/** Puts a pending plan into force and requests one where needed. Returns false if cancelled. */
 bool Mission::planWhenDue(const std::stop_token& stop)
 {
-    if (nobodyIsPlanned(m_simulation.fleet())) { // what is flown next is planned at take-off
+    if (nobodyIsPlanned(m_simulation.fleet())) { // the next flight is planned at take-off
         m_pending.reset();
         m_missed = PlanReason::None;
         return true;
@@ -105,7 +106,7 @@ bool Mission::putPendingInForce()
     });
     bool isTimely = true;
     for (PlanEvent& plan : plans) {
-        // What has come into view since is not flown to.
+        // Targets that have come into view since are dropped.
         const auto isGone = [&](int i) { return !m_simulation.available(plan.uav, i); };
         std::erase_if(plan.order, isGone);
         plan.clusters = stillClusters(std::move(plan.clusters), plan.uav, m_simulation);
@@ -166,14 +167,14 @@ void Mission::putInForce(Round plans)
         plan.zeta_m2s = m_simulation.zeta_m2s();
         plan.thisSortie = thisSortie(m_simulation, plan.uav, plan.order, plan.clusters);
     }
-    if (m_options.record) // two forecasts: dear where missions are flown by the thousand
+    if (m_options.record) // two forecasts are costly where missions are flown by the thousand
         compareWithLast(plans);
     for (PlanEvent& plan : plans)
-        tell(std::move(plan));
+        activate(std::move(plan));
 }
 
-/** The autopilot of its UAV flies by the plan from now on. */
-void Mission::tell(PlanEvent plan)
+/** Puts the plan of one UAV into force and records it. */
+void Mission::activate(PlanEvent plan)
 {
     m_simulation.setTarget(plan.uav, plan.target, firstAim(plan),
                            clusterWith(plan.clusters, plan.target), keepsSearch(plan));
@@ -187,7 +188,7 @@ void Mission::tell(PlanEvent plan)
     m_plans.push_back(std::move(plan));
 }
 
-/** The autopilots' part while a plan is pending. */
+/** Continues the previous plans while a new one is pending. */
 void Mission::flyOn()
 {
     for (const int uav : m_simulation.trigger().plannedUavs(m_simulation.fleet()))
@@ -195,7 +196,7 @@ void Mission::flyOn()
             flyOn(uav);
 }
 
-/** The leg under way, or the next of the last plan. */
+/** Continues the present leg or flies to the next iceberg of the last plan. */
 void Mission::flyOn(int uav)
 {
     const PlanReason reason = m_simulation.planReason(uav);
@@ -218,7 +219,7 @@ void Mission::flyOn(int uav)
         plan.clusters = stillClusters(last->clusters, uav, m_simulation);
     plan.thisSortie = thisSortie(m_simulation, uav, plan.order, plan.clusters);
     plan.target = plan.order.empty() ? -1 : plan.order.front();
-    const Errand* now = m_simulation.fleet().autopilot(uav).errand();
+    const FlightTarget* now = m_simulation.fleet().autopilot(uav).flightTarget();
     if (plan.target >= 0 && now != nullptr && plan.target == now->target && now->aim) {
         AimedLeg leg = *now->aim;
         const double planned_s = plan.time_s + m_scenario.planningTime_s;
@@ -227,7 +228,7 @@ void Mission::flyOn(int uav)
             leg.end_s = std::max(*leg.end_s, planned_s);
         plan.legs = {leg};
     }
-    tell(std::move(plan));
+    activate(std::move(plan));
 }
 
 bool Mission::isTargetOfOther(int uav, int iceberg) const
@@ -259,14 +260,14 @@ ForecastStart Mission::forecastStart() const
     return start;
 }
 
-/** What the plans change about those in force, seen from here. */
+/** Records what the plans change compared with those in force, predicted from now. */
 void Mission::compareWithLast(Round& plans) const
 {
     if (m_plans.empty())
         return;
     OrdersByUav before(static_cast<std::size_t>(m_simulation.uavCount()));
     OrdersByUav after = before;
-    // Of both what can be flown.
+    // Both orders are cut to what this sortie can fly.
     const auto ofSortie = [this](int uav, std::vector<int> order,
                                  std::span<const std::vector<int>> together) {
         if (const std::optional<int> visits = thisSortie(m_simulation, uav, order, together))
@@ -291,7 +292,7 @@ void Mission::compareWithLast(Round& plans) const
         append(clustersAfter, next.clusters);
         std::vector<int> rest =
             restOfPlan(next.uav, last->interim ? PlanReason::None : next.reason);
-        // Those in view are passed over, unless the new order keeps them, as fixed routes do.
+        // Icebergs in view are left out, unless the new order contains them, as fixed routes do.
         std::erase_if(rest, [&](int iceberg) {
             return !m_simulation.available(next.uav, iceberg) && !isPlanned(iceberg);
         });

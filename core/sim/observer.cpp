@@ -11,14 +11,16 @@ namespace berg {
 
 namespace {
 
-/** Before the first look in vain: all but what may be wrong with the filter. */
+/** Probability of presence before the first missed sample; the rest covers errors of the filter. */
 constexpr double kBelieved = 0.99;
-/** Less likely in view than this after looks in vain: lost. */
+/** An iceberg whose probability of presence falls below this is lost. */
 constexpr double kLostBelow = 0.1;
-/** Of what was given one place in a thousand is farther off: beyond, not believed (chi-squared, two
- * degrees of freedom). */
+/**
+ * Squared normalised distance that one position in a thousand exceeds (chi-squared, two degrees of
+ * freedom). A sighting farther from the given position is taken as proof that it was wrong.
+ */
 constexpr double kBelievable = 13.8;
-/** A velocity that was given and is not believed is doubted at least so much. */
+/** Least standard deviation of a given velocity that a sighting has disproved. */
 constexpr double kFoundVelocitySd_mps = 0.1;
 
 } // namespace
@@ -28,7 +30,7 @@ Observer::Observer(const Scenario& scenario, std::span<const DriftNoise> noise)
     , m_cameras(scenario.reachRadius_m, scenario.wind_mps)
     , m_searches(scenario.uavs.size())
     , m_area_m(scenario.area_m)
-    , m_lookSteps(
+    , m_sampleSteps(
           std::max<std::int64_t>(1, std::llround(scenario.observer.interval_s / scenario.dt_s)))
 {
     require(noise.empty() || noise.size() == scenario.icebergs.size(),
@@ -54,9 +56,9 @@ void Observer::insert(const Iceberg& iceberg, DriftNoise noise, double start_s,
                       std::int64_t appearsStep)
 {
     m_world.add(iceberg, std::move(noise), start_s, appearsStep);
-    m_lookStep.push_back(appearsStep);
-    m_nextLookStep = std::min(m_nextLookStep, appearsStep);
-    Track track = m_world.body(m_world.icebergCount() - 1).start;
+    m_checkStep.push_back(appearsStep);
+    m_nextCheckStep = std::min(m_nextCheckStep, appearsStep);
+    Track track = m_world.parameters(m_world.icebergCount() - 1).start;
     // An iceberg that appears later has drifted unseen until then.
     track.grow(std::max(0.0, static_cast<double>(appearsStep) * m_world.dt_s() - start_s));
     m_tracks.push_back(std::move(track));
@@ -86,12 +88,13 @@ void Observer::reportSighting(int iceberg, double age_s, StepReport& report)
         if (track.status != TrackStatus::Tracked)
             found(iceberg, -1, report);
     } else
-        measure(iceberg, m_world.truth_m(iceberg), lookVariance_m2() + growth_m2, -1, report);
+        measure(iceberg, m_world.truth_m(iceberg), measurementVariance_m2() + growth_m2, -1,
+                report);
     track.seen_s = seen_s;
     track.inView = inView;
 }
 
-double Observer::lookVariance_m2() const
+double Observer::measurementVariance_m2() const
 {
     return m_world.observer().positionSd_m * m_world.observer().positionSd_m;
 }
@@ -99,10 +102,11 @@ double Observer::lookVariance_m2() const
 void Observer::setWind(const Point& wind_mps)
 {
     m_cameras.setWind(wind_mps);
-    // UAVs may come to icebergs sooner now.
-    m_nextLookStep = m_world.step() + 1;
-    for (std::size_t i = 0; i < m_lookStep.size(); ++i)
-        m_lookStep[i] = std::max(m_world.step() - m_world.age(static_cast<int>(i)), m_nextLookStep);
+    // UAVs may reach icebergs earlier in the new wind.
+    m_nextCheckStep = m_world.step() + 1;
+    for (std::size_t i = 0; i < m_checkStep.size(); ++i)
+        m_checkStep[i] =
+            std::max(m_world.step() - m_world.age(static_cast<int>(i)), m_nextCheckStep);
 }
 
 void Observer::observe(double dt_s, StepReport& report)
@@ -110,14 +114,15 @@ void Observer::observe(double dt_s, StepReport& report)
     m_newlySeen.clear();
     m_newlyAppeared.clear();
     const bool isSecond = m_world.isWholeSecond();
-    // Icebergs out of reach are left alone for long; so `truth_m` has at most a second to make up.
+    // Icebergs out of reach are not sampled for long; this leaves `truth_m` at most a second to
+    // draw.
     if (isSecond)
         m_world.advanceDrift();
     const bool isFiltered = m_world.observer().model == ObserverModel::Kalman;
     if (isFiltered)
-        lookForMeasurements(dt_s, report);
+        sampleMeasurements(dt_s, report);
     else
-        lookAround(report);
+        sampleAllInReach(report);
     if (!isFiltered && isSecond)
         watchEstimates(report);
     if (!m_area_m.empty() && isSecond)
@@ -129,27 +134,27 @@ void Observer::observe(double dt_s, StepReport& report)
         if (age < 0)
             continue;
         if (!isFiltered && !track.inView && age > 0)
-            track.sigma_m2 += track.q_m2ps * dt_s; // Eq. (22): the velocity is known
+            track.sigma_m2 += track.q_m2ps * dt_s; // Eq. (22), since the velocity is known
         if (!track.left)
             sigmaSum_m2 += track.sigma_m2;
     }
     m_sigmaSum_m2 = sigmaSum_m2;
 }
 
-void Observer::lookAround(StepReport& report)
+void Observer::sampleAllInReach(StepReport& report)
 {
-    if (m_nextLookStep > m_world.step())
+    if (m_nextCheckStep > m_world.step())
         return;
-    m_nextLookStep = m_world.lastStep() + 1;
-    for (std::size_t i = 0; i < m_lookStep.size(); ++i) {
-        if (m_lookStep[i] <= m_world.step())
-            look(static_cast<int>(i), report);
-        m_nextLookStep = std::min(m_nextLookStep, m_lookStep[i]);
+    m_nextCheckStep = m_world.lastStep() + 1;
+    for (std::size_t i = 0; i < m_checkStep.size(); ++i) {
+        if (m_checkStep[i] <= m_world.step())
+            sampleIceberg(static_cast<int>(i), report);
+        m_nextCheckStep = std::min(m_nextCheckStep, m_checkStep[i]);
     }
 }
 
-/** Whether the iceberg is in view now. */
-void Observer::look(int iceberg, StepReport& report)
+/** Tests whether the iceberg is in view now, and if not, when it can be next. */
+void Observer::sampleIceberg(int iceberg, StepReport& report)
 {
     if (m_world.age(iceberg) == 0)
         m_newlyAppeared.push_back(iceberg);
@@ -158,12 +163,12 @@ void Observer::look(int iceberg, StepReport& report)
     const int uav = m_cameras.viewer(truth_m);
     if (uav < 0) {
         track.inView = false;
-        m_lookStep[toIndex(iceberg)] =
+        m_checkStep[toIndex(iceberg)] =
             m_world.step() +
             m_cameras.stepsOutOfReach(truth_m, m_world.speedLimit_mps(iceberg), m_world.dt_s());
         return;
     }
-    m_lookStep[toIndex(iceberg)] = m_world.step() + 1;
+    m_checkStep[toIndex(iceberg)] = m_world.step() + 1;
     if (!track.inView && !track.left)
         m_newlySeen.push_back({.iceberg = iceberg, .uav = uav});
     track.seen(truth_m, m_world.time_s());
@@ -178,11 +183,13 @@ void Observer::found(int iceberg, int seenBy, StepReport& report)
     report.add({.kind = EventKind::Found, .iceberg = iceberg, .uav = seenBy}, PlanReason::Found);
 }
 
-/** Without measurements, once a second: what is not in view although its estimate is in the middle
- * of one is lost, and looked for as with measurements. */
+/**
+ * Once a second in the simple model: an iceberg out of view whose estimate is in the middle of a
+ * view is lost, and searched for as with measurements.
+ */
 void Observer::watchEstimates(StepReport& report)
 {
-    std::vector<FieldOfView> views; // made when the first one needs them
+    std::vector<FieldOfView> views; // built on first use
     const auto seenNow = [&]() -> const std::vector<FieldOfView>& {
         return views.empty() ? views = m_cameras.views() : views;
     };
@@ -200,7 +207,7 @@ void Observer::watchEstimates(StepReport& report)
     }
 }
 
-void Observer::lookForMeasurements(double dt_s, StepReport& report)
+void Observer::sampleMeasurements(double dt_s, StepReport& report)
 {
     for (int i = 0; i < m_world.icebergCount(); ++i) {
         const std::int64_t age = m_world.age(i);
@@ -213,7 +220,7 @@ void Observer::lookForMeasurements(double dt_s, StepReport& report)
         track.grow(dt_s);
         m_searches.grow(i, track.sigma_m2 - before_m2);
     }
-    if (m_world.step() % m_lookSteps != 0)
+    if (m_world.step() % m_sampleSteps != 0)
         return;
     const std::vector<FieldOfView> views = m_cameras.views();
     const std::vector<FieldOfView> middles = m_cameras.middles();
@@ -226,11 +233,11 @@ void Observer::lookForMeasurements(double dt_s, StepReport& report)
             miss(i, views, middles, report);
             continue;
         }
-        // One look of several UAVs at once has the luck of one.
-        const LookDraw draw = m_world.lookDraw(i, m_world.step() / m_lookSteps);
+        // Several UAVs that sample an iceberg at once share one random draw.
+        const SampleDraw draw = m_world.sampleDraw(i, m_world.step() / m_sampleSteps);
         if (draw.chance < m_world.observer().detection)
-            measure(i, truth_m + m_world.observer().positionSd_m * draw.noise, lookVariance_m2(),
-                    seenBy, report);
+            measure(i, truth_m + m_world.observer().positionSd_m * draw.noise,
+                    measurementVariance_m2(), seenBy, report);
         else
             miss(i, views, middles, report);
     }
@@ -248,10 +255,10 @@ void Observer::measure(int iceberg, const Point& measured_m, double variance_m2,
         track.measured(measured_m, variance_m2, m_world.time_s());
         return;
     }
-    // What the filter believed was wrong: it starts again from what was given, which where it is
-    // found tells how it has moved since, if that can be.
+    // The filter was wrong, so it restarts from the given state. The place of the sighting shows
+    // how the iceberg has moved since, unless that state makes the place too unlikely.
     const double time_s = m_world.time_s();
-    Track given = m_world.body(iceberg).start;
+    Track given = m_world.parameters(iceberg).start;
     given.grow(time_s - given.anchor_s);
     if ((measured_m - given.estimate_m(time_s)).squaredNorm() >
         kBelievable * (given.sigma_m2 + variance_m2)) {
@@ -272,7 +279,7 @@ void Observer::measure(int iceberg, const Point& measured_m, double variance_m2,
     found(iceberg, seenBy, report);
 }
 
-/** What the UAVs saw of the iceberg with one look was nothing. */
+/** Takes up a camera sample that did not show the iceberg. */
 void Observer::miss(int iceberg, std::span<const FieldOfView> views,
                     std::span<const FieldOfView> middles, StepReport& report)
 {
@@ -293,7 +300,10 @@ void Observer::miss(int iceberg, std::span<const FieldOfView> views,
     }
 }
 
-/** The UAV that looked for it in vain searches, unless it does so for another one already. */
+/**
+ * Marks the iceberg as lost. The UAV that missed it searches for it, unless it already searches for
+ * another.
+ */
 void Observer::lose(int iceberg, int uav, std::span<const FieldOfView> views, StepReport& report)
 {
     const Camera& camera = m_cameras.of(uav);
@@ -305,12 +315,13 @@ void Observer::lose(int iceberg, int uav, std::span<const FieldOfView> views, St
                     camera.pose.psi_rad);
     for (const FieldOfView& view : views)
         path.miss(view, estimate_m(iceberg), m_world.observer().detection);
-    if (m_world.observer().model == ObserverModel::Kalman) // else sigma is that of Eq. (22)
+    // In the simple model sigma follows Eq. (22).
+    if (m_world.observer().model == ObserverModel::Kalman)
         track.sigma_m2 = std::max(track.sigma_m2, path.variance_m2());
     Search search{.iceberg = iceberg, .path = std::move(path)};
     if (m_isLeftToPlan)
         m_searches.giveUp(std::move(search));
-    // One at a time: by the end of the search for another this one is far behind.
+    // A UAV searches for one iceberg at a time: by the end of that search the next is far behind.
     else if (!m_searches.of(uav) && camera.maySearch && search.path.hasCorner())
         m_searches.begin(uav, std::move(search));
     else
@@ -353,8 +364,10 @@ void Observer::beginSearch(int uav, Search search)
     m_searches.begin(uav, std::move(search));
 }
 
-/** Icebergs farther outside the area than their own radius are no longer monitored, until their
- * estimate is inside again. */
+/**
+ * Stops monitoring icebergs that are farther outside the area than their radius, until their
+ * estimate is inside again.
+ */
 void Observer::watchArea(StepReport& report)
 {
     for (int i = 0; i < m_world.icebergCount(); ++i) {
@@ -370,9 +383,10 @@ void Observer::watchArea(StepReport& report)
                 std::ranges::stable_sort(m_newlySeen, {}, &SeenIceberg::iceberg);
             }
         } else if (!track.left && !isInside &&
-                   distanceToEdges(m_area_m, estimate_m(i)) > m_world.body(i).radius_m) {
+                   distanceToEdges(m_area_m, estimate_m(i)) > m_world.parameters(i).radius_m) {
             track.left = true;
-            track.status = TrackStatus::Tracked; // who comes back is not looked for elsewhere
+            // An iceberg that returns is not searched for elsewhere.
+            track.status = TrackStatus::Tracked;
             report.add({.kind = EventKind::Left, .iceberg = i}, PlanReason::Left);
             m_searches.end(i);
         }
@@ -382,7 +396,7 @@ void Observer::watchArea(StepReport& report)
 void Observer::removeIceberg(int iceberg)
 {
     m_world.remove(iceberg);
-    m_lookStep[toIndex(iceberg)] = m_world.lastStep() + 1;
+    m_checkStep[toIndex(iceberg)] = m_world.lastStep() + 1;
     Track& track = m_tracks[toIndex(iceberg)];
     track.left = true;
     track.inView = false;

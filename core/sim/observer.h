@@ -11,14 +11,17 @@
 namespace berg {
 
 /**
- * What is known of the world, and how that comes about: the cameras look at the truth, the tracks
- * take it up, what is not where it should be is lost, searched for and found. The only one that
- * sees the truth.
+ * Knowledge of the world and how it is gained: cameras sample the true positions, tracks are
+ * updated, and an iceberg that is not found where it should be is lost, searched for and found.
+ * This class alone reads the true positions.
  */
 class Observer
 {
 public:
-    /** `noise` is empty or what `drawNoise` gave. Looks at once; what it sees then is no news. */
+    /**
+     * Observes once at the start without reporting sightings as events. `noise` is empty or the
+     * result of `drawNoise` for these icebergs; throws `std::logic_error` for other noise.
+     */
     Observer(const Scenario& scenario, std::span<const DriftNoise> noise);
 
     [[nodiscard]] const World& world() const { return m_world; }
@@ -34,51 +37,62 @@ public:
     {
         return track(iceberg).estimate_m(m_world.time_s());
     }
-    /** Whether the iceberg is monitored: it has appeared and has not left the area. */
+    /** Returns true if the iceberg is monitored: it has appeared and has not left the area. */
     [[nodiscard]] bool active(int iceberg) const
     {
         return m_world.age(iceberg) >= 0 && !track(iceberg).left;
     }
+    /** Returns the sum of sigma over the active icebergs after the last step, m^2. */
     [[nodiscard]] double sigmaSum_m2() const { return m_sigmaSum_m2; }
 
-    /** Icebergs that came into view in the last step, by index, ascending. */
+    /** Returns the icebergs that came into view in the last step, ascending by index. */
     [[nodiscard]] std::span<const SeenIceberg> newlySeen() const { return m_newlySeen; }
-    /** Icebergs that appeared in the last step. */
+    /** Returns the icebergs that appeared, or came back into the area, in the last step. */
     [[nodiscard]] std::span<const int> newlyAppeared() const { return m_newlyAppeared; }
 
-    /** After the UAVs have moved for `dt_s`. */
+    /**
+     * Updates all tracks after the UAVs have moved for `dt_s` seconds, and reports what happened.
+     */
     void observe(double dt_s, StepReport& report);
-    /** From now on. */
+    /** Sets the wind from now on. */
     void setWind(const Point& wind_mps);
 
-    /** Appears now; its index is the new last one. */
+    /** Adds an iceberg that appears now with the next index. */
     void addIceberg(const Iceberg& iceberg);
-    /** It has left, for good: nothing is seen or learnt of it any more. */
+    /** Stops monitoring the iceberg for good. */
     void removeIceberg(int iceberg);
     /**
-     * Somebody else saw it `age_s` ago: its position is known as if it had been in view then and
-     * the uncertainty had grown since; what is known better already stays.
+     * Takes up a sighting by somebody else `age_s` seconds ago: the position is known as if it had
+     * been in view then and the uncertainty had grown since. A better estimate stays. Throws
+     * `std::logic_error` unless the iceberg is active and `age_s` is at least 0.
      */
     void reportSighting(int iceberg, double age_s, StepReport& report);
 
-    /** Of an iceberg that is lost or given up. */
+    /** Starts a search by the UAV for an iceberg, which becomes lost; its other searches end. */
     void beginSearch(int uav, Search search);
-    /** What it searches for, and what has been given up, is lost, and looked for where the plan
-     * leads. */
+    /**
+     * Leaves all searches to the plans: ends the UAV's own search and marks icebergs given up as
+     * lost again.
+     */
     void leaveToPlan(int uav);
+    /** Returns true while plans search for lost icebergs. */
     [[nodiscard]] bool isLeftToPlan() const { return m_isLeftToPlan; }
-    /** No plan searches any more: what was left to it is given up. */
+    /**
+     * Ends the search by plans: icebergs left to them are given up, which is reported as events of
+     * UAV `uav`. Does nothing if plans do not search.
+     */
     void takeFromPlan(int uav, StepReport& report);
-    /** For now: every new plan compares again. */
+    /** Gives up a search for now, reported as an event of `uav`. Each new plan considers it again.
+     */
     void giveUp(Search search, int uav, StepReport& report);
 
 private:
     void insert(const Iceberg& iceberg, DriftNoise noise, double start_s, std::int64_t appearsStep);
-    void lookAround(StepReport& report);
-    void look(int iceberg, StepReport& report);
-    /** Of a position seen by a camera, along one axis. */
-    [[nodiscard]] double lookVariance_m2() const;
-    void lookForMeasurements(double dt_s, StepReport& report);
+    void sampleAllInReach(StepReport& report);
+    void sampleIceberg(int iceberg, StepReport& report);
+    /** Variance of a measured position along one axis, m^2. */
+    [[nodiscard]] double measurementVariance_m2() const;
+    void sampleMeasurements(double dt_s, StepReport& report);
     void measure(int iceberg, const Point& measured_m, double variance_m2, int seenBy,
                  StepReport& report);
     void miss(int iceberg, std::span<const FieldOfView> views, std::span<const FieldOfView> middles,
@@ -92,35 +106,46 @@ private:
     World m_world;
     Cameras m_cameras;
     Searches m_searches;
-    bool m_isLeftToPlan = false; ///< what is lost is looked for where plans lead
-    std::vector<Point> m_area_m; ///< empty: unbounded
-    std::int64_t m_lookSteps;    ///< between two looks of the camera, with measurements
+    bool m_isLeftToPlan = false; ///< true while plans search for lost icebergs
+    std::vector<Point> m_area_m; ///< empty if the area is unbounded
+    std::int64_t m_sampleSteps;  ///< steps between two camera samples, with measurements
     std::vector<Track> m_tracks;
-    std::vector<std::int64_t> m_lookStep; ///< before this step it is surely out of view
-    std::int64_t m_nextLookStep = 0;      ///< first of them
+    /** By iceberg: step before which it cannot come into view. */
+    std::vector<std::int64_t> m_checkStep;
+    std::int64_t m_nextCheckStep = 0; ///< least element of the list above
     double m_sigmaSum_m2 = 0;
     std::vector<SeenIceberg> m_newlySeen;
     std::vector<int> m_newlyAppeared;
 };
 
-/** Of those that count the one with the nearest estimate, the first among equals; -1: none. */
+/**
+ * Returns the iceberg with the nearest estimate among those for which `counts` returns true, the
+ * first among equals, or -1 if there is none.
+ */
 [[nodiscard]] int nearest(const Observer& observer, const Point& from_m,
                           const std::function<bool(int)>& counts);
-/** Of the smallest circle round their estimates. */
+/** Returns the centre of the smallest circle around the estimates, m. */
 [[nodiscard]] Point middle_m(const Observer& observer, std::span<const int> icebergs);
 
-/** What multiplies its sigma in planning: above 1 where an asset is near. */
+/** Returns the planning weight of the iceberg's sigma: 1 without an asset, above 1 near one. */
 [[nodiscard]] double priority(const Observer& observer, int iceberg);
-/** Seen from the asset, by the estimate; none without an asset. */
+/** Returns the estimated motion relative to the asset, or nullopt if there is no asset. */
 [[nodiscard]] std::optional<RelativeMotion> relativeToAsset(const Observer& observer, int iceberg);
 
-/** In view of this UAV: of several, others may have it in view. */
+/** Returns true if the iceberg is in view of this UAV. */
 [[nodiscard]] bool isInOwnView(const Observer& observer, int uav, int iceberg);
-/** In its own view; with a reach radius, within that: by the truth in the simple model, else by the
- * estimate of what the last look has shown. */
+/**
+ * Returns true if the UAV has reached the iceberg: it is in its view or, with a reach radius,
+ * within that radius. The simple model compares the true position; otherwise the estimate counts,
+ * for an iceberg that the last sample has shown.
+ */
 [[nodiscard]] bool isReached(const Observer& observer, int uav, int iceberg);
-/** The same of any UAV, for one that is in no view. */
+/**
+ * Returns true if the iceberg is within the reach radius of any UAV. Simple model only, where this
+ * can hold for an iceberg out of view.
+ */
 [[nodiscard]] bool isReachedUnseen(const Observer& observer, int iceberg);
+/** Returns true if a UAV other than `uav` has reached the iceberg. */
 [[nodiscard]] bool isReachedByOther(const Observer& observer, int uav, int iceberg);
 
 } // namespace berg

@@ -12,19 +12,19 @@ namespace {
 /** Growth of one sigma between two sightings. */
 struct Growth
 {
-    Track track; ///< its variances those at `since_s`
+    Track track; ///< with the variances at `since_s`
     double since_s = 0;
 
     [[nodiscard]] double sigmaAt_m2(double time_s) const
     {
         return track.sigmaAfter_m2(time_s - since_s);
     }
-    /** Integral of sigma until `time_s`. */
+    /** Integral of sigma from `since_s` to `time_s`. */
     [[nodiscard]] double areaUntil_m2s(double time_s) const
     {
         return positionIntegral_m2s(track.variances(), track.process(), time_s - since_s);
     }
-    /** Seen for an instant, as exactly as can be: that tells of its velocity, too. */
+    /** Applies an exact instantaneous sighting, which also improves the velocity. */
     void seeAt(double time_s)
     {
         track.grow(time_s - since_s);
@@ -35,7 +35,7 @@ struct Growth
     }
 };
 
-/** The first ones of an order that are seen from one point. */
+/** Returns the first icebergs of the order that are seen from one point. */
 std::span<const int> seenTogether(std::span<const int> order,
                                   std::span<const std::vector<int>> clusters)
 {
@@ -46,7 +46,7 @@ std::span<const int> seenTogether(std::span<const int> order,
     return order.first(count);
 }
 
-/** Flies on to where they are seen; returns how far the farthest of them is from there. */
+/** Flies to the point from which they are seen; returns the distance of the farthest from it. */
 double flyTo(std::span<const int> icebergs, const ForecastStart& start, LegFlight& flight)
 {
     for (const int iceberg : icebergs)
@@ -74,10 +74,10 @@ bool startsWith(std::span<const int> order, std::span<const int> beginning)
 struct FlownRoute
 {
     RouteForecast route;
-    LegFlight flight; ///< at its end
+    LegFlight flight; ///< at the end of the route
 };
 
-/** The visits of one UAV and when they are; sigmas are another matter. */
+/** Predicts the visits of one UAV and their times, without sigmas. */
 FlownRoute flyRoute(const ForecastStart& start, std::size_t uav, std::span<const int> order,
                     std::span<const std::vector<int>> clusters)
 {
@@ -101,7 +101,7 @@ FlownRoute flyRoute(const ForecastStart& start, std::size_t uav, std::span<const
     return flown;
 }
 
-/** All visits in order of time, those of one UAV in its order. */
+/** Returns all visits by time; those of one UAV stay in its order. */
 std::vector<ForecastVisit*> inOrderOfTime(std::vector<RouteForecast>& routes)
 {
     std::vector<ForecastVisit*> visits;
@@ -119,7 +119,7 @@ bool isIn(const OrdersByUav& orders, int iceberg)
     });
 }
 
-/** The orders, and at their ends what only `others` visit, with the same UAV. */
+/** Appends to each order the icebergs that only `others` visit, for the same UAV. */
 OrdersByUav withVisitsOf(OrdersByUav orders, const OrdersByUav& others)
 {
     const OrdersByUav own = orders;
@@ -132,8 +132,8 @@ OrdersByUav withVisitsOf(OrdersByUav orders, const OrdersByUav& others)
 
 } // namespace
 
-LegFlight flownAhead(const ForecastStart& start, std::size_t uav, std::span<const int> order,
-                     std::span<const std::vector<int>> clusters)
+LegFlight flyAhead(const ForecastStart& start, std::size_t uav, std::span<const int> order,
+                   std::span<const std::vector<int>> clusters)
 {
     return flyRoute(start, uav, order, clusters).flight;
 }

@@ -8,82 +8,88 @@
 
 namespace berg {
 
-/** The instant from which orders are thought flown. The world is borrowed. */
+/** The instant from which orders are predicted, with a copy of the world's state. */
 struct ForecastStart
 {
     WorldState world;
-    std::vector<bool> active; ///< by iceberg: it has appeared
+    std::vector<bool> active; ///< by iceberg: monitored at that instant
+    /** Run time of that instant, s. */
     double time_s = 0;
     std::vector<double> airspeeds_mps; ///< by UAV
     Point wind_mps = Point::Zero();
 };
 
-/** An order for each UAV, as iceberg indices; empty: it visits nothing. */
+/** Visiting order of each UAV as iceberg indices; empty if it visits nothing. */
 using OrdersByUav = std::vector<std::vector<int>>;
 
-/** One iceberg of the order. */
+/** Predicted visit of one iceberg. */
 struct ForecastVisit
 {
     int iceberg = -1;              ///< index
-    Point place_m = Point::Zero(); ///< where the UAV meets it
-    double leg_m = 0;              ///< over ground, from the one before or the UAV
-    double arrival_s = 0;          ///< from the start
-    double arrivalSigma_m2 = 0;    ///< just before it is seen
-    double spread_m = 0;           ///< of a cluster: how far the farthest member is from the place
+    Point place_m = Point::Zero(); ///< meeting point
+    double leg_m = 0;              ///< length over ground, from the previous visit or the UAV
+    double arrival_s = 0;          ///< time since the start
+    double arrivalSigma_m2 = 0;    ///< sigma just before the sighting
+    /** For a cluster: distance of the farthest member from the meeting point. */
+    double spread_m = 0;
 };
 
-/** What one UAV does. */
+/** Predicted flight of one UAV. */
 struct RouteForecast
 {
-    std::vector<ForecastVisit> visits; ///< all of its order, also those after the horizon
-    double distance_m = 0;             ///< over ground, until the last of them
+    std::vector<ForecastVisit> visits; ///< visits of the whole order, also beyond the horizon
+    double distance_m = 0;             ///< length over ground up to the last visit
 };
 
+/** Predicted flights and zeta. */
 struct PlanForecast
 {
     std::vector<RouteForecast> uavs; ///< by UAV
-    double zeta_m2s = 0;             ///< added to Eq. (24) within the horizon
+    double zeta_m2s = 0;             ///< increase of Eq. (24) within the horizon
 };
 
 /**
- * What becomes of flying `orders` for `horizon_s` from the start: arrivals and sigmas, Eq. (22),
- * and the zeta, Eq. (24), that they add, in closed form. It is assumed that
- * - the estimates of the start drift on, and each leg is aimed ahead of them (`LegFlight`);
- * - legs are straight and flown at the airspeed in the wind, without the time that turns take;
- * - an iceberg is seen for an instant, when the UAV is over its estimate: sigma falls to 0 and
- *   grows again. In a flight it is seen earlier, by half the field of view, and for longer;
- * - nothing is seen by chance on the way, and what is not in the order grows from what it is now;
- * - the members of one of `clusters`, which follow each other in the order, are all seen at the
- *   middle of the circle round them; the leg there is told of the first of them;
- * - no iceberg appears, and nothing is planned again: after the last visit all sigmas grow.
- * So it is good for comparing orders and for the near future; over many rounds the flight, which
- * goes on visiting, stays below it. Throws `std::logic_error` for an index that is not there.
+ * Predicts arrivals, sigmas, Eq. (22), and the increase of zeta, Eq. (24), if `orders` are flown
+ * for `horizon_s` seconds from the start, in closed form. Assumptions:
+ * - the estimates drift on from the start, and each leg is aimed ahead of them (`LegFlight`);
+ * - legs are straight and flown at the airspeed in the wind; turns take no time;
+ * - an iceberg is seen for one instant, when the UAV is over its estimate: sigma falls to 0 and
+ *   grows again. In a flight it is seen half a field of view earlier, and for longer;
+ * - nothing is seen by chance on the path; icebergs outside the order grow from their present
+ *   sigma;
+ * - the members of a cluster, consecutive in the order, are all seen at the centre of the circle
+ *   around them; the first of them has the length of the leg;
+ * - no iceberg appears and nothing is replanned: after the last visit all sigmas grow.
+ * The result suits comparisons of orders and the near future. Over many rounds the flight, which
+ * continues visiting, stays below it. Throws `std::logic_error` if an index does not exist
+ * or `ForecastStart::active` has not one entry for each iceberg.
  */
 [[nodiscard]] PlanForecast forecastPlan(const ForecastStart& start, const OrdersByUav& orders,
                                         double horizon_s,
                                         std::span<const std::vector<int>> clusters = {});
 
-/** What is flown to as one point before and after a change. */
+/** Clusters before and after a change of plan. */
 struct ChangedClusters
 {
     std::span<const std::vector<int>> before;
     std::span<const std::vector<int>> after;
 };
 
-/** Another order took the place of what was left of the one before. */
+/** Replacement of the rest of one order by another. */
 struct PlanChange
 {
-    std::vector<int> before; ///< what was left of it, iceberg indices
-    double distance_m = 0;   ///< by which the new order is longer
-    double zeta_m2s = 0;     ///< by which the new orders are predicted to add more, of all UAVs
+    std::vector<int> before; ///< rest of the previous order, iceberg indices
+    double distance_m = 0;   ///< length of the new order minus that of the previous one
+    /** Predicted zeta of the new orders minus that of the previous ones, all UAVs. */
+    double zeta_m2s = 0;
     bool operator==(const PlanChange&) const = default;
 };
 
 /**
- * The changes from `before` to `after`, both flown from the same start for the same time
- * (`forecastPlan`), by UAV. Icebergs that only the new orders visit come last in the old one of the
- * same UAV and the other way round, so that both visit the same. None: nothing was left for the
- * UAV, or its new order begins with all that was.
+ * Compares the orders `before` and `after` by UAV, both flown from the same start for `horizon_s`
+ * (`forecastPlan`). Icebergs that only the new orders visit are appended to the old order of the
+ * same UAV, and for several UAVs vice versa, so that both visit the same. An element is nullopt if
+ * nothing was left for the UAV or if its new order begins with the rest of the old one.
  */
 [[nodiscard]] std::vector<std::optional<PlanChange>>
 planChanges(const ForecastStart& start, const OrdersByUav& before, const OrdersByUav& after,

@@ -9,8 +9,10 @@ namespace berg {
 
 namespace {
 
-/** From the UAV, between the places, in the unit of a request: flight time times the speed of the
- * first UAV. */
+/**
+ * Returns the matrix of distances between UAV and places in the unit of a request: flight time
+ * times the airspeed of the first UAV.
+ */
 Eigen::MatrixXd distances_m(const Simulation& simulation, int uav, std::span<const Point> places_m)
 {
     const Autopilot& me = simulation.fleet().autopilot(uav);
@@ -20,8 +22,10 @@ Eigen::MatrixXd distances_m(const Simulation& simulation, int uav, std::span<con
            legLengths_m(me.guard().uav(), nodes_m);
 }
 
-/** Chance that a place flown to is seen: by looks on the way from the edge of the view to its
- * middle. */
+/**
+ * Probability that a place flown to is seen, by the samples on the path from the edge of the view
+ * to its middle.
+ */
 double chanceSeen(const Autopilot& me, const ObserverSpec& observer)
 {
     const double half_s = surelySeen_m(me.sensor()) / me.motion().airspeed_mps;
@@ -29,11 +33,14 @@ double chanceSeen(const Autopilot& me, const ObserverSpec& observer)
     return looks < 1 ? looks * observer.detection : 1 - std::pow(1 - observer.detection, looks);
 }
 
-/** Where a lost iceberg may be that the plan is to search for. */
+/**
+ * Returns the likely places of a lost iceberg for the plan to search; empty if the UAV may not
+ * search for it.
+ */
 std::vector<SearchPlace> placesOf(const Simulation& simulation, int uav, int iceberg)
 {
     constexpr std::size_t kMost = 4;
-    /** Of the smaller extent of the view: a little less than half of it on each side. */
+    /** Half the spacing of places as a share of the smaller extent of the view. */
     constexpr double kHalf = 0.45;
     const Fleet& fleet = simulation.fleet();
     const Search* search = fleet.observer().searches().ofIceberg(iceberg);
@@ -42,7 +49,8 @@ std::vector<SearchPlace> placesOf(const Simulation& simulation, int uav, int ice
     const Autopilot& me = fleet.autopilot(uav);
     double view_m = 2 * surelySeen_m(me.sensor());
     double seen = 1;
-    for (const Autopilot& other : fleet.autopilots()) { // all have the same places: of the weakest
+    // All UAVs get the same places, so they suit the weakest camera.
+    for (const Autopilot& other : fleet.autopilots()) {
         view_m = std::min(view_m, 2 * surelySeen_m(other.sensor()));
         seen = std::min(seen, chanceSeen(other, simulation.world().observer()));
     }
@@ -57,43 +65,47 @@ UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<i
     const World& world = simulation.world();
     const Observer& observer = simulation.observer();
     const Autopilot& me = simulation.fleet().autopilot(uav);
-    FlightPicture picture{.time_s = world.time_s(),
-                          .until_s = static_cast<double>(world.lastStep()) * world.dt_s(),
-                          .uav = me.pose(),
-                          .motion = me.motion(),
-                          .sensor = me.sensor(),
-                          .reachRadius_m = observer.cameras().reachRadius_m(),
-                          .observer = world.observer(),
-                          .seed = world.seed(),
-                          .step = world.step()};
-    if (me.guard().uav().sortie)
-        picture.until_s = std::min(picture.until_s, picture.time_s + me.guard().slotLeft_s());
+    PredictionInput prediction{.time_s = world.time_s(),
+                               .until_s = static_cast<double>(world.lastStep()) * world.dt_s(),
+                               .uav = me.pose(),
+                               .motion = me.motion(),
+                               .sensor = me.sensor(),
+                               .reachRadius_m = observer.cameras().reachRadius_m(),
+                               .observer = world.observer(),
+                               .seed = world.seed(),
+                               .step = world.step()};
+    if (const std::optional<SortieSpec>& sortie = me.guard().uav().sortie) {
+        const double runEnd_s = prediction.until_s;
+        prediction.until_s = std::min(runEnd_s, prediction.time_s + me.guard().slotLeft_s());
+        if (prediction.until_s < runEnd_s)
+            prediction.laterSorties = {.spec = *sortie, .runEnd_s = runEnd_s};
+    }
     UavRequest request{.uav = uav};
     std::vector<Point> places_m;
     for (const int i : ids) {
         request.available.push_back(
             simulation.available(uav, i) &&
             !simulation.trigger().isTargetOfUnplanned(i, simulation.fleet()));
-        if (world.body(i).assignedUav == uav)
+        if (world.parameters(i).assignedUav == uav)
             request.assigned.push_back(i);
         places_m.push_back(observer.estimate_m(i));
-        picture.tracks.push_back(observer.track(i));
-        picture.weights.push_back(priority(observer, i));
-        picture.places.push_back(placesOf(simulation, uav, i));
+        prediction.tracks.push_back(observer.track(i));
+        prediction.weights.push_back(priority(observer, i));
+        prediction.places.push_back(placesOf(simulation, uav, i));
     }
-    request.picture = std::make_shared<const FlightPicture>(std::move(picture));
+    request.prediction = std::make_shared<const PredictionInput>(std::move(prediction));
     request.distance_m = distances_m(simulation, uav, places_m);
     return request;
 }
 
-/** Icebergs that are planned as one point, and for whom. */
+/** A group of icebergs planned as one point. */
 struct Cluster
 {
     std::vector<int> members;
-    std::vector<bool> uavs; ///< by UAV of the request: whether it may fly there
+    std::vector<bool> uavs; ///< by UAV of the request: whether it may visit the cluster
 };
 
-/** The request with the nodes of each cluster made one, that of its first member. */
+/** Replaces the nodes of each cluster by the node of its first member. */
 PlanRequest withClusters(const Simulation& simulation, const PlanRequest& single,
                          const std::vector<Cluster>& clusters)
 {
@@ -131,7 +143,7 @@ PlanRequest withClusters(const Simulation& simulation, const PlanRequest& single
     return request;
 }
 
-/** How a UAV of the request flies to clusters of `candidates`. */
+/** Returns the rules by which a UAV of the request may visit clusters of `candidates`. */
 ClusterRules clusterRules(const Simulation& simulation, const PlanRequest& single,
                           std::size_t place, std::span<const int> candidates)
 {
@@ -151,7 +163,9 @@ ClusterRules clusterRules(const Simulation& simulation, const PlanRequest& singl
     return rules;
 }
 
-/** Whether it can be flown to whole in this sortie; else it is left to single visits. */
+/**
+ * Returns true if the UAV can visit all members in this sortie; otherwise they stay single nodes.
+ */
 bool isOfThisSortie(const Simulation& simulation, int uav, std::span<const int> members)
 {
     const std::optional<int> visits =
@@ -190,7 +204,7 @@ PlanRequest clusteredRequest(const Simulation& simulation)
     const Fleet& fleet = simulation.fleet();
     if (!fleet.plansClusters())
         return single;
-    std::vector<int> candidates; // places in `single.ids`
+    std::vector<int> candidates; // indices into `single.ids`
     std::vector<Track> tracks;
     for (std::size_t k = 0; k < single.ids.size(); ++k) {
         const auto isFor = [&](const UavRequest& uav) {

@@ -6,17 +6,20 @@
 namespace berg {
 
 /**
- * Distances over ground (air distances in wind) and sigmas of the active icebergs, times their
- * priorities, of the UAVs that are planned now; of the first one when none is.
+ * Returns the request for the UAVs that need a plan now, or for the first UAV if no UAV does: leg
+ * lengths (`legLengths_m`), scaled for each UAV to flight time times the airspeed of the first UAV
+ * of the scenario, and the sigmas of the active icebergs, each times its priority.
  */
 [[nodiscard]] PlanRequest planRequest(const Simulation& simulation);
 /**
- * The same with the available icebergs that one view can cover as one node, where the scenario
- * asks for that: `PlanRequest::clusters`. Its `picture` is still that of single icebergs. With
- * several UAVs there are no clusters.
+ * Returns `planRequest` with each group of available icebergs that one view can cover made one node
+ * (`PlanRequest::clusters`), if the scenario groups icebergs. The `prediction` of each UAV still
+ * holds single icebergs.
  */
 [[nodiscard]] PlanRequest clusteredRequest(const Simulation& simulation);
-/** What a policy is asked now: `clusteredRequest` if it plans clusters, else `planRequest`. */
+/**
+ * Returns the request for the policy: `clusteredRequest` if it plans clusters, else `planRequest`.
+ */
 [[nodiscard]] PlanRequest requestFor(const Simulation& simulation, PolicyKind policy);
 
 } // namespace berg

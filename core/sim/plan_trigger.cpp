@@ -8,27 +8,27 @@ namespace berg {
 
 namespace {
 
-/** A sighting later than predicted by this is overdue. */
+/** Delay of a predicted sighting after which it is overdue. */
 constexpr double kOverdue_s = 2;
 
-bool targetReached(int uav, const Errand& errand, const Fleet& fleet)
+bool targetReached(int uav, const FlightTarget& flightTarget, const Fleet& fleet)
 {
-    if (errand.members.empty())
-        return isReached(fleet.observer(), uav, errand.target);
+    if (flightTarget.members.empty())
+        return isReached(fleet.observer(), uav, flightTarget.target);
     return std::ranges::all_of(
-        errand.members, [&](int member) { return isReached(fleet.observer(), uav, member); });
+        flightTarget.members, [&](int member) { return isReached(fleet.observer(), uav, member); });
 }
 
-/** Whether another UAV has come to one of those it is sent to. */
-bool isSeenByOther(int uav, const Errand& errand, const Fleet& fleet)
+/** Returns true if another UAV has reached one of the target's icebergs. */
+bool isSeenByOther(int uav, const FlightTarget& flightTarget, const Fleet& fleet)
 {
     const auto isSeen = [&](int iceberg) {
         return isReachedByOther(fleet.observer(), uav, iceberg);
     };
-    return isSeen(errand.target) || std::ranges::any_of(errand.members, isSeen);
+    return isSeen(flightTarget.target) || std::ranges::any_of(flightTarget.members, isSeen);
 }
 
-/** Whether one of the UAVs is sent to it. */
+/** Returns true if any UAV flies to the iceberg. */
 bool isTarget(int iceberg, const Fleet& fleet)
 {
     return std::ranges::any_of(fleet.autopilots(),
@@ -90,7 +90,7 @@ std::vector<int> PlanTrigger::plannedUavs(const Fleet& fleet) const
 bool PlanTrigger::isTargetOfUnplanned(int iceberg, const Fleet& fleet) const
 {
     if (reason() == PlanReason::None)
-        return false; // asked about in between, all of them are planned
+        return false; // between replanning all UAVs are planned
     for (int uav = 0; uav < fleet.count(); ++uav)
         if (fleet.autopilot(uav).fliesTo(iceberg) && reason(uav) == PlanReason::None)
             return true;
@@ -98,8 +98,8 @@ bool PlanTrigger::isTargetOfUnplanned(int iceberg, const Fleet& fleet) const
 }
 
 /**
- * All UAVs are planned together: where one needs a plan the others get one too. But for one without
- * a target: whenever it finds something, a new plan for all would turn the others round too.
+ * UAVs are planned together: when one needs a plan, the others get one too. A UAV without a target
+ * is the exception, because a plan for all whenever it finds something would turn the others round.
  */
 void PlanTrigger::update(Fleet& fleet)
 {
@@ -108,7 +108,7 @@ void PlanTrigger::update(Fleet& fleet)
         const PlanReason reason = reasonOf(uav, fleet);
         m_reasons[toIndex(uav)] = reason;
         if (reason == PlanReason::None)
-            continue; // as in nearly every step
+            continue; // the usual case
         const bool ofOneAlone = reason == PlanReason::OutOfView ||
                                 (isAlone(uav) && (reason == PlanReason::TargetReached ||
                                                   reason == PlanReason::SeenByOther));
@@ -134,63 +134,64 @@ PlanReason PlanTrigger::reasonOf(int uav, Fleet& fleet) const
         return fleet.takeOffWhenDue(uav) ? PlanReason::TakeOff : PlanReason::None;
     if (const PlanReason trigger = fleet.report().trigger; trigger != PlanReason::None)
         return trigger;
-    const Errand* errand = me.errand();
-    if (errand == nullptr || errand->target < 0) {
+    const FlightTarget* flightTarget = me.flightTarget();
+    if (flightTarget == nullptr || flightTarget->target < 0) {
         if (!fleet.observer().newlyAppeared().empty())
             return PlanReason::Appeared;
         return somethingForIdle(uav, fleet) ? PlanReason::OutOfView : PlanReason::None;
     }
-    if (errand->aim && me.mode() != FlightMode::Search)
+    if (flightTarget->aim && me.mode() != FlightMode::Search)
         return reasonOfAim(uav, fleet);
-    if (targetReached(uav, *errand, fleet)) {
+    if (targetReached(uav, *flightTarget, fleet)) {
         fleet.setReached(uav);
         return PlanReason::TargetReached;
     }
     if (!fleet.observer().newlyAppeared().empty())
         return PlanReason::Appeared;
-    return isSeenByOther(uav, *errand, fleet) ? PlanReason::SeenByOther : PlanReason::None;
+    return isSeenByOther(uav, *flightTarget, fleet) ? PlanReason::SeenByOther : PlanReason::None;
 }
 
 PlanReason PlanTrigger::reasonOfAim(int uav, Fleet& fleet) const
 {
-    const Errand& errand = *fleet.autopilot(uav).errand();
+    const FlightTarget& flightTarget = *fleet.autopilot(uav).flightTarget();
     const Observer& observer = fleet.observer();
     const bool sees = std::ranges::find(observer.newlySeen(), uav, &SeenIceberg::uav) !=
                       observer.newlySeen().end();
-    const bool targetSeen = isInOwnView(observer, uav, errand.target);
+    const bool targetSeen = isInOwnView(observer, uav, flightTarget.target);
     const bool isByRadius = observer.cameras().reachRadius_m().has_value();
-    if ((sees || isByRadius || fleet.count() > 1) && isReached(observer, uav, errand.target)) {
+    if ((sees || isByRadius || fleet.count() > 1) &&
+        isReached(observer, uav, flightTarget.target)) {
         fleet.setReached(uav);
         return PlanReason::TargetReached;
     }
-    if (sees && !targetSeen) // else it flies on until that is within the reach radius
+    if (sees && !targetSeen) // otherwise it continues until the target is within the reach radius
         return PlanReason::Sighted;
-    if (observer.track(errand.target).inView && !targetSeen)
+    if (observer.track(flightTarget.target).inView && !targetSeen)
         return PlanReason::SeenByOther;
     if (!observer.newlyAppeared().empty())
         return PlanReason::Appeared;
     const World& world = observer.world();
-    if (errand.aim->end_s) // at the step next to it
-        return world.time_s() > *errand.aim->end_s - world.dt_s() / 2 ? PlanReason::HoldFlown
+    if (flightTarget.aim->end_s) // compares to the nearest step
+        return world.time_s() > *flightTarget.aim->end_s - world.dt_s() / 2 ? PlanReason::HoldFlown
+                                                                            : PlanReason::None;
+    return world.time_s() > flightTarget.aim->sighting_s + kOverdue_s ? PlanReason::Overdue
                                                                       : PlanReason::None;
-    return world.time_s() > errand.aim->sighting_s + kOverdue_s ? PlanReason::Overdue
-                                                                : PlanReason::None;
 }
 
 /**
- * Whether a UAV without a target should be planned again. While others of the fleet fly to targets
- * it has what none of them flies to and it has not seen on the last round of its circle; where
- * routes are repeated, only what is kept for it. Either way it may search for what nobody does.
+ * Returns true if a UAV without a target should be planned again. While other UAVs have targets, it
+ * gets icebergs that none of them flies to and that have not been seen during its last circle; if
+ * routes are repeated, only those assigned to it. It may always take up a search that nobody flies.
  */
 bool PlanTrigger::somethingForIdle(int uav, const Fleet& fleet) const
 {
     const World& world = fleet.observer().world();
     const bool isOneOfFleet = hasTargets(fleet);
     if (isOneOfFleet && !world.isWholeSecond())
-        return false; // a planner that leaves it out is not asked at each step
+        return false; // saves a planner call at each step if the planner leaves the UAV out
     if (fleet.mayBeginSearch(uav) && world.isWholeSecond())
         return true;
-    // What is beside its circle comes into view again.
+    // Icebergs beside its circle come into view again by themselves.
     const Autopilot& me = fleet.autopilot(uav);
     const double round_s = 2 * kPi * circleRadius_m(me.motion()) / me.motion().airspeed_mps;
     const auto isForIt = [&](int i) {
@@ -198,7 +199,7 @@ bool PlanTrigger::somethingForIdle(int uav, const Fleet& fleet) const
             return fleet.visitable(uav, i);
         const bool isForAny =
             m_plansIdleAlone && world.time_s() - fleet.observer().track(i).seen_s > round_s;
-        return (isForAny || world.body(i).assignedUav == uav) && !isTarget(i, fleet) &&
+        return (isForAny || world.parameters(i).assignedUav == uav) && !isTarget(i, fleet) &&
                fleet.available(uav, i);
     };
     for (int i = 0; i < world.icebergCount(); ++i)

@@ -4,32 +4,42 @@
 
 namespace berg {
 
-/** Why a plan is needed, by UAV, and for whom it is made. */
+/** Records for each UAV why it needs a plan, and decides which UAVs are planned together. */
 class PlanTrigger
 {
 public:
+    /** At the start every UAV needs a plan. */
     PlanTrigger(std::size_t uavs, PolicyKind policy);
 
-    /** Of the first UAV that has a reason of its own; None: fly on. */
+    /**
+     * Returns the reason of the first UAV with a reason of its own, `Fleet` if others only follow,
+     * or None if no plan is needed.
+     */
     [[nodiscard]] PlanReason reason() const;
-    /** Of this UAV; `Fleet`: because another one needs one. */
+    /** Returns the reason of this UAV; `Fleet` means that another UAV needs a plan. */
     [[nodiscard]] PlanReason reason(int uav) const { return m_reasons[toIndex(uav)]; }
-    /** Planned by itself until all are planned again. */
+    /**
+     * Returns true while the UAV is planned separately, which lasts until the next plan for all.
+     */
     [[nodiscard]] bool isAlone(int uav) const { return m_isAlone[toIndex(uav)]; }
-    /** UAVs that plans are made for now: not on the way home or on the ground; of those, when one
-     * without a target is to be planned alone, that one. */
+    /**
+     * Returns the UAVs to plan now: those that need a plan, or every one for which plans are made
+     * if none needs one. UAVs that fly home, hold or are on the ground are never among them.
+     */
     [[nodiscard]] std::vector<int> plannedUavs(const Fleet& fleet) const;
-    /** Target of a UAV that is not planned now. */
+    /** Returns true if the iceberg is the target of a UAV that the plan now due leaves out. */
     [[nodiscard]] bool isTargetOfUnplanned(int iceberg, const Fleet& fleet) const;
 
-    /** From now on plans are this policy's: routes that are repeated are planned for all at once.
+    /**
+     * Sets the policy of plans from now on. Policies that repeat a fixed route are planned for all
+     * UAVs at once.
      */
     void setPolicy(PolicyKind policy);
-    /** All that are not homeward need a plan. */
+    /** Requests a plan for every UAV for which plans are made. */
     void needAll(PlanReason reason, const Fleet& fleet);
-    /** The UAV has its plan, or is sent home. */
+    /** Marks the UAV's request as answered. */
     void answer(int uav) { m_reasons[toIndex(uav)] = PlanReason::None; }
-    /** At the end of a step; UAVs may take off. */
+    /** Finds the reasons for plans at the end of a step. UAVs may take off. */
     void update(Fleet& fleet);
 
 private:
@@ -37,7 +47,8 @@ private:
     [[nodiscard]] PlanReason reasonOfAim(int uav, Fleet& fleet) const;
     [[nodiscard]] bool somethingForIdle(int uav, const Fleet& fleet) const;
 
-    bool m_plansIdleAlone = false; ///< as the policy allows
+    /** Whether the policy allows a UAV without a target to be planned separately. */
+    bool m_plansIdleAlone = false;
     std::vector<PlanReason> m_reasons;
     std::vector<bool> m_isAlone;
 };

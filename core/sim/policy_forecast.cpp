@@ -5,7 +5,7 @@
 
 namespace berg {
 
-Scenario foreseen(const Scenario& scenario, PolicyKind policy)
+Scenario withoutUnknowns(const Scenario& scenario, PolicyKind policy)
 {
     Scenario expected = scenario;
     expected.planner.policy = policy;
@@ -18,7 +18,7 @@ Scenario foreseen(const Scenario& scenario, PolicyKind policy)
 std::optional<double> drawnZeta_m2s(const Scenario& scenario, PolicyKind policy, int number,
                                     const std::stop_token& stop)
 {
-    Scenario drawn = foreseen(scenario, policy);
+    Scenario drawn = withoutUnknowns(scenario, policy);
     drawn.noise = true;
     Random random(static_cast<std::uint64_t>(scenario.seed),
                   stableHash("drawn flight") + static_cast<std::uint64_t>(number));

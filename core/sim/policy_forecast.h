@@ -7,18 +7,20 @@
 
 namespace berg {
 
-/** The scenario without what nobody knows before take-off: noise and recorded tracks. */
-[[nodiscard]] Scenario foreseen(const Scenario& scenario, PolicyKind policy);
+/**
+ * Returns the scenario with this policy and without drift noise and recorded tracks, because they
+ * are unknown before take-off.
+ */
+[[nodiscard]] Scenario withoutUnknowns(const Scenario& scenario, PolicyKind policy);
 
-/** So many flights in drawn worlds make a prediction. */
+/** Number of flights in randomly drawn worlds that make a prediction. */
 inline constexpr int kDrawnFlights = 20;
 
 /**
- * Zeta of a flight with the policy in world `number` of those that the scenario describes: noise,
- * velocities that nobody knows, looks in vain; without recorded tracks, and never in the world of
- * the scenario's own seed. A number is the same world for every policy. Plans are made without
- * limits, so the flight repeats. Returns nullopt if stopped. Throws as the constructor of
- * `Mission`.
+ * Flies the policy in random world `number` of the scenario and returns its zeta, Eq. (24). The
+ * world has drift noise and the errors of the scenario's observer but no recorded tracks, and never
+ * the scenario's own seed. A number gives the same world for every policy. Plans have no limits, so
+ * the flight repeats. Returns nullopt if stopped. Throws as the constructor of `Mission`.
  */
 [[nodiscard]] std::optional<double> drawnZeta_m2s(const Scenario& scenario, PolicyKind policy,
                                                   int number, const std::stop_token& stop = {});

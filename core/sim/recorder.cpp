@@ -9,7 +9,7 @@ namespace berg {
 
 namespace {
 
-/** So many tracks of a keyframe take as much of a file as one search. */
+/** Number of tracks of a keyframe that take as much of a file as one search. */
 constexpr std::size_t kSearchTracks = 70;
 
 double weightedSum_m2(const Simulation& simulation)
@@ -62,13 +62,16 @@ std::vector<UavSample> uavSamples(const WorldState& state)
     return samples;
 }
 
-/** The power of two that makes it few enough, so that those kept before have those kept after. */
+/**
+ * Stores a keyframe and thins them out. Strides are powers of two, so keyframes stored earlier
+ * remain among those stored later.
+ */
 void Recorder::keep(const Simulation& keyframe)
 {
     if (!m_keyframes.empty() && (m_keyframeCount - 1) % m_stride != 0)
-        m_keyframes.pop_back(); // was kept as the last one
+        m_keyframes.pop_back(); // it was stored only as the last one
     m_keyframes.push_back(keyframe);
-    m_wholeRowDue = m_wholeRowDue || m_keyframeCount % m_stride == 0;
+    m_snapshotDue = m_snapshotDue || m_keyframeCount % m_stride == 0;
     ++m_keyframeCount;
     m_keyframeTracks += toIndex(keyframe.icebergCount() + 2 * keyframe.uavCount()) +
                         kSearchTracks * keyframe.observer().searches().count();
@@ -103,10 +106,10 @@ void Recorder::record(const Simulation& simulation)
         return;
     }
     m_samples.push_back(std::move(sample));
-    m_rows.add(simulation, std::exchange(m_wholeRowDue, false));
+    m_rows.add(simulation, std::exchange(m_snapshotDue, false));
 }
 
-void Recorder::handOn(SampleSink sink)
+void Recorder::streamTo(SampleSink sink)
 {
     m_sink = std::move(sink);
     IcebergReader rows = reader();

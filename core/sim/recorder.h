@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sim/iceberg_rows.h"
+#include "core/sim/iceberg_history.h"
 #include "core/sim/plan_forecast.h"
 
 #include <functional>
@@ -10,57 +10,72 @@
 namespace berg {
 
 /**
- * What one re-planning tells one UAV, with what the solver said. Of several UAVs each has an event
- * of its own, one after another; the solve is that of all of them.
+ * One plan for one UAV, with the figures of its solve. When several UAVs are planned together, each
+ * has an event of its own, one after another, and all share the solve.
  */
 struct PlanEvent
 {
     double time_s = 0;
     int uav = 0;
-    bool sameSolve = false; ///< the event before is of the same re-planning, for another UAV
+    bool sameSolve = false; ///< the previous event is of the same solve, for another UAV
+    /** Reason for which this UAV needed the plan. */
     PlanReason reason = PlanReason::None;
-    int target = -1;                         ///< index of the iceberg flown to; -1: circling
-    std::vector<int> order;                  ///< iceberg indices
-    std::vector<std::vector<int>> clusters;  ///< planned as one point each, two icebergs and more
-    std::optional<int> thisSortie;           ///< so many of the order before going home; none: all
-    std::vector<AimedLeg> legs;              ///< how it is flown; empty: straight to the target
-    std::optional<double> predictedZeta_m2s; ///< what `legs` were judged by
-    std::optional<AimedOutlook> outlook;     ///< of `legs`
-    double zeta_m2s = 0;                     ///< Eq. (24) until then
+    int target = -1;        ///< index of the iceberg to fly to, or -1 to circle
+    std::vector<int> order; ///< indices of the icebergs in visiting order
+    /** Groups of two or more icebergs planned as one point. */
+    std::vector<std::vector<int>> clusters;
+    /**
+     * Number of icebergs visited before the UAV turns home; nullopt if the endurance is unlimited.
+     */
+    std::optional<int> thisSortie;
+    std::vector<AimedLeg> legs;              ///< aimed legs; empty means straight to the target
+    std::optional<double> predictedZeta_m2s; ///< predicted zeta by which `legs` were chosen
+    std::optional<AimedOutlook> outlook;     ///< predicted sightings on `legs`
+    std::vector<PlannedVisit> laterVisits;   ///< as in `UavAnswer`; run files leave them out
+    double zeta_m2s = 0;                     ///< Eq. (24) up to this instant
     SolveStatus status = SolveStatus::None;
     StopReason stop = StopReason::Finished;
     AnswerSource source = AnswerSource::None;
-    Criterion criterion = Criterion::Visitation; ///< what `objective` and `bound` measure
+    Criterion criterion = Criterion::Visitation; ///< unit of `objective` and `bound`
     double mu = 0;
     double objective = 0;
     std::optional<double> bound;
-    std::optional<double> gap; ///< relative
+    std::optional<double> gap; ///< relative gap
+    /** Length of the whole plan in the distances of the request, m. */
     double distance_m = 0;
-    double elapsed_s = 0; ///< of the solve; the one thing that differs between equal runs
+    /** Wall-clock time of the solve; the only member that differs between equal runs. */
+    double elapsed_s = 0;
     bool warmStarted = false;
+    /** True if the planner failed and the previous plan is continued. */
     bool fellBack = false;
-    bool interim = false; ///< the autopilot goes on with the last plan while the next one is made
-    std::optional<PlanChange> change; ///< against the rest of the plan before, until the end; of
-                                      ///< missions that keep a record
+    /** True for the rest of the previous plan, flown while the next one is being made. */
+    bool interim = false;
+    /** Comparison with the rest of the previous plan, to the end of the run; only with a record. */
+    std::optional<PlanChange> change;
 };
 
-/** Whether it goes on with a search by plan: while the next plan is made, and where it orders the
- * places itself but its first leg has been overtaken. */
+/**
+ * Returns true if searches by plan continue under this plan: it is interim, or a coverage plan
+ * whose first aimed leg has been overtaken by a sighting.
+ */
 [[nodiscard]] inline bool keepsSearch(const PlanEvent& plan)
 {
     return plan.interim || (plan.source == AnswerSource::Coverage && plan.target >= 0);
 }
 
-/** Whether it is one of `Metrics::replans`: not interim, and of several UAVs the first. */
+/**
+ * Returns true if the plan counts in `Metrics::replans`: it is not interim, and the first of its
+ * solve.
+ */
 [[nodiscard]] inline bool isReplan(const PlanEvent& plan)
 {
     return !plan.interim && !plan.sameSolve;
 }
 
-/** The last one of them for the UAV; null: none. */
+/** Returns the last of the plans that is for the UAV, or null if there is none. */
 [[nodiscard]] const PlanEvent* lastPlanOf(std::span<const PlanEvent> plans, int uav);
 
-/** The aim of the leg that the plan starts with, if it has any. */
+/** Returns the aim of the plan's first leg, or nullopt if it has no aimed legs. */
 [[nodiscard]] std::optional<AimedLeg> firstAim(const PlanEvent& plan);
 
 /** One UAV at the instant of a sample. */
@@ -69,11 +84,13 @@ struct UavSample
     DubinsState pose;
     double u_radps = 0;
     double crossTrack_m = 0;
-    double flown_m = 0; ///< through the air
+    double flown_m = 0; ///< distance flown through the air
+    /** Index of the target iceberg, or -1. */
     int target = -1;
     bool onGround = false;
 };
 
+/** Returns the recorded UAVs as samples, by UAV. */
 [[nodiscard]] std::vector<UavSample> uavSamples(const WorldState& state);
 
 /** UAVs and totals at one instant. */
@@ -82,47 +99,58 @@ struct Sample
     double time_s = 0;
     std::vector<UavSample> uavs;
     double sigmaSum_m2 = 0;
-    double weightedSum_m2 = 0; ///< sigmas times their priorities; as `sigmaSum_m2` with no asset
+    /** Sum of sigma times priority; equals `sigmaSum_m2` without an asset. */
+    double weightedSum_m2 = 0;
     double zeta_m2s = 0;
-    double flown_m = 0; ///< through the air, all UAVs
+    double flown_m = 0; ///< distance flown through the air, all UAVs
 };
 
-/** Takes a sample and the icebergs at its instant, by index. */
+/** Receives a sample and the icebergs at its instant, by index. */
 using SampleSink = std::function<void(const Sample&, std::span<const IcebergSample>)>;
 
 /**
- * History of a mission: samples at a fixed interval (and at the last step), the state of every
- * iceberg at each of them, keyframes. Row `i` of icebergs belongs to sample `i`; an iceberg added
- * in flight has no entry in the rows before. Keyframes are bounded:
- * whenever they hold more than `kMostKeyframeTracks`, every other one goes, so that a flight twice
- * as long is looked back at with twice the time between them.
+ * History of a mission: samples at a fixed interval and at the last step, the state of every
+ * iceberg at each sample, and keyframes. Row `i` of icebergs belongs to sample `i`; an iceberg
+ * added in flight is missing in the rows before.
+ * The number of keyframes is bounded: whenever they exceed `kMostKeyframeTracks`, every other one
+ * is dropped, so a flight twice as long has twice the time between keyframes.
  */
 class Recorder
 {
 public:
-    /** Of all keyframes but the last, a UAV counted as two and a search as 70: about 60 MB, or 15
-     * MB of a file. */
+    /**
+     * Limit on the tracks in all keyframes but the last, where a UAV counts as two and a search as
+     * 70: about 60 MB of memory or 15 MB of a file.
+     */
     static constexpr std::size_t kMostKeyframeTracks = 100'000;
 
-    /** `interval_s` between samples, `keyframe_s` between keyframes; both rounded to steps. */
+    /** Sets the time between samples and between keyframes, s, both rounded to steps. */
     Recorder(double interval_s, double keyframe_s, double dt_s);
 
-    /** To be called at time 0 and after every step; keeps what is due. */
+    /** Records what is due. Must be called at time 0 and after every step. */
     void record(const Simulation& simulation);
 
-    /** From now on samples are handed on and not kept; those that are kept already come first. */
-    void handOn(SampleSink sink);
+    /**
+     * Passes samples to `sink` from now on in place of storing them. Samples stored so far are
+     * passed first and then discarded.
+     */
+    void streamTo(SampleSink sink);
 
     [[nodiscard]] const std::vector<Sample>& samples() const { return m_samples; }
-    /** Icebergs at sample `row`, by index; for many rows `reader` is faster. */
+    /**
+     * Returns the icebergs at sample `row`, by index. `reader` is faster for many rows. Throws
+     * `std::out_of_range` if there is no such row.
+     */
     [[nodiscard]] std::vector<IcebergSample> icebergs(std::size_t row) const
     {
         return reader().at(row);
     }
-    /** Until the next sample is recorded. */
+    /** Returns a reader, valid until the next sample is recorded. */
     [[nodiscard]] IcebergReader reader() const { return {m_rows, m_keyframes}; }
-    /** From each of them the mission can be flown on, bit for bit; a plan may be due at once. The
-     * first and the last that was due are always among them. */
+    /**
+     * Returns the keyframes, ascending. A mission continued from any of them repeats bit for bit; a
+     * plan may be due at once. The first keyframe and the last one due are always among them.
+     */
     [[nodiscard]] const std::vector<Simulation>& keyframes() const { return m_keyframes; }
 
 private:
@@ -130,14 +158,14 @@ private:
 
     std::int64_t m_sampleSteps;
     std::int64_t m_keyframeSteps;
-    std::size_t m_keyframeCount = 0; ///< of all that were due
+    std::size_t m_keyframeCount = 0; ///< number of keyframes that were due
     std::size_t m_keyframeTracks = 0;
-    std::size_t m_stride = 1;  ///< of each so many the first is kept
-    bool m_wholeRowDue = true; ///< a keyframe was due since the last row
+    std::size_t m_stride = 1;  ///< one of this many keyframes is stored
+    bool m_snapshotDue = true; ///< true if a keyframe was due since the last row
     std::vector<Sample> m_samples;
-    IcebergRows m_rows;
+    IcebergHistory m_rows;
     std::vector<Simulation> m_keyframes;
-    SampleSink m_sink; ///< none: they are kept
+    SampleSink m_sink; ///< empty if samples are stored
 };
 
 } // namespace berg

@@ -6,7 +6,9 @@
 
 namespace berg {
 
-/** Who searches for which lost iceberg, one each, and what has been given up or is left to plans.
+/**
+ * Searches for lost icebergs: at most one active search for each UAV, and those given up or left to
+ * plans.
  */
 class Searches
 {
@@ -15,29 +17,34 @@ public:
 
     [[nodiscard]] const std::optional<Search>& of(int uav) const { return m_byUav[toIndex(uav)]; }
     [[nodiscard]] const std::vector<Search>& givenUp() const { return m_givenUp; }
-    /** Those under way and those given up. */
+    /** Returns the number of searches active or given up. */
     [[nodiscard]] std::size_t count() const;
 
+    /** Starts the search of the UAV. */
     void begin(int uav, Search search) { m_byUav[toIndex(uav)] = std::move(search); }
-    /** Of a UAV that leaves it to somebody else; it must have one. */
+    /** Ends the UAV's search and returns it. The UAV must have one. */
     [[nodiscard]] Search take(int uav);
-    /** For now. */
+    /** Adds a search to those given up for now. */
     void giveUp(Search search) { m_givenUp.push_back(std::move(search)); }
-    /** The iceberg is found, or gone. */
+    /** Ends all searches for the iceberg, which is found or no longer monitored. */
     void end(int iceberg);
 
-    /** The UAV has passed the corner it flew to. */
+    /** Moves the UAV's search, which must exist, on to the next corner of its pattern. */
     void nextCorner(int uav) { m_byUav[toIndex(uav)]->path.nextCorner(); }
-    /** The variance of the iceberg's place has grown. */
+    /** Adds growth of the position variance to every search for the iceberg. */
     void grow(int iceberg, double added_m2);
-    /** Looks showed no iceberg: told to whoever searches for it. */
+    /**
+     * Updates active searches for the iceberg with one camera sample that did not show it.
+     * `views` are the fields of view, `estimate_m` its estimate, and `detection` the detection
+     * probability.
+     */
     void miss(int iceberg, std::span<const FieldOfView> views, const Point& estimate_m,
               double detection);
 
-    /** The same of one that nobody searches for but by the plan. */
+    /** Updates searches given up or left to plans with one such camera sample (see `miss`). */
     void missOfPlan(int iceberg, std::span<const FieldOfView> views, const Point& estimate_m,
                     double detection);
-    /** Whoever searches for it, or did; null: nobody. */
+    /** Returns the search for the iceberg, active or given up, or null if there is none. */
     [[nodiscard]] const Search* ofIceberg(int iceberg) const;
 
 private:

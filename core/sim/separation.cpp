@@ -1,7 +1,7 @@
 #include "core/sim/separation.h"
 
 #include "core/base/angles.h"
-#include "core/scenario/advice.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/sim/holding.h"
 #include "core/vehicle/los_guidance.h"
 
@@ -14,20 +14,20 @@ namespace berg {
 
 namespace {
 
-/** Turn rates tried between none and the limit. */
+/** Number of turn rates tried between zero and the limit. */
 constexpr int kRates = 8;
-/** A UAV that is blocked for so long is made way for. */
+/** Time for which a UAV is blocked before others yield to it. */
 constexpr double kPatience_s = 20;
-/** Of the path home, so much is kept clear. */
+/** Length of the path home, in flight time, that is kept clear. */
 constexpr double kAhead_s = 60;
-/** For another one to leave the path home. */
+/** Longest wait for another UAV to leave the path home. */
 constexpr double kLongestWait_s = 60;
-/** Pieces of a path home inside a fence. */
+/** Length of the pieces of a path home inside a fence, in flight time. */
 constexpr double kPiece_s = 1;
-/** One that has waited for so much longer goes first. */
+/** Difference in waiting time by which a UAV goes first. */
 constexpr double kWait_s = 30;
 
-/** The disc, the fence of the UAV; without one everything is. */
+/** Returns true if the disc is inside the UAV's fence, or there is none. */
 bool isInside(const SafetyGuard& guard, const Point& middle_m, double radius_m)
 {
     const Geofence* fence = guard.uav().fence.get();
@@ -35,14 +35,16 @@ bool isInside(const SafetyGuard& guard, const Point& middle_m, double radius_m)
            (fence->contains(middle_m) && fence->clearance_m(middle_m) >= radius_m);
 }
 
-/** The UAV itself; to come back is more urgent then than a disc inside. */
+/**
+ * Returns true if the UAV is outside its fence. Coming back then has priority over a disc inside.
+ */
 bool isOutside(const SafetyGuard& guard, const DubinsState& pose)
 {
     const Geofence* fence = guard.uav().fence.get();
     return fence != nullptr && !fence->contains(pose.position_m);
 }
 
-/** Towards the course away from the place, first round on the side where it is not. */
+/** Turns towards the course away from the place, first to the side where the place is not. */
 double turnAway_radps(const SafetyGuard& guard, const DubinsState& pose, const Point& place_m)
 {
     const Motion& motion = guard.uav().motion;
@@ -54,7 +56,7 @@ double turnAway_radps(const SafetyGuard& guard, const DubinsState& pose, const P
                              1 / std::max(1.0, guard.uav().clock.command_s()));
 }
 
-/** Of the discs tangent to the course none is inside the fence. */
+/** Returns true if neither disc tangent to the course is inside the fence. */
 bool hasNoCircle(const SafetyGuard& guard, const DubinsState& pose, double radius_m)
 {
     return std::ranges::none_of(std::array{1.0, -1.0}, [&](double side) {
@@ -62,7 +64,7 @@ bool hasNoCircle(const SafetyGuard& guard, const DubinsState& pose, double radiu
     });
 }
 
-/** Of a line of straight pieces. */
+/** Returns the point of the polyline nearest to the place. */
 Point nearestOn(std::span<const Point> line_m, const Point& place_m)
 {
     Point nearest_m = line_m.front();
@@ -73,14 +75,17 @@ Point nearestOn(std::span<const Point> line_m, const Point& place_m)
     return nearest_m;
 }
 
-/** Those to the right of the wish first, so that all turn the same way round each other. */
-std::vector<double> ratesByNearness(double wished_radps, const Motion& motion)
+/**
+ * Lists turn rates by nearness to the desired one, those to its right first, so that UAVs turn
+ * round each other in the same sense.
+ */
+std::vector<double> ratesByNearness(double desired_radps, const Motion& motion)
 {
     std::vector<double> left;
     std::vector<double> rates;
     for (int i = kRates; i >= -kRates; --i) {
         const double rate_radps = i * motion.limit_radps / kRates;
-        (rate_radps < wished_radps ? rates : left).push_back(rate_radps);
+        (rate_radps < desired_radps ? rates : left).push_back(rate_radps);
     }
     rates.insert(rates.end(), left.rbegin(), left.rend());
     return rates;
@@ -112,7 +117,7 @@ void Separation::setMotion(int uav, const SafetyGuard& guard)
         m_members[index(uav)].radius_m = holdingRadius_m(guard);
 }
 
-/** To the disc of the other one, and to what is left of its path there. */
+/** Distance from the disc to another UAV's disc and to the rest of its departure. */
 double Separation::gap_m(const Member& them, const Disc& disc)
 {
     double apart_m = (them.disc->middle_m - disc.middle_m).norm() - them.disc->radius_m;
@@ -121,8 +126,10 @@ double Separation::gap_m(const Member& them, const Disc& disc)
     return apart_m - disc.radius_m;
 }
 
-/** By UAV to their discs, then by UAV to the paths home that it has to keep clear of; what it need
- * not be kept apart from is far away. */
+/**
+ * Returns distances by UAV to the discs of others, then by UAV to the paths home that this UAV must
+ * keep clear of. UAVs that do not matter are at infinity.
+ */
 std::vector<double> Separation::gaps_m(int uav, const Disc& disc) const
 {
     const std::size_t count = m_members.size();
@@ -175,7 +182,7 @@ void Separation::leave(int uav)
     me.waited_s = 0;
 }
 
-/** The UAV and those that it, or one of them, is too near to. */
+/** Returns the UAV and all UAVs too close to it or, in turn, to one of them. */
 std::vector<int> Separation::nearby(int uav) const
 {
     std::vector<int> found{uav};
@@ -278,21 +285,26 @@ Separation::Trial Separation::trial(int uav, const SafetyGuard& guard, const Dub
     return trial;
 }
 
-/** On the way home the one that was due first when it set out; else the one that has waited longer.
- * The first of the fleet among equals. */
+/**
+ * Returns true if `first` goes before `second`: of UAVs flying home the one that was due first when
+ * it set out, else the one that has waited longer. Ties go to the first in the fleet.
+ */
 bool Separation::precedes(int first, int second) const
 {
     const auto rank = [this](int uav) {
         const Member& member = m_members[index(uav)];
-        // What changes with time has no say at the pad: two would make way for each other by turns.
+        // Waiting time does not count on the path home: two UAVs would yield to each other by
+        // turns.
         return std::tuple(member.due_s.value_or(kFar), !member.due_s,
                           member.due_s ? 0 : -std::floor(member.waited_s / kWait_s), uav);
     };
     return rank(first) < rank(second);
 }
 
-/** From whom the UAV is to fly away: one that it is too near to, or that goes first and has been
- * blocked by it for long; -1: nobody. */
+/**
+ * Returns the UAV to fly away from: one that is too close, or one that goes first and has long been
+ * blocked by this UAV; -1 if there is none.
+ */
 int Separation::avoided(int uav, const std::vector<double>& gaps) const
 {
     const auto nearest = std::ranges::min_element(gaps);
@@ -305,8 +317,10 @@ int Separation::avoided(int uav, const std::vector<double>& gaps) const
     return -1;
 }
 
-/** Whether the one that it waits for is still in its path home; else they would fly on side by
- * side, each turning with the other. */
+/**
+ * Returns true while the UAV that it waits for is still in its path home. Otherwise they would fly
+ * on side by side, each turning with the other.
+ */
 bool Separation::waitsOn(int uav) const
 {
     const Member& me = m_members[index(uav)];
@@ -317,41 +331,44 @@ bool Separation::waitsOn(int uav) const
                          theirs->radius_m + me.radius_m + m_separation_m;
 }
 
-/** Of the other UAV and its path home, what is nearest. */
+/** Returns the nearest point of the other UAV or its path home. */
 Point Separation::placeToAvoid_m(int other, const Point& from_m) const
 {
     const Member& them = m_members[index(other)];
     return them.ahead_m.empty() ? them.place_m : nearestOn(them.ahead_m, from_m);
 }
 
-void Separation::note(int uav, const Trial& wished, const Wish& wish, double command_s)
+void Separation::note(int uav, const Trial& result, const DesiredTurn& desired, double command_s)
 {
     Member& me = m_members[index(uav)];
-    if (wished.disc) {
+    if (result.disc) {
         me.denied_s = std::max(0.0, me.denied_s - command_s);
         if (me.denied_s == 0)
             me.blocker = -1;
         return;
     }
     me.denied_s = std::min(2 * kPatience_s, me.denied_s + command_s);
-    me.blocker = wished.blocker;
-    if (wish.hasGoal)
+    me.blocker = result.blocker;
+    if (desired.hasGoal)
         me.waited_s += command_s;
 }
 
-/** What others keep clear of: the next minute of the proven path home, and all of a passage that
- * begins in it; without a proven path straight to the pad. */
+/**
+ * Returns the path that others keep clear of: the next minute of the proven path home, with the
+ * whole of a passage that begins in it, or a straight line to the pad without a proven path.
+ */
 std::vector<Point> Separation::pathAhead_m(int uav, const SafetyGuard& guard,
-                                           const DubinsState& pose, const Wish& wish) const
+                                           const DubinsState& pose,
+                                           const DesiredTurn& desired) const
 {
     const std::optional<ReturnPath>& path = guard.sortie().returnPath;
     if (!path) {
-        const Point path_m = *wish.home_m - pose.position_m;
+        const Point path_m = *desired.home_m - pose.position_m;
         const double clear_m = kAhead_s * guard.uav().motion.airspeed_mps;
         return {pose.position_m, pose.position_m + std::min(1.0, clear_m / path_m.norm()) * path_m};
     }
     std::vector<Point> ahead_m{pose.position_m};
-    DubinsState at = guard.heldFor(pose, wish.rate_radps, guard.uav().clock.steps);
+    DubinsState at = guard.heldFor(pose, desired.rate_radps, guard.uav().clock.steps);
     double flown_s = guard.uav().clock.command_s();
     double noted_s = 0;
     for (ReturnPath rest = *path;;) {
@@ -370,8 +387,8 @@ std::vector<Point> Separation::pathAhead_m(int uav, const SafetyGuard& guard,
 }
 
 /**
- * A proven path home may lead where no circle is inside the fence: then the passage is reserved up
- * to the next circle, and flown to its end.
+ * Tries a passage. A proven path home may lead where no circle is inside the fence; the passage is
+ * then reserved up to the next circle and flown to its end.
  */
 Separation::Trial Separation::passage(int uav, const SafetyGuard& guard, const DubinsState& pose,
                                       double rate_radps) const
@@ -423,15 +440,15 @@ Separation::Trial Separation::passage(int uav, const SafetyGuard& guard, const D
 }
 
 double Separation::command_radps(int uav, const SafetyGuard& guard, const DubinsState& pose,
-                                 const Wish& wish)
+                                 const DesiredTurn& desired)
 {
     Member& me = m_members[index(uav)];
     me.place_m = pose.position_m;
-    me.ahead_m = wish.home_m ? pathAhead_m(uav, guard, pose, wish) : std::vector<Point>();
-    me.due_s = wish.home_m ? std::optional(me.due_s.value_or(wish.due_s)) : std::nullopt;
+    me.ahead_m = desired.home_m ? pathAhead_m(uav, guard, pose, desired) : std::vector<Point>();
+    me.due_s = desired.home_m ? std::optional(me.due_s.value_or(desired.due_s)) : std::nullopt;
     if (const auto rate_radps = me.departure.takeNext_radps(guard.uav().clock.steps))
         return *rate_radps;
-    me.disc->radius_m = me.radius_m; // the path to the circle is flown by now
+    me.disc->radius_m = me.radius_m; // the path to the circle has been flown
     std::vector<double> least_m = gaps_m(uav, *me.disc);
     const int other = avoided(uav, least_m);
     for (double& gap_m : least_m)
@@ -441,27 +458,27 @@ double Separation::command_radps(int uav, const SafetyGuard& guard, const Dubins
     };
 
     if (other < 0 && waitsOn(uav)) {
-        note(uav, {.blocker = me.blocker}, wish, guard.uav().clock.command_s());
+        note(uav, {.blocker = me.blocker}, desired, guard.uav().clock.command_s());
         me.waits_s += guard.uav().clock.command_s();
         return holdingRate_radps(guard, pose, me.disc->middle_m, me.disc->side);
     }
-    const double wished_radps =
-        other < 0 ? wish.rate_radps
+    const double desired_radps =
+        other < 0 ? desired.rate_radps
                   : turnAway_radps(guard, pose, placeToAvoid_m(other, pose.position_m));
-    Trial best = tried(wished_radps);
-    if (!best.disc && wish.home_m && other < 0) {
-        if (Trial through = passage(uav, guard, pose, wished_radps); through.disc)
+    Trial best = tried(desired_radps);
+    if (!best.disc && desired.home_m && other < 0) {
+        if (Trial through = passage(uav, guard, pose, desired_radps); through.disc)
             best = std::move(through);
         else if (best.blocker < 0)
             best.blocker = through.blocker;
     }
-    note(uav, best, wish, guard.uav().clock.command_s());
+    note(uav, best, desired, guard.uav().clock.command_s());
     const bool waits = best.blocker >= 0 &&
                        (precedes(best.blocker, uav) ? m_members[index(best.blocker)].blocker >= 0
                                                     : me.denied_s >= kPatience_s);
     me.waits_s = waits && !me.ahead_m.empty() && other < 0 ? guard.uav().clock.command_s() : 0;
     if (!waits)
-        for (const double rate_radps : ratesByNearness(wished_radps, guard.uav().motion)) {
+        for (const double rate_radps : ratesByNearness(desired_radps, guard.uav().motion)) {
             if (best.disc)
                 break;
             best = tried(rate_radps);

@@ -7,53 +7,61 @@
 namespace berg {
 
 /**
- * Keeps UAVs of one altitude layer apart: wishes in, allowed turn rates out.
+ * Keeps UAVs of one altitude layer at the separation from each other: takes desired turn rates and
+ * returns permitted ones.
  *
- * Each UAV aloft has a reserved disc, in which it can circle over ground for ever, and the discs of
- * two UAVs of one layer are at least the separation apart. A UAV is only given a command after
- * which a disc tangent to its course, left or right, is clear of those of all others and inside its
- * fence; else it flies on round the one it has. So UAVs that begin apart stay apart, whatever they
- * wish (the generalized roundabout policy of Pallottino et al. 2007). They are asked one after
- * another; those that begin too near each other get no command that brings them nearer.
+ * Each UAV aloft has a reserved disc in which it can circle over ground for ever. The discs of two
+ * UAVs of one layer are at least the separation apart. A UAV only gets a command after which a disc
+ * tangent to its course, left or right, is clear of all others and inside its fence; otherwise it
+ * continues round its present disc. UAVs that start apart therefore stay apart whatever turns they
+ * request (generalized roundabout policy, Pallottino et al. 2007). Commands are computed in the
+ * order of the fleet. UAVs that start too close get no command that brings them closer.
  *
- * Those that start too near each other depart together, see `departuresOf`: two of them that have
- * been the separation apart stay so.
+ * UAVs that start too close depart together (`departuresOf`): after two of them have reached the
+ * separation, they keep it.
  *
- * Of two that block each other one waits, and makes way after `kPatience_s`: see `precedes`. Those
- * that go after a UAV on its way home keep clear of the path ahead of it as well.
+ * If two UAVs block each other, one waits and yields after `kPatience_s`: see `precedes`. UAVs that
+ * rank after one flying home also keep clear of the path ahead of it.
  */
 class Separation
 {
 public:
-    struct Wish
+    /** The turn that an autopilot commands, and its purpose. */
+    struct DesiredTurn
     {
         double rate_radps = 0;
-        std::optional<Point> home_m; ///< where it flies to land; none: it does not
-        /** Time of the run when it has to be home; infinity: it has no limit. */
+        std::optional<Point> home_m; ///< landing place if the UAV flies home
+        /** Run time by which the UAV must be home, s; infinity means no limit. */
         double due_s = std::numeric_limits<double>::infinity();
-        bool hasGoal = true; ///< it is sent somewhere
+        bool hasGoal = true; ///< true if it flies to a target or home
     };
 
-    /** A separation of 0: nobody is kept apart. By UAV, none of them aloft. */
+    /**
+     * All UAVs start on the ground. `altitudes_m` is by UAV. A separation of 0 disables the rule.
+     */
     Separation(double separation_m, const std::vector<double>& altitudes_m);
 
-    /** Whether there is anybody it must be kept apart from. */
+    /** Returns true if another UAV shares the layer and a separation is set. */
     [[nodiscard]] bool concerns(int uav) const { return m_members[index(uav)].isConcerned; }
+    /** Returns true if the two UAVs fly in the same altitude layer. */
     [[nodiscard]] bool shareLayer(int a, int b) const;
-    /** To be told before anything else, and of each new wind. */
+    /** Sets the UAV's motion. Must be called first, and again for each new wind. */
     void setMotion(int uav, const SafetyGuard& guard);
-    /** It is aloft there, whether or not there is room. */
+    /** Marks the UAV as aloft at `pose`, whether or not there is room. */
     void enter(int uav, const SafetyGuard& guard, const DubinsState& pose);
+    /** Marks the UAV as landed. */
     void leave(int uav);
-    /** At the start of a flight, all of them entered: those that are too near each other fly apart
-     * before anything else, where a way to do so is found. */
+    /**
+     * Plans departures at the start of a flight for UAVs that are too close to each other, where
+     * such departures exist. Every UAV must have entered.
+     */
     void depart(std::span<const Departing> fleet);
-    /** Whether there is room for it at the place, on any course. */
+    /** Returns true if the UAV has room at the place on any course. */
     [[nodiscard]] bool hasRoom(int uav, const Point& place_m) const;
-    /** The turn rate to fly at until its next command. */
+    /** Returns the turn rate, rad/s, to fly until the UAV's next command. */
     [[nodiscard]] double command_radps(int uav, const SafetyGuard& guard, const DubinsState& pose,
-                                       const Wish& wish);
-    /** It has come to where it was sent, and does not wait any more. */
+                                       const DesiredTurn& desired);
+    /** Records that the UAV reached its target, which resets its waiting time. */
     void arrive(int uav) { m_members[index(uav)].waited_s = 0; }
 
 private:
@@ -62,34 +70,41 @@ private:
     struct Disc
     {
         Point middle_m;
-        double radius_m = 0; ///< the UAV is inside until its next command, and can stay so
-        double side = 1;     ///< where the UAV has the middle: 1 left, -1 right
+        /** Contains the UAV until its next command and permanently if it circles. */
+        double radius_m = 0;
+        double side = 1; ///< side of the UAV on which the disc lies: 1 left, -1 right
     };
     struct Member
     {
         double altitude_m = 0;
         bool isConcerned = false;
-        double radius_m = 0;           ///< of a disc in which it holds
-        std::optional<Disc> disc;      ///< none: not aloft
-        Point place_m = Point::Zero(); ///< at its last command
-        /** When it is due home, of its first wish to fly there: the order of landing is fixed then.
-         * None: it does not fly home. */
+        double radius_m = 0;           ///< radius of the disc in which it holds
+        std::optional<Disc> disc;      ///< empty on the ground
+        Point place_m = Point::Zero(); ///< position at its last command
+        /**
+         * Run time by which it must be home, as it was when it set out: this fixes the order of
+         * landing. Empty while it does not fly home.
+         */
         std::optional<double> due_s;
-        Departure departure; ///< what is left of it, or of a passage
-        /** The path home ahead of it, which those that it precedes keep clear of as of its disc. */
+        Departure departure; ///< rest of the present departure or passage
+        /** Path home ahead; UAVs that rank after it keep clear of this path as of its disc. */
         std::vector<Point> ahead_m;
-        int blocker = -1;    ///< who denied its wish last
-        double denied_s = 0; ///< grows while it is denied, up to twice the patience, and shrinks
-        double waits_s = 0; ///< since it began to wait until its path home is clear; 0: it does not
-        double waited_s = 0; ///< in which its wish was denied, since it arrived somewhere
+        int blocker = -1; ///< UAV that last blocked its desired turn, or -1
+        /**
+         * Grows while its desired turn is denied, up to twice the patience, and shrinks otherwise.
+         */
+        double denied_s = 0;
+        /** Time for which it has waited for its path home to be clear; 0 while it does not wait. */
+        double waits_s = 0;
+        double waited_s = 0; ///< time for which it was denied since its last arrival
     };
-    /** What comes of a turn rate. */
+    /** Outcome of a turn rate. */
     struct Trial
     {
         double rate_radps = 0;
-        std::optional<Disc> disc; ///< none: it is not allowed
-        int blocker = -1;         ///< whose disc is nearest, by what is required
-        Departure passage = {};   ///< flown to its end; empty: the turn rate alone
+        std::optional<Disc> disc; ///< empty if the turn rate is not permitted
+        int blocker = -1;         ///< UAV whose disc lacks the most distance, or -1
+        Departure passage = {};   ///< passage to fly to its end; empty for the turn rate alone
     };
 
     [[nodiscard]] static std::size_t index(int uav) { return static_cast<std::size_t>(uav); }
@@ -99,14 +114,15 @@ private:
     [[nodiscard]] Trial trial(int uav, const SafetyGuard& guard, const DubinsState& pose,
                               double rate_radps, const std::vector<double>& least_m) const;
     [[nodiscard]] std::vector<Point> pathAhead_m(int uav, const SafetyGuard& guard,
-                                                 const DubinsState& pose, const Wish& wish) const;
+                                                 const DubinsState& pose,
+                                                 const DesiredTurn& desired) const;
     [[nodiscard]] Trial passage(int uav, const SafetyGuard& guard, const DubinsState& pose,
                                 double rate_radps) const;
     [[nodiscard]] bool precedes(int first, int second) const;
     [[nodiscard]] int avoided(int uav, const std::vector<double>& gaps) const;
     [[nodiscard]] Point placeToAvoid_m(int other, const Point& from_m) const;
     [[nodiscard]] bool waitsOn(int uav) const;
-    void note(int uav, const Trial& wished, const Wish& wish, double command_s);
+    void note(int uav, const Trial& result, const DesiredTurn& desired, double command_s);
 
     double m_separation_m;
     std::vector<Member> m_members; ///< by UAV

@@ -32,12 +32,12 @@ UavState Simulation::uav(int uav) const
 void Simulation::setTarget(int uav, int iceberg, const std::optional<AimedLeg>& aim,
                            std::span<const int> members, bool keepsSearch)
 {
-    // A plan that another UAV asked for, and that leaves this one its target: it flies on.
-    const bool mayGoOn = planReason(uav) == PlanReason::Fleet;
+    // Another UAV requested the plan; a UAV that keeps its target continues its leg.
+    const bool mayContinueLeg = planReason(uav) == PlanReason::Fleet;
     m_trigger.answer(uav);
     m_fleet.setTarget(uav,
                       {.target = iceberg, .aim = aim, .members = {members.begin(), members.end()}},
-                      mayGoOn, keepsSearch);
+                      mayContinueLeg, keepsSearch);
 }
 
 void Simulation::advanceStep(std::span<const DubinsState> poses)

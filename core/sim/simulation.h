@@ -5,22 +5,22 @@
 namespace berg {
 
 /**
- * One deterministic world: icebergs, estimates, UAVs and autopilots advanced with a fixed time
- * step. It holds no planner: it says when a plan is needed (`planReason`) and is told the next
- * target of each UAV. One step, in this order: guidance, Dubins step, true drift, field of view and
- * sigma (22)-(23), zeta (24). UAVs are numbered as in the scenario; an iceberg is in view when it
- * is in that of one of them. Not thread-safe; copyable, so that any instant can be kept and
- * continued.
+ * One deterministic world: icebergs, estimates, UAVs and autopilots advance with a fixed time step.
+ * It contains no planner: `planReason` reports when a plan is needed, and `setTarget` sets the next
+ * target of each UAV. The order of one step is guidance, Dubins step, true drift, field of view and
+ * sigma (22)-(23), zeta (24). UAVs are numbered as in the scenario; an iceberg is in view if it is
+ * in the view of any UAV. Not thread-safe. Copyable, so any instant can be stored and continued.
  *
- * Put together of `Fleet` (with its `Observer`, the only one to see the `World`, and an `Autopilot`
- * for each UAV) and `PlanTrigger`.
+ * Composed of `Fleet` (with its `Observer`, which alone reads the `World`, and an `Autopilot` for
+ * each UAV) and `PlanTrigger`.
  */
 class Simulation
 {
 public:
     /**
-     * The scenario must have no errors (`validate`). Time 0: field of view tested, plan needed.
-     * `noise` is empty or what `drawNoise` gave; it only saves time.
+     * The scenario must have no errors (`validate`). At time 0 the field of view is tested and a
+     * plan is needed. `noise` is empty or the result of `drawNoise` for these icebergs and only
+     * saves time. Throws `std::logic_error` as `Fleet` does.
      */
     explicit Simulation(const Scenario& scenario, std::span<const DriftNoise> noise = {});
 
@@ -32,72 +32,85 @@ public:
     [[nodiscard]] double time_s() const { return world().time_s(); }
     [[nodiscard]] std::int64_t step() const { return world().step(); }
     [[nodiscard]] bool finished() const { return step() >= world().lastStep(); }
-    /** To be put on record, made anew at each call. */
+    /** Returns the recorded state, built at each call. */
     [[nodiscard]] WorldState state() const;
+    /** Returns the uncertainty summed over time so far, Eq. (24), m^2 s. */
     [[nodiscard]] double zeta_m2s() const { return m_zeta_m2s; }
 
     [[nodiscard]] int icebergCount() const { return world().icebergCount(); }
-    /** Whether the iceberg is monitored: it has appeared and has not left the area. */
+    /** Returns true if the iceberg is monitored: it has appeared and has not left the area. */
     [[nodiscard]] bool active(int iceberg) const { return observer().active(iceberg); }
-    /** Whether it may be planned for the UAV: `Fleet::available`. */
+    /** Returns true if the iceberg may be planned for the UAV: `Fleet::available`. */
     [[nodiscard]] bool available(int uav, int iceberg) const
     {
         return m_fleet.available(uav, iceberg);
     }
-    /** True position; before it has appeared, that at its start. */
+    /** Returns the true position now, or at its start before the iceberg has appeared, m. */
     [[nodiscard]] Point truth_m(int iceberg) const { return world().truth_m(iceberg); }
     [[nodiscard]] const Track& track(int iceberg) const { return observer().track(iceberg); }
 
     [[nodiscard]] int uavCount() const { return m_fleet.count(); }
-    /** As `state` has it. */
+    /** Returns the recorded state of one UAV, as `state` does. */
     [[nodiscard]] UavState uav(int uav) const;
     [[nodiscard]] const Motion& motion(int uav) const { return m_fleet.autopilot(uav).motion(); }
 
-    /** Why a plan is needed now, of the first UAV that has a reason of its own; None: fly on. */
+    /**
+     * Returns why a plan is needed now: the reason of the first UAV with a reason of its own,
+     * `Fleet` if others only follow, or None if no plan is needed.
+     */
     [[nodiscard]] PlanReason planReason() const { return m_trigger.reason(); }
-    /** Why the UAV needs one; `Fleet`: because another one does. */
+    /** Returns why this UAV needs a plan; `Fleet` means that another UAV does. */
     [[nodiscard]] PlanReason planReason(int uav) const { return m_trigger.reason(uav); }
     /**
-     * The UAV is to fly to this iceberg from here; -1: none available, circle the last one reached.
-     * With an aim: along it until something comes into view. With members of a cluster, the iceberg
-     * one of them: to the middle of the circle round their estimates, reached when all of them are
-     * at once. `keepsSearch`: see `keepsSearch(PlanEvent)`.
+     * Sends the UAV to an iceberg from its present position; -1 makes it circle the last iceberg
+     * reached. With `aim` it flies that leg until something comes into view. With `members` of a
+     * cluster, which contains the iceberg, it flies to the middle of the circle around their
+     * estimates and has reached it when all of them are reached at once. For `keepsSearch` see
+     * `keepsSearch(PlanEvent)`.
      */
     void setTarget(int uav, int iceberg, const std::optional<AimedLeg>& aim = std::nullopt,
                    std::span<const int> members = {}, bool keepsSearch = false);
 
     /**
-     * Advances one dt. Must not be called while a plan is needed or when finished. `poses`: where
-     * the UAVs are at its end, by UAV, as telemetry has it; none: where the Dubins model takes
-     * them.
+     * Advances one time step. Must not be called while a plan is needed or after the end. `poses`,
+     * if not empty, are the UAVs' poses at the end of the step, as telemetry reports them, in place
+     * of the Dubins model. Throws `std::logic_error` if one of these conditions is violated.
      */
     void advanceStep(std::span<const DubinsState> poses = {});
 
-    /** The wind is this from now on, and a new plan is needed. */
+    /** Sets the wind from now on and requests a plan. */
     void setWind(const Point& wind_mps);
-    /** What is to be protected from now on; a new plan is needed. */
+    /** Sets the protected asset from now on and requests a plan. */
     void setAsset(const Asset& asset);
-    /** Something changed from outside (tau, policy): a new plan is needed now. */
+    /** Requests a plan now, after a change from outside (tau, policy). */
     void requestPlan() { m_trigger.needAll(PlanReason::Intervention, m_fleet); }
-    /** From now on plans are this policy's. */
+    /** Sets the policy of plans from now on. */
     void setPolicy(PolicyKind policy) { m_trigger.setPolicy(policy); }
-    /** The iceberg is to be visited by this UAV alone, -1: by any; a new plan is needed. */
+    /**
+     * Assigns the iceberg to this UAV alone, or to any UAV if `uav` is -1, and requests a plan.
+     * Throws `std::logic_error` if an index does not exist.
+     */
     void assign(int iceberg, int uav);
-    /** The UAV does so, and the others get a new plan; `FlightOrder::None`: as planned again. */
+    /**
+     * Gives the UAV an operator's order and requests a plan. `FlightOrder::None` returns it to its
+     * plan. Throws `std::logic_error` if there is no such UAV.
+     */
     void order(int uav, FlightOrder order);
     /**
-     * An iceberg that has appeared was seen by somebody else `age_s` ago: its position is known as
-     * if it had been in view then, and a new plan is needed.
+     * Takes up a sighting of the iceberg by somebody else `age_s` seconds ago and requests a plan:
+     * the position is known as if it had been in view then. Throws `std::logic_error` unless the
+     * iceberg is active and `age_s` is at least 0.
      */
     void reportSighting(int iceberg, double age_s = 0);
     /** Adds an iceberg that appears now; its index is the new last one. */
     void addIceberg(const Iceberg& iceberg);
-    /** It is monitored no more; a new plan is needed. */
+    /** Stops monitoring the iceberg and requests a plan. */
     void removeIceberg(int iceberg);
 
-    /** What else happened since this was asked last, without times; asking changes nothing about
-     * the flight. */
-    [[nodiscard]] std::vector<MissionEvent> acceptEvents()
+    /**
+     * Returns and clears the events since the last call, without times. Does not affect the flight.
+     */
+    [[nodiscard]] std::vector<MissionEvent> drainEvents()
     {
         return std::exchange(m_fleet.report().events, {});
     }

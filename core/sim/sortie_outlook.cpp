@@ -1,7 +1,7 @@
 #include "core/sim/sortie_outlook.h"
 
 #include "core/base/random.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +18,14 @@ constexpr double kWindError_mps = 1;
 constexpr double kWindErrorShare = 0.15;
 constexpr double kAirspeedErrorShare = 0.03;
 
-/** Air and UAV of one flight. */
+/** Airspeed and wind of one flight. */
 struct Air
 {
     double airspeed_mps = 0;
     Point wind_mps = Point::Zero();
 };
 
-/** Through these places; without end where the wind is too strong. */
+/** Flight time along the places, or infinity if the wind is too strong. */
 double time_s(std::span<const Point> places_m, const Air& air)
 {
     if (air.wind_mps.norm() >= air.airspeed_mps)
@@ -41,7 +41,7 @@ Air airOf(const Uav& uav, const PlannedPath& path)
     return {.airspeed_mps = uav.spec.airspeed_mps, .wind_mps = path.wind_mps};
 }
 
-/** Goes on to the place, round the fence. */
+/** Appends the path to the place, around the fence. */
 void flyTo(std::vector<Point>& flown_m, const Point& place_m, const Geofence* fence)
 {
     if (fence != nullptr)
@@ -50,7 +50,7 @@ void flyTo(std::vector<Point>& flown_m, const Point& place_m, const Geofence* fe
     flown_m.push_back(place_m);
 }
 
-/** This sortie as far as the last iceberg, with home at its end where the endurance is limited. */
+/** Returns the path of this sortie up to its last iceberg, and home if the endurance is limited. */
 std::vector<Point> sortiePath_m(const Uav& uav, const PlannedPath& path)
 {
     const std::size_t count = std::clamp<std::size_t>(path.thisSortie, 1, path.places_m.size());
@@ -62,7 +62,7 @@ std::vector<Point> sortiePath_m(const Uav& uav, const PlannedPath& path)
     return flown_m;
 }
 
-/** Where the margin ends, which never grows along the path. */
+/** Returns the point at which the margin reaches zero; the margin never grows along the path. */
 std::optional<NoReturn> noReturn(const PlannedPath& path, const Point& home_m, const Air& air,
                                  double left_s)
 {
@@ -101,7 +101,7 @@ std::optional<NoReturn> noReturn(const PlannedPath& path, const Point& home_m, c
     return std::nullopt;
 }
 
-/** Part of a straight leg that lies within the circle. */
+/** Share of a straight leg that lies inside the circle. */
 double shareInside(const Point& from_m, const Point& to_m, const Point& centre_m, double radius_m)
 {
     const Point leg_m = to_m - from_m;
@@ -183,15 +183,18 @@ std::vector<Issue> sortieIssues(std::size_t index, const SortieOutlook& outlook,
 {
     std::vector<Issue> issues;
     if (lowMargin_s && *lowMargin_s < 0)
-        issues.push_back(Issue{Severity::Warning, entryPath("uavs", index) + ".endurance_s",
-                               std::isfinite(*lowMargin_s)
-                                   ? IssueReason{IssueId::ThinReserve, {std::round(-*lowMargin_s)}}
-                                   : IssueReason{IssueId::MayNotReturn}});
+        issues.push_back(
+            Issue{Severity::Warning, entryPath("uavs", index) + ".endurance_s",
+                  std::isfinite(*lowMargin_s)
+                      ? IssueReason{IssueId::ThinReserve,
+                                    {Amount{std::round(-*lowMargin_s), Quantity::Seconds}}}
+                      : IssueReason{IssueId::MayNotReturn}});
     if (outlook.noContact_s >= 1)
         issues.push_back(
             Issue{Severity::Warning,
                   entryPath("uavs", index),
-                  {.id = IssueId::NoContact, .arguments = {std::round(outlook.noContact_s)}}});
+                  {.id = IssueId::NoContact,
+                   .arguments = {Amount{std::round(outlook.noContact_s), Quantity::Seconds}}}});
     return issues;
 }
 

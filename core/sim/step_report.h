@@ -10,30 +10,35 @@ namespace berg {
 enum class PlanReason
 {
     None,
+    /** The run starts. */
     Start,
     TargetReached,
+    /** The UAV without a target can fly to an iceberg again. */
     OutOfView,
     Appeared,
     Intervention,
-    Sighted,     ///< on a leg with an aim: another iceberg than the target came into view
-    Overdue,     ///< on such a leg: the sighting predicted has not come
+    Sighted, ///< on an aimed leg: an iceberg other than the target came into view
+    /** On an aimed leg: the predicted sighting has not come; also an overdue cluster. */
+    Overdue,
     Left,        ///< an iceberg has left the area
-    Lost,        ///< one was not where it should have been
-    Found,       ///< a lost one is in view
-    GivenUp,     ///< the search for one has ended without it
+    Lost,        ///< an iceberg is not where it should be
+    Found,       ///< a lost iceberg is in view
+    GivenUp,     ///< the search for an iceberg has ended without success
     TakeOff,     ///< the next sortie begins
-    HoldFlown,   ///< a hold has come to its end
+    HoldFlown,   ///< a planned hold has ended
     SeenByOther, ///< another UAV has the target in view
-    Fleet        ///< another UAV needs one
+    Fleet        ///< another UAV needs a plan
 };
 
-/** What has happened: for the log, and whether every UAV aloft needs a plan at the end of the step.
+/**
+ * Events of a step for the log, and the reason for which every UAV aloft needs a plan at its end.
  */
 struct StepReport
 {
-    std::vector<MissionEvent> events;      ///< without times; kept until the log takes them
-    PlanReason trigger = PlanReason::None; ///< of this step: the first there was
+    std::vector<MissionEvent> events;      ///< without times; stored until the log collects them
+    PlanReason trigger = PlanReason::None; ///< first reason of this step
 
+    /** Appends the event. The first reason other than None becomes the trigger. */
     void add(MissionEvent event, PlanReason reason = PlanReason::None)
     {
         events.push_back(std::move(event));

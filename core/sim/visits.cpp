@@ -1,6 +1,6 @@
 #include "core/sim/visits.h"
 
-#include "core/scenario/true_start.h"
+#include "core/scenario/initial_truth.h"
 #include "core/sim/clusters.h"
 #include "core/sim/leg_flight.h"
 
@@ -12,7 +12,7 @@ namespace berg {
 
 namespace {
 
-/** The drift of one iceberg of a mission, as its simulation made it. */
+/** Rebuilds the drift of one iceberg as the mission's simulation drew it. */
 DriftModel driftOf(const Mission& mission, std::size_t iceberg)
 {
     const Scenario& scenario = mission.scenario();
@@ -27,14 +27,14 @@ DriftModel driftOf(const Mission& mission, std::size_t iceberg)
             seed, spec.id, scenario.noise};
 }
 
-/** As it is known at the start. */
+/** Knowledge of the iceberg at the start. */
 Track trackOf(const Scenario& scenario, int iceberg)
 {
     return initialTrack(scenario.icebergs.at(static_cast<std::size_t>(iceberg)),
                         scenario.observer.model, scenario.current_mps);
 }
 
-/** The flight goes on to the cluster. */
+/** Flies on to the cluster and returns the visit. */
 Visit visitOf(std::span<const int> members, const Scenario& scenario, LegFlight& flight)
 {
     const Circle met = flight.flyTo([&](double time_s) {
@@ -48,7 +48,7 @@ Visit visitOf(std::span<const int> members, const Scenario& scenario, LegFlight&
             .spread_m = met.radius_m};
 }
 
-/** The cluster that was reached at that time; empty: it was a single iceberg. */
+/** Returns the cluster reached by the event; empty for a single iceberg. */
 std::span<const int> clusterReached(const Mission& mission, const MissionEvent& reached)
 {
     const std::vector<PlanEvent>& plans = mission.plans();
@@ -80,7 +80,7 @@ std::vector<Visit> plannedVisits(const Scenario& scenario, const std::vector<int
         const Point met_m = flight.flyTo(trackOf(scenario, index), 0);
         visits.push_back({.iceberg = index, .time_s = flight.time_s(), .position_m = met_m});
     }
-    // The other policies do not read the route.
+    // Other policies do not use the route setting.
     const bool closed =
         scenario.planner.route == Route::Closed && traitsOf(scenario.planner.policy).usesTau;
     if (!endures || (closed && !visits.empty())) {
@@ -93,7 +93,7 @@ std::vector<Visit> plannedVisits(const Scenario& scenario, const std::vector<int
 
 std::vector<Visit> flownVisits(const Mission& mission, int uav)
 {
-    // Drift is drawn anew rather than read between samples, which may be far apart.
+    // Drift is drawn again, because samples may be far apart.
     std::vector<DriftModel> drift;
     for (std::size_t i = 0; i < mission.icebergs().size(); ++i)
         drift.push_back(driftOf(mission, i));

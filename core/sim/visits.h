@@ -6,41 +6,48 @@
 
 namespace berg {
 
-/** One point of a way that is or was flown. */
+/** One point of a planned or flown path. */
 struct TrackPoint
 {
     double time_s = 0;
     DubinsState state;
     double u_radps = 0;
-    double crossTrack_m = 0;
+    double crossTrack_m = 0; ///< positive left of the leg
 };
 
-/** The UAV over an iceberg, planned or flown. */
+/** A meeting of the UAV with an iceberg or cluster, planned or flown. */
 struct Visit
 {
-    int iceberg = -1; ///< index; -1: home, or back at the start at the end of a closed route
+    int iceberg = -1; ///< index, or -1 for home or for the start at the end of a closed route
     double time_s = 0;
     Point position_m = Point::Zero(); ///< true or predicted position of the iceberg at `time_s`
-    std::vector<int> members = {};    ///< of a cluster, the iceberg one of them; else empty
-    double spread_m = 0;              ///< distance of the farthest member from `position_m`
+    /** Members of the cluster, `iceberg` among them; empty for a single iceberg. */
+    std::vector<int> members = {};
+    double spread_m = 0; ///< distance of the farthest member from `position_m`
 };
 
 /**
- * Where and when the only UAV of the scenario meets each iceberg of the order (`LegFlight`): the
- * estimates drift with their velocity and the current. An iceberg is met at its centre, although it
- * comes into view earlier. The icebergs of a cluster are one visit, at the middle of the circle
- * round them as they will be then. With a limited endurance those of the first sortie
- * (`Simulation::thisSortie`), and home as the last.
+ * Predicts where and when the scenario's only UAV meets each iceberg of the order (`LegFlight`);
+ * estimates drift with their velocity and the current. An iceberg is met at its centre although it
+ * comes into view earlier. A cluster is one visit at the middle of the circle around its members at
+ * that time. With limited endurance only the first sortie is returned (`thisSortie`), with home as
+ * its last visit; a closed route ends with the start. Times are seconds since the start. The
+ * scenario must have no errors. Throws `std::out_of_range` if an index does not exist.
  */
 [[nodiscard]] std::vector<Visit> plannedVisits(const Scenario& scenario,
                                                const std::vector<int>& order,
                                                const std::vector<std::vector<int>>& clusters);
 
-/** Targets that UAV `uav` of the scenario reached, in order, at their true positions, clusters at
- * the middle of theirs. Empty when the mission kept no record. */
+/**
+ * Returns the targets that UAV `uav` reached, in order and at their true positions; a cluster is at
+ * the middle of its members. The list is empty if the mission kept no record.
+ */
 [[nodiscard]] std::vector<Visit> flownVisits(const Mission& mission, int uav = 0);
 
-/** Those in view at a visit that is one of icebergs: the iceberg, or the members of the cluster. */
+/**
+ * Returns the icebergs in view at the visit: the members of the cluster, or the single iceberg (-1
+ * for home or the start).
+ */
 [[nodiscard]] std::vector<int> icebergsOf(const Visit& visit);
 
 } // namespace berg

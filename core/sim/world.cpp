@@ -1,6 +1,6 @@
 #include "core/sim/world.h"
 
-#include "core/scenario/true_start.h"
+#include "core/scenario/initial_truth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace berg {
 
 namespace {
 
-/** Memory for noise drawn at once. */
+/** Memory limit of the noise drawn in advance. */
 constexpr std::size_t kMostNoise_bytes = 32'000'000;
 
 } // namespace
@@ -49,12 +49,12 @@ void World::add(const Iceberg& iceberg, DriftNoise noise, double start_s, std::i
     start.anchor_s = start_s;
     start.seen_s = start_s;
     const auto assigned = std::ranges::find(m_uavs, iceberg.uav);
-    m_bodies.push_back({.stream = stableHash(iceberg.id + "/look"),
-                        .radius_m = iceberg.radius_m,
-                        .start = start,
-                        .assignedUav = iceberg.uav.empty() || assigned == m_uavs.end()
-                                           ? -1
-                                           : static_cast<int>(assigned - m_uavs.begin())});
+    m_parameters.push_back({.stream = stableHash(iceberg.id + "/look"),
+                            .radius_m = iceberg.radius_m,
+                            .start = start,
+                            .assignedUav = iceberg.uav.empty() || assigned == m_uavs.end()
+                                               ? -1
+                                               : static_cast<int>(assigned - m_uavs.begin())});
 }
 
 Point World::truth_m(int iceberg) const
@@ -77,9 +77,9 @@ void World::goTo(std::int64_t step)
     advanceDrift();
 }
 
-LookDraw World::lookDraw(int iceberg, std::int64_t look) const
+SampleDraw World::sampleDraw(int iceberg, std::int64_t sample) const
 {
-    return m_noise ? berg::lookDraw(m_seed, body(iceberg).stream, look) : LookDraw{};
+    return m_noise ? berg::sampleDraw(m_seed, parameters(iceberg).stream, sample) : SampleDraw{};
 }
 
 } // namespace berg

@@ -10,25 +10,26 @@
 namespace berg {
 
 /**
- * The noise of each iceberg of the scenario, in its order: to be drawn once for all simulations of
- * scenarios that differ in planner or duration alone. Holds 32 MB at most; of long runs with many
- * icebergs each simulation draws the end by itself.
+ * Draws the drift noise of each iceberg of the scenario, in its order. Simulations whose scenarios
+ * differ only in planner or duration can share it. Memory is limited to 32 MB; in long runs with
+ * many icebergs each simulation draws the rest itself.
  */
 [[nodiscard]] std::vector<DriftNoise> drawNoise(const Scenario& scenario);
 
-/** What does not change about an iceberg, but for who is to visit it. */
+/** Properties of an iceberg that are constant, except its assignment. */
 struct IcebergParameters
 {
-    std::uint64_t stream = 0; ///< of its random numbers
+    std::uint64_t stream = 0; ///< stream of its random numbers
     double radius_m = 0;
-    Track start;          ///< what is known of it at its start, the velocity with the current
-    int assignedUav = -1; ///< the one that alone is to visit it; -1: any
+    Track start;          ///< knowledge at its start; the velocity includes the current
+    int assignedUav = -1; ///< UAV that alone may visit it; -1 means any UAV
 };
 
-/** The truth: what time it is, and where the icebergs are. */
+/** The true state: time and positions of the icebergs. */
 class World
 {
 public:
+    /** Starts at step 0 without icebergs, which `add` adds. */
     explicit World(const Scenario& scenario);
 
     [[nodiscard]] double time_s() const { return static_cast<double>(m_step) * m_dt_s; }
@@ -43,47 +44,56 @@ public:
         ++m_step;
         m_inSecond = m_inSecond + 1 == m_stepsPerSecond ? 0 : m_inSecond + 1;
     }
-    /** The truth at a later step, as far as nothing is added until then. */
+    /** Advances the truth to a later step. No iceberg may have been added in between. */
     void goTo(std::int64_t step);
-    /** Of the looks at it. */
+    /** Returns the specification of the camera's measurements. */
     [[nodiscard]] const ObserverSpec& observer() const { return m_observer; }
     [[nodiscard]] const std::optional<Asset>& asset() const { return m_asset; }
     void setAsset(const Asset& asset) { m_asset = asset; }
 
-    /** `start_s`: when the iceberg is at its `position_m`; `appearsStep`: known from then on. */
+    /**
+     * Adds an iceberg that is at its `position_m` at `start_s` and is monitored from `appearsStep`
+     * on.
+     */
     void add(const Iceberg& iceberg, DriftNoise noise, double start_s, std::int64_t appearsStep);
-    [[nodiscard]] int icebergCount() const { return static_cast<int>(m_bodies.size()); }
-    [[nodiscard]] const IcebergParameters& body(int iceberg) const
+    [[nodiscard]] int icebergCount() const { return static_cast<int>(m_parameters.size()); }
+    [[nodiscard]] const IcebergParameters& parameters(int iceberg) const
     {
-        return m_bodies[toIndex(iceberg)];
+        return m_parameters[toIndex(iceberg)];
     }
-    /** As if it had never appeared. */
+    /** Treats the iceberg as if it had never appeared. */
     void remove(int iceberg)
     {
         m_appearsStep[toIndex(iceberg)] = std::numeric_limits<std::int64_t>::max();
     }
-    void assign(int iceberg, int uav) { m_bodies[toIndex(iceberg)].assignedUav = uav; }
-    /** Steps since it appeared, below 0 before. */
+    /** Assigns the iceberg to a UAV, or to any UAV if `uav` is -1. */
+    void assign(int iceberg, int uav) { m_parameters[toIndex(iceberg)].assignedUav = uav; }
+    /** Returns the number of steps since the iceberg appeared; negative before. */
     [[nodiscard]] std::int64_t age(int iceberg) const
     {
         return m_step - m_appearsStep[toIndex(iceberg)];
     }
 
-    /** True position; before it has appeared, that at its start. */
+    /** Returns the true position now, or at its start before the iceberg has appeared, m. */
     [[nodiscard]] Point truth_m(int iceberg) const;
-    /** The same of one that has appeared; takes the noise until now. */
+    /**
+     * Returns the true position of an iceberg that has appeared, m. Draws its noise up to now, so
+     * later calls are cheap.
+     */
     [[nodiscard]] Point position_m(int iceberg)
     {
         return m_drift[toIndex(iceberg)].position_m(time_s());
     }
-    /** Takes the noise until now of all, so that `truth_m` has little to make up. */
+    /** Draws the noise of all icebergs up to now, so that `truth_m` has little left to draw. */
     void advanceDrift();
+    /** Returns a speed that the iceberg does not exceed, m/s. */
     [[nodiscard]] double speedLimit_mps(int iceberg) const
     {
         return m_drift[toIndex(iceberg)].speedLimit_mps();
     }
-    /** Of look number `look` at it. */
-    [[nodiscard]] LookDraw lookDraw(int iceberg, std::int64_t look) const;
+    /** Returns the random draw for camera sample `sample` of the iceberg; the default without
+     * noise. */
+    [[nodiscard]] SampleDraw sampleDraw(int iceberg, std::int64_t sample) const;
 
 private:
     double m_dt_s;
@@ -92,12 +102,12 @@ private:
     std::uint64_t m_seed;
     bool m_noise;
     ObserverSpec m_observer;
-    std::optional<Asset> m_asset; ///< what is to be protected
+    std::optional<Asset> m_asset; ///< protected asset
     Point m_current_mps;
-    std::vector<std::string> m_uavs; ///< ids
+    std::vector<std::string> m_uavs; ///< UAV ids
     std::int64_t m_step = 0;
-    std::int64_t m_inSecond = 0; ///< steps since the last whole one
-    std::vector<IcebergParameters> m_bodies;
+    std::int64_t m_inSecond = 0; ///< steps since the last whole second
+    std::vector<IcebergParameters> m_parameters;
     std::vector<DriftModel> m_drift;
     std::vector<std::int64_t> m_appearsStep;
 };

@@ -16,30 +16,33 @@ namespace berg {
 struct SeenIceberg
 {
     int iceberg = -1;
-    int uav = -1; ///< the first one that has it in view; -1: reported by somebody else
+    int uav = -1; ///< first UAV that has it in view, or -1 if somebody else reported it
 };
 
-/** What the autopilot is doing. */
+/** Present activity of an autopilot. */
 enum class FlightMode
 {
-    Idle,   ///< no iceberg at all: holding
-    Leg,    ///< to the target
-    RunOut, ///< passed a target too close to turn onto: straight on before turning back
-    Circle, ///< every iceberg in view: round the last one reached
-    Search, ///< for a lost iceberg
-    Home,   ///< on the way home
-    Ground, ///< at home between two sorties
-    Hold    ///< as ordered: round a place
+    Idle, ///< holding, because no iceberg is known
+    Leg,  ///< flying to the target
+    /** Flying straight on past a target that was too close to turn onto, before turning back. */
+    RunOut,
+    Circle, ///< circling the last iceberg reached, because every iceberg is in view
+    Search, ///< searching for a lost iceberg
+    Home,   ///< flying home
+    Ground, ///< on the ground between two sorties
+    Hold    ///< circling a place by order
 };
 
-/** What an operator has told a UAV to do, until it is told to resume. */
+/** An operator's order to a UAV, in force until an order to resume. */
 enum class FlightOrder
 {
+    /** Fly as planned. */
     None,
-    ReturnNow, ///< home, to stay there
-    HoldHere   ///< round the place where it was told
+    ReturnNow, ///< fly home and stay there
+    HoldHere   ///< circle the place where the order was received
 };
 
+/** Names of the orders in run files. */
 inline constexpr std::array<Named<FlightOrder>, 3> kFlightOrderNames{
     {{FlightOrder::None, "resume"},
      {FlightOrder::ReturnNow, "return"},
@@ -53,34 +56,38 @@ struct Search
     bool operator==(const Search&) const = default;
 };
 
-/** What changes about one UAV, as it is put on record: the parts of `Simulation` hold it. */
+/** Recorded state of one UAV; the parts of `Simulation` hold these values. */
 struct UavState
 {
     DubinsState pose;
     double u_radps = 0;
     double crossTrack_m = 0;
-    double flown_m = 0; ///< through the air
+    double flown_m = 0; ///< distance flown through the air
     FlightMode mode = FlightMode::Idle;
-    int target = -1; ///< index into the icebergs; -1: none
+    int target = -1; ///< index into the icebergs; -1 means no target
     int lastReached = -1;
-    bool isAlone = false; ///< planned by itself until all are planned again: see `PlanTrigger`
+    bool isAlone = false; ///< planned separately until the next plan for all: see `PlanTrigger`
     LosGuidance guidance;
-    double runOut_m = 0;         ///< left to fly straight in mode RunOut
-    int misses = 0;              ///< times the target was passed without reaching it
-    std::optional<AimedLeg> aim; ///< flown in mode Leg instead of the way to the target's estimate
-    std::vector<int> members;    ///< the target is the middle of these; empty: it is one iceberg
-    double membersBy_s = 0;      ///< when they are overdue
+    double runOut_m = 0; ///< distance left to fly straight in mode RunOut
+    int misses = 0;      ///< number of times the target was passed without reaching it
+    /** Leg to fly in mode Leg in place of the straight leg to the target's estimate. */
+    std::optional<AimedLeg> aim;
+    std::vector<int> members; ///< icebergs of the target cluster; empty for a single iceberg
+    double membersBy_s = 0;   ///< run time from which the cluster is overdue, s
     std::optional<Search> search;
-    double aloft_s = 0;         ///< since take-off
-    double ground_s = 0;        ///< left to stand in mode Ground
-    double withheld_s = 0;      ///< of the endurance, for its recovery slot
-    std::optional<Point> via_m; ///< corner flown to, round which the geofence leads
-    /** With fence and endurance: a proven path home from the next command on. */
+    double aloft_s = 0;         ///< time since take-off
+    double ground_s = 0;        ///< time left on the ground
+    double withheld_s = 0;      ///< endurance withheld for its recovery slot
+    std::optional<Point> via_m; ///< fence corner that the UAV flies to now
+    /** With fence and endurance: the proven path home from the next command on. */
     std::optional<ReturnPath> returnPath;
     FlightOrder order = FlightOrder::None;
-    Point hold_m = Point::Zero(); ///< in mode Hold: what it circles
+    Point hold_m = Point::Zero(); ///< in mode Hold: centre of the circle
 
-    /** Not on its way home, on the ground or holding: there no plan is asked for or taken. */
+    /**
+     * Returns true if plans are made for the UAV: it neither flies home, nor holds, nor is on the
+     * ground.
+     */
     [[nodiscard]] bool isPlanned() const
     {
         return mode != FlightMode::Home && mode != FlightMode::Ground && mode != FlightMode::Hold;
@@ -88,21 +95,23 @@ struct UavState
     bool operator==(const UavState&) const = default;
 };
 
-/** Everything that changes while flying, as it is put on record. */
+/** Recorded state of everything that changes in flight. */
 struct WorldState
 {
     std::int64_t step = 0;
-    std::vector<UavState> uavs; ///< one per UAV of the scenario
-    std::vector<Track> tracks;  ///< one per iceberg of the scenario, the not yet appeared included
+    std::vector<UavState> uavs; ///< by UAV of the scenario
+    /** By iceberg of the scenario, icebergs that have yet to appear included. */
+    std::vector<Track> tracks;
     double sigmaSum_m2 = 0;
     double zeta_m2s = 0;
-    std::vector<int> unclustered; ///< in no cluster until seen: one was passed without them
-    /** Of icebergs given up: where they may be, for when the rest is fresh. */
+    /** Icebergs that a pass over their cluster missed; in no cluster until seen. */
+    std::vector<int> unclustered;
+    /** Searches given up, with the remaining probabilities, for later plans. */
     std::vector<Search> givenUp;
     /** Least horizontal distance so far of two UAVs aloft in one altitude layer. */
     std::optional<double> closest_m;
 
-    /** Through the air, all UAVs. */
+    /** Returns the distance flown through the air by all UAVs, m. */
     [[nodiscard]] double flown_m() const
     {
         double sum_m = 0;
@@ -113,6 +122,7 @@ struct WorldState
     bool operator==(const WorldState&) const = default;
 };
 
+/** Converts an index of an iceberg or UAV, at least 0, for use with containers. */
 [[nodiscard]] inline std::size_t toIndex(int i)
 {
     return static_cast<std::size_t>(i);

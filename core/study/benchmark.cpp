@@ -14,13 +14,13 @@ constexpr std::array kPaperTable2{PaperTime{2, 0.02, 0.03},     PaperTime{6, 0.1
                                   PaperTime{10, 0.64, 1.50},    PaperTime{12, 1.71, 4.24},
                                   PaperTime{16, 31.20, 145.16}, PaperTime{20, 2969.69, 17269.17}};
 
-/** The instances of one row, one after the other. */
+/** Runs the instances of one row. */
 class RowRun
 {
 public:
     RowRun(const BenchmarkSpec& spec, BenchmarkRow& row) : m_spec(spec), m_row(row) {}
 
-    /** False when the row is to end: cancelled, or nothing left of the budget. */
+    /** Returns false if the row must end, because it is cancelled or the budget is used up. */
     bool solveNext(const TvpSolver& solver, double left_s, const std::stop_token& stop)
     {
         const auto seed = static_cast<std::uint64_t>(m_row.instances) + 1;
@@ -28,7 +28,7 @@ public:
         const SolveOutcome outcome = solver.solve(problem, {.timeLimit_s = left_s, .stop = stop});
         if (outcome.reason == StopReason::Cancelled)
             return false;
-        take(problem, outcome);
+        addOutcome(problem, outcome);
         return true;
     }
 
@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    void take(const TvpProblem& problem, const SolveOutcome& outcome)
+    void addOutcome(const TvpProblem& problem, const SolveOutcome& outcome)
     {
         ++m_row.instances;
         m_row.proven += outcome.status == SolveStatus::Optimal ? 1 : 0;
@@ -55,7 +55,7 @@ private:
             m_objectives += outcome.objective;
             m_row.work += outcome.work;
         }
-        // A bound without an order has no gap to it.
+        // The gap needs both an order and a bound.
         m_bounded = m_bounded && outcome.bound && outcome.status != SolveStatus::None;
         if (m_bounded)
             m_worstGap =
@@ -70,19 +70,20 @@ private:
     bool m_bounded = true;
 };
 
-/** One contestant and how far it came. */
-struct Contestant
+/** One solver and the size at which it failed. */
+struct BenchmarkEntry
 {
-    BenchmarkSolver is;
+    BenchmarkSolver spec;
     std::unique_ptr<TvpSolver> solver;
-    std::optional<int> unfinished; ///< the size it did not finish
+    std::optional<int> unfinished; ///< size that it did not finish
 
-    /** Empty when it may try this size. */
-    [[nodiscard]] std::string whyNot(int icebergs) const
+    /** Returns why it must not try this size, or an empty text. */
+    [[nodiscard]] std::string unsupportedReason(int icebergs) const
     {
         if (unfinished)
             return "not tried: " + std::to_string(*unfinished) + " icebergs took too long";
-        const std::optional<IssueReason> reason = solver->whyNot(tableOneProblem(1, icebergs));
+        const std::optional<IssueReason> reason =
+            solver->unsupportedReason(tableOneProblem(1, icebergs));
         return reason ? englishText(*reason) : std::string();
     }
 };
@@ -94,7 +95,7 @@ std::vector<int> ascending(std::vector<int> sizes)
     return sizes;
 }
 
-/** The whole benchmark, row by row. */
+/** Runs the whole benchmark, row by row. */
 class BenchmarkRun
 {
 public:
@@ -103,76 +104,79 @@ public:
         : m_spec(spec), m_stop(stop), m_onProgress(onProgress), m_sizes(ascending(spec.sizes))
     {
         for (const BenchmarkSolver& solver : spec.solvers)
-            m_contestants.push_back(
-                {.is = solver, .solver = makeSolver(solver.backend, solver.formulation)});
+            m_entries.push_back(
+                {.spec = solver, .solver = makeSolver(solver.backend, solver.formulation)});
     }
 
     std::vector<BenchmarkRow> run()
     {
         for (std::size_t size = 0; size < m_sizes.size(); ++size)
-            for (std::size_t who = 0; who < m_contestants.size(); ++who) {
+            for (std::size_t who = 0; who < m_entries.size(); ++who) {
                 if (m_stop.stop_requested())
                     return std::move(m_rows);
                 const double share_s = (m_spec.budget_s - m_watch.elapsed_s()) /
                                        static_cast<double>(rowsToSolve(size, who));
-                runRow(m_sizes[size], m_contestants[who], share_s);
+                runRow(m_sizes[size], m_entries[who], share_s);
             }
         return std::move(m_rows);
     }
 
 private:
-    /** Rows of this size from this one on, and of the next size, that take time; at least 1. */
+    /**
+     * Returns the number of rows of this size, from this one on, and of the next size that take
+     * time; at least 1.
+     */
     [[nodiscard]] std::size_t rowsToSolve(std::size_t size, std::size_t who) const
     {
         std::size_t rows = 0;
         for (std::size_t s = size; s < std::min(size + 2, m_sizes.size()); ++s)
-            for (std::size_t w = s == size ? who : 0; w < m_contestants.size(); ++w)
-                rows += m_contestants[w].whyNot(m_sizes[s]).empty() ? 1U : 0U;
+            for (std::size_t w = s == size ? who : 0; w < m_entries.size(); ++w)
+                rows += m_entries[w].unsupportedReason(m_sizes[s]).empty() ? 1U : 0U;
         return std::max<std::size_t>(rows, 1);
     }
 
-    void runRow(int icebergs, Contestant& contestant, double share_s)
+    void runRow(int icebergs, BenchmarkEntry& entry, double share_s)
     {
         const Stopwatch watch;
         BenchmarkRow row{
-            .icebergs = icebergs, .solver = contestant.is, .note = contestant.whyNot(icebergs)};
+            .icebergs = icebergs, .solver = entry.spec, .note = entry.unsupportedReason(icebergs)};
         RowRun run(m_spec, row);
         bool continues = row.note.empty();
         while (continues && row.instances < m_spec.repeat) {
             const double left_s = share_s - watch.elapsed_s();
-            continues = left_s > 0 && run.solveNext(*contestant.solver, left_s, m_stop);
+            continues = left_s > 0 && run.solveNext(*entry.solver, left_s, m_stop);
             if (continues && row.instances < m_spec.repeat)
-                tell(row.instances);
+                reportProgress(row.instances);
         }
         run.summariseRow();
         const bool tried = row.note.empty();
         const bool finished = row.instances == m_spec.repeat && row.cut == 0;
         if (tried && !finished)
-            contestant.unfinished = icebergs;
+            entry.unfinished = icebergs;
         if (tried && row.instances == 0) {
             if (m_stop.stop_requested())
                 return;
             row.note = "not tried: no time left";
         }
         m_rows.push_back(std::move(row));
-        tell(0);
+        reportProgress(0);
     }
 
-    /** `instances` of the row under way are done. */
-    void tell(int instances) const
+    /** Reports progress; `instances` of the present row are done. */
+    void reportProgress(int instances) const
     {
         const auto repeat = static_cast<std::size_t>(m_spec.repeat);
         if (m_onProgress)
             m_onProgress({.rows = m_rows,
                           .done = m_rows.size() * repeat + static_cast<std::size_t>(instances),
-                          .count = m_sizes.size() * m_contestants.size() * repeat});
+                          .count = m_sizes.size() * m_entries.size() * repeat});
     }
 
     const BenchmarkSpec& m_spec;
     const std::stop_token& m_stop;
     const std::function<void(const BenchmarkProgress&)>& m_onProgress;
     std::vector<int> m_sizes;
-    std::vector<Contestant> m_contestants;
+    std::vector<BenchmarkEntry> m_entries;
     std::vector<BenchmarkRow> m_rows;
     Stopwatch m_watch;
 };
@@ -211,7 +215,7 @@ std::vector<BenchmarkSolver> benchmarkSolvers()
             static_cast<void>(makeSolver(named.value.backend, named.value.formulation));
             solvers.push_back(named.value);
         } catch (const Error&) {
-            continue; // not in this build
+            continue; // missing in this build
         }
     }
     return solvers;

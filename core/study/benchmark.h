@@ -13,28 +13,30 @@
 namespace berg {
 
 /**
- * An instance of Table 1 of the paper: icebergs uniform in 5000 m x 5000 m, sigma an integer of
- * 1 .. 10, UAV at (-500, -500) m, mu by Eq. (14).
+ * Returns an instance of Table 1 of the paper: icebergs uniform in 5000 m x 5000 m, sigma an
+ * integer from 1 to 10, UAV at (-500, -500) m, mu by Eq. (14). The seed determines the instance.
  */
 [[nodiscard]] TvpProblem tableOneProblem(std::uint64_t seed, int icebergs, double tau = 0.5);
 
-/** Solution times of the paper's Table 2 (CPLEX), seconds. */
+/** Solution times in the paper's Table 2 (CPLEX), seconds. */
 struct PaperTime
 {
     int icebergs;
     double average_s;
     double worst_s;
 };
+/** Returns the rows of Table 2, by ascending number of icebergs. */
 [[nodiscard]] std::span<const PaperTime> paperTable2();
 
-/** A contestant: a back end, and for CBC the MILP it is given. */
+/** A back end under test and, for CBC, its MILP. */
 struct BenchmarkSolver
 {
     Backend backend = Backend::Auto;
-    Formulation formulation = Formulation::Position; ///< counts for `Backend::Cbc` only
+    Formulation formulation = Formulation::Position; ///< used by `Backend::Cbc` only
     bool operator==(const BenchmarkSolver&) const = default;
 };
 
+/** Names of the solvers on the command line and in files. */
 inline constexpr std::array<Named<BenchmarkSolver>, 6> kBenchmarkSolverNames{{
     {{.backend = Backend::Auto}, "auto"},
     {{.backend = Backend::Exact}, "exact"},
@@ -44,51 +46,54 @@ inline constexpr std::array<Named<BenchmarkSolver>, 6> kBenchmarkSolverNames{{
     {{.backend = Backend::Cbc, .formulation = Formulation::Printed}, "cbc-printed"},
 }};
 
-/** Those of this build, without `auto`, which is one of the others. */
+/** Returns the solvers of this build, without `auto`, which selects one of the others. */
 [[nodiscard]] std::vector<BenchmarkSolver> benchmarkSolvers();
 
+/** A benchmark: sizes, solvers and time budget. */
 struct BenchmarkSpec
 {
-    std::vector<int> sizes; ///< run in ascending order, each once
+    std::vector<int> sizes; ///< numbers of icebergs; run in ascending order, each once
     std::vector<BenchmarkSolver> solvers;
-    int repeat = 10;      ///< instances of each size: seeds 1 .. repeat
-    double budget_s = 60; ///< of the whole benchmark
+    int repeat = 10;      ///< number of instances of each size, with seeds 1 to `repeat`
+    double budget_s = 60; ///< time for the whole benchmark
     double tau = 0.5;
 };
 
 /**
- * One size and contestant. Times, `meanObjective` and `work` are of the instances that ended by
- * themselves: with all of them done, everything but the seconds is the same at every run.
+ * Results for one size and solver. `seconds`, `worst_s`, `meanObjective` and `work` cover the
+ * instances that ended by themselves. If all of them did, everything but the seconds repeats at
+ * every run.
  */
 struct BenchmarkRow
 {
     int icebergs = 0;
     BenchmarkSolver solver;
-    int instances = 0; ///< tried before the share of the budget was used up
+    int instances = 0; ///< instances tried before the share of the budget was used up
+    /** Instances with proven optimum. */
     int proven = 0;
-    int cut = 0; ///< stopped by the budget
+    int cut = 0; ///< instances stopped by the budget
     Summary seconds;
     double worst_s = 0;
-    double meanObjective = 0;       ///< F of Eq. (1)
-    std::int64_t work = 0;          ///< sum, in the back end's own unit
-    std::optional<double> worstGap; ///< of all tried, none when a bound is missing
-    std::string note;               ///< why there is nothing, when there is nothing
+    double meanObjective = 0;       ///< mean F of Eq. (1)
+    std::int64_t work = 0;          ///< sum in the back end's own unit
+    std::optional<double> worstGap; ///< over all instances tried; empty if one has no bound
+    std::string note;               ///< reason for missing results
 };
 
-/** After each instance; `done` of `count` instances, those not tried included. */
+/** Progress after an instance: `done` of `count` instances, those left out included. */
 struct BenchmarkProgress
 {
-    std::span<const BenchmarkRow> rows; ///< finished ones
+    std::span<const BenchmarkRow> rows; ///< finished rows
     std::size_t done = 0;
     std::size_t count = 0;
 };
 
 /**
- * Small sizes first, for each of them one contestant after the other. A row may take an equal share
- * of the budget that is left with the rows of its size and of the next one. Who does not finish a
- * size is not given a larger one, so that the others get more. When
- * stopped, the rows so far are returned, the last one with the instances that were done. Throws
- * `Error{Unsupported}` for a back end that this build lacks.
+ * Runs the benchmark, small sizes first and one solver after another for each size. A row may use
+ * an equal share of the remaining budget among the rows of its size and the next. A solver that
+ * does not finish a size is not tried on a larger one, which leaves the others more time; such rows
+ * have a note and no instances. If stopped, returns the rows so far, the last with the instances
+ * done. Throws `Error{Unsupported}` for a back end missing in this build before anything is solved.
  */
 [[nodiscard]] std::vector<BenchmarkRow>
 runBenchmark(const BenchmarkSpec& spec, const std::stop_token& stop,

@@ -27,7 +27,7 @@ StudySpec figure4(const Scenario& scenario)
     if (!scenario.name.empty())
         spec.name += ": " + scenario.name;
     for (int tenth = 0; tenth <= kFigure4LastTenth; ++tenth)
-        spec.taus.push_back(tenth / 10.0); // not a multiple of 0.1, which is no binary number
+        spec.taus.push_back(tenth / 10.0); // exact decimals, unlike multiples of 0.1
     return spec;
 }
 

@@ -6,19 +6,19 @@
 
 namespace berg {
 
-/** How to spread independent jobs over threads. */
+/** Distribution of independent jobs over threads. */
 struct ParallelOptions
 {
-    int threads = 0; ///< 0: one per core
+    int threads = 0; ///< 0 means one per core
     std::stop_token stop;
     std::function<void(std::size_t done)> onProgress; ///< never called by two threads at once
 };
 
 /**
- * Calls `job(i)` for i in [0, count), each once, on a pool of threads. Jobs must write to places
- * of their own, so that the result does not depend on the number of threads. When jobs or
- * `onProgress` throw, the rest is abandoned and the exception of the smallest index is thrown here.
- * Returns false when stopped before every job was done.
+ * Calls `job(i)` once for each i in [0, count) on a pool of threads. Jobs must write to separate
+ * places, so that the result does not depend on the number of threads. If jobs or `onProgress`
+ * throw, the remaining jobs are abandoned and the exception of the smallest index is thrown here.
+ * Returns false if stopped before every job was done.
  */
 bool forEachIndex(std::size_t count, const std::function<void(std::size_t)>& job,
                   const ParallelOptions& options);

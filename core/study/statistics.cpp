@@ -14,7 +14,10 @@ namespace {
 
 constexpr double kNormalFactor = 1.9599639845400542; ///< 97.5 % quantile of the normal distribution
 
-/** P(|T| <= tan(angle) sqrt(degrees)) as a finite sum (26.7.3 for odd, 26.7.4 for even degrees). */
+/**
+ * Returns P(|T| <= tan(angle) sqrt(degrees)) as a finite sum (26.7.3 for odd, 26.7.4 for even
+ * degrees).
+ */
 double studentWithin(double angle_rad, int degrees)
 {
     const double cosine2 = std::cos(angle_rad) * std::cos(angle_rad);
@@ -40,7 +43,7 @@ double studentByBisection(int degrees)
     return std::tan(low_rad) * std::sqrt(degrees);
 }
 
-/** Expansion in 1 / degrees about the normal quantile, 26.7.5. */
+/** Expands in 1 / degrees about the normal quantile, 26.7.5. */
 double studentByExpansion(int degrees)
 {
     const double z = kNormalFactor;

@@ -19,7 +19,7 @@ std::size_t scenarioCount(const StudySpec& spec)
     return spec.scenarios.size() + static_cast<std::size_t>(spec.random);
 }
 
-/** Scenario `index` with the seed of its run; the planner is still its own. */
+/** Returns the scenario of a case with the seed of its run; its planner is not set yet. */
 Scenario caseScenario(const StudySpec& spec, std::size_t caseIndex)
 {
     const auto runs = static_cast<std::size_t>(spec.runs);
@@ -43,12 +43,13 @@ bool isStuck(const Mission& mission)
 {
     std::set<int> targets;
     for (const PlanEvent& plan : mission.plans())
-        if (plan.time_s >= mission.scenario().duration_s / 2 && plan.target >= 0) // -1: circling
+        // -1 means circling.
+        if (plan.time_s >= mission.scenario().duration_s / 2 && plan.target >= 0)
             targets.insert(plan.target);
     return targets.size() <= 2;
 }
 
-/** The missions of one case: what they share is made once, here. */
+/** Flies the missions of one case and shares their noise. */
 class CaseFlights
 {
 public:
@@ -57,7 +58,7 @@ public:
     {
     }
 
-    /** None when stopped. */
+    /** Returns nullopt if stopped. */
     [[nodiscard]] std::optional<MissionOutcome> fly(const StudySetting& setting,
                                                     const std::stop_token& stop)
     {
@@ -70,10 +71,10 @@ public:
 
 private:
     Scenario m_scenario;
-    std::vector<DriftNoise> m_noise; ///< the same for every setting
+    std::vector<DriftNoise> m_noise; ///< shared by every setting
 };
 
-/** Some missions of one case: a job for one thread. */
+/** Missions of one case flown by one thread. */
 struct Batch
 {
     std::size_t caseIndex = 0;
@@ -96,7 +97,7 @@ public:
 
     bool run()
     {
-        tell();
+        reportProgress();
         const std::vector<Batch> batches = batchesLeft();
         const auto job = [&](std::size_t i) { flyBatch(batches[i]); };
         forEachIndex(batches.size(), job, {.threads = m_options.threads, .stop = m_options.stop});
@@ -143,7 +144,10 @@ private:
             }
     }
 
-    /** Each scenario with each policy; one random field stands for all, they differ by the seed. */
+    /**
+     * Checks each scenario with each policy. One random field stands for all, which differ by the
+     * seed only.
+     */
     void checkScenarios() const
     {
         const StudySpec& spec = m_study.spec;
@@ -160,7 +164,10 @@ private:
         }
     }
 
-    /** One for each case, or several when there are too few cases to keep every thread busy. */
+    /**
+     * Returns one batch for each case, or several if there are too few cases to occupy every
+     * thread.
+     */
     [[nodiscard]] std::vector<Batch> batchesLeft() const
     {
         const std::size_t perCase = missionsPerBatch();
@@ -198,11 +205,11 @@ private:
             const std::scoped_lock lock(m_mutex);
             m_study.outcomes[place(batch.caseIndex, setting)] = outcome;
             ++m_done;
-            tell();
+            reportProgress();
         }
     }
 
-    void tell() const
+    void reportProgress() const
     {
         if (m_options.onProgress)
             m_options.onProgress(m_study, m_done, m_count);
@@ -213,10 +220,10 @@ private:
     std::vector<StudySetting> m_settings;
     std::size_t m_done = 0;
     std::size_t m_count = 0;
-    std::mutex m_mutex; ///< of outcomes, `m_done` and the progress
+    std::mutex m_mutex; ///< guards outcomes, `m_done` and the progress
 };
 
-/** Adds what `part` has flown. */
+/** Adds the outcomes of `part`. */
 void add(Study& whole, const Study& part)
 {
     if (const std::string member = differingMember(whole.spec, part.spec); !member.empty())

@@ -1,4 +1,4 @@
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 #include "core/scenario/validate.h"
 #include "core/study/study.h"
 
@@ -11,7 +11,7 @@ namespace {
 constexpr int kMostRandom = 1'000'000;
 constexpr int kMostRuns = 1'000'000;
 
-/** Gathers what is wrong with a spec. */
+/** Collects the errors of a spec. */
 class SpecFaults
 {
 public:
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] std::vector<Issue> take() { return std::move(m_issues); }
 
 private:
-    static constexpr std::size_t kMostStored = 1000; ///< nobody reads more
+    static constexpr std::size_t kMostStored = 1000; ///< more errors help nobody
 
     std::vector<Issue> m_issues;
 };
@@ -45,11 +45,11 @@ void checkField(const FieldSpec& field, SpecFaults& faults)
     faults.check("field.sigma_min_m2", field.sigmaMin_m2, limits::kSigma_m2);
     if (faults.check("field.sigma_max_m2", field.sigmaMax_m2, limits::kSigma_m2) &&
         field.sigmaMax_m2 < field.sigmaMin_m2)
-        faults.add("field.sigma_max_m2", {IssueId::BelowOther, {"sigma_min_m2"}});
+        faults.add("field.sigma_max_m2", {IssueId::BelowOther, {FieldPath{"sigma_min_m2"}}});
     faults.check("field.q_m2ps", field.q_m2ps, limits::kGrowth_m2ps);
 }
 
-/** In floating point: a product of hostile numbers must not wrap round. */
+/** Estimates in floating point, because a product of hostile numbers could overflow. */
 double countEstimate(const StudySpec& spec)
 {
     return (static_cast<double>(spec.scenarios.size()) + spec.random) * spec.runs *

@@ -21,7 +21,7 @@ public:
 
     [[nodiscard]] const std::vector<std::size_t>& cases() const { return m_cases; }
 
-    /** `value` of every complete case flown with a setting. */
+    /** Returns `value` of every complete case flown with a setting. */
     template <class Value>
     [[nodiscard]] std::vector<double> valuesOf(std::size_t setting, const Value& value) const
     {
@@ -106,7 +106,7 @@ BestTau bestTauOf(const std::vector<StudySetting>& settings, const CompleteCases
     return best;
 }
 
-/** Of the settings that are surely higher than `best`, the one that is so least surely. */
+/** Adds the setting whose difference to `best` is the least certain. */
 void addClosest(Recommendation& recommendation, const std::vector<std::vector<double>>& zeta_m2s)
 {
     const std::vector<double>& best_m2s = zeta_m2s[*recommendation.best];

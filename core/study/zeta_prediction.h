@@ -8,7 +8,7 @@
 
 namespace berg {
 
-/** What zeta a flight with a policy is predicted to come to, by flights in drawn worlds. */
+/** Predicted zeta of a flight with a policy, from flights in randomly drawn worlds. */
 struct ZetaPrediction
 {
     double mean_m2s = 0;
@@ -17,13 +17,15 @@ struct ZetaPrediction
     bool operator==(const ZetaPrediction&) const = default;
 };
 
-/** `drawn_m2s`: zeta of each flight (`drawnZeta_m2s`), at least one. */
+/**
+ * Summarises the zeta of each flight (`drawnZeta_m2s`). Throws `std::logic_error` without flights.
+ */
 [[nodiscard]] ZetaPrediction predictionOf(std::span<const double> drawn_m2s);
 
 /**
- * The prediction for a scenario with the policy of its planner: the same wherever it is made. Cost:
- * `kDrawnFlights` missions, on several threads. Returns nullopt if stopped. Throws as the
- * constructor of `Mission`.
+ * Predicts zeta for a scenario with the policy of its planner; the result is the same on every
+ * machine. Cost: `kDrawnFlights` missions, on several threads. Returns nullopt if stopped. Throws
+ * as the constructor of `Mission`.
  */
 [[nodiscard]] std::optional<ZetaPrediction> predictZeta(const Scenario& scenario,
                                                         const ParallelOptions& options = {});

@@ -6,23 +6,27 @@
 
 namespace berg {
 
-/** Where one body is seen from another, both on straight courses. */
+/** Position and velocity of one body relative to another, both on straight courses. */
 struct RelativeMotion
 {
-    Point offset_m = Point::Zero(); ///< now
+    Point offset_m = Point::Zero(); ///< present position relative to the other body
     Point velocity_mps = Point::Zero();
 };
 
+/** Time and distance of the closest approach of two bodies. */
 struct ClosestApproach
 {
-    double time_s = 0; ///< from now; the earliest, when the distance stays the same
+    double time_s = 0; ///< time from now; the earliest if the distance stays the same
     double distance_m = 0;
 };
 
-/** Within [now, horizon_s]. */
+/** Returns the closest approach within `horizon_s` from now. */
 [[nodiscard]] ClosestApproach closestApproach(const RelativeMotion& motion, double horizon_s);
 
-/** When the distance first is `radius_m` or less, 0: it is now; none: not within the horizon. */
+/**
+ * Returns the first time, s from now, at which the distance is `radius_m` or less; 0 if it is so
+ * now. Returns nullopt if that does not happen within the horizon.
+ */
 [[nodiscard]] std::optional<double> entryTime_s(const RelativeMotion& motion, double radius_m,
                                                 double horizon_s);
 

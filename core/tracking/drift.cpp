@@ -9,10 +9,10 @@ namespace berg {
 
 namespace {
 
-/** Below this part of the velocity time the closed forms lose digits to their series. */
+/** Below this fraction of the velocity time the closed forms lose digits; the series does not. */
 constexpr double kSeriesBelow = 0.05;
 
-/** Of e = 1 - exp(-x), each from 0 to x. */
+/** Integrals of e(x) = 1 - exp(-x), each from 0 to x. */
 struct FadeIntegrals
 {
     double carried = 0; ///< e itself
@@ -21,7 +21,7 @@ struct FadeIntegrals
     double third = 0;   ///< integral of `second`
 };
 
-/** Sum of c[k] x^k by Horner, times `factor`. */
+/** Returns the sum of c[k] x^k (Horner's scheme) times `factor`. */
 template <std::size_t Count>
 double series(const double (&c)[Count], double x, double factor)
 {
@@ -70,7 +70,8 @@ DriftVariances grown(const DriftVariances& now, const DriftProcess& process, dou
     const double carried_s = t_s * fade.carried;
     const double kept = 1 - fade.carried;
     const double spread_m2ps2 = process.velocitySpread_mps * process.velocitySpread_mps;
-    // The noise that keeps the spread is 2 S^2 / T a second: its part of P is that of e^2 over T.
+    // The noise that maintains the spread is 2 S^2 / T per second; its share of P is that of e^2
+    // over T.
     return {.position_m2 = now.position_m2 + process.q_m2ps * dt_s +
                            carried_s * (2 * now.mixed_m2ps + carried_s * now.velocity_m2ps2) +
                            2 * spread_m2ps2 * t_s * t_s * fade.second,
@@ -140,7 +141,7 @@ DriftNoise::DriftNoise(std::uint64_t seed, std::uint64_t stream)
 {
 }
 
-DriftNoise DriftNoise::ofVelocity() const
+DriftNoise DriftNoise::velocityStream() const
 {
     static const std::uint64_t kVelocity = stableHash("velocity");
     return {m_seed, m_stream ^ kVelocity};
@@ -165,12 +166,12 @@ DriftModel::DriftModel(const DriftSpec& spec, DriftNoise source, bool noise)
     , m_velocity_mps(spec.velocity_mps)
     , m_deviation_m(noise && !spec.track ? std::sqrt(spec.q_m2ps) : 0.0)
     , m_isStepped(m_deviation_m != 0)
-    , m_velocitySource(source.ofVelocity())
+    , m_velocitySource(source.velocityStream())
     , m_source(std::move(source))
 {
     if (!spec.track && spec.velocityTime_s > 0) {
         m_velocity_mps = spec.mean_mps;
-        m_next_mps = spec.velocity_mps - spec.mean_mps;
+        m_nextExcess_mps = spec.velocity_mps - spec.mean_mps;
         m_fade = velocityStep({.velocitySpread_mps = noise ? spec.velocitySpread_mps : 0,
                                .velocityTime_s = spec.velocityTime_s},
                               1);
@@ -189,7 +190,7 @@ double DriftModel::speedLimit_mps() const
 {
     if (m_track || m_fade.velocity_mps > 0)
         return std::numeric_limits<double>::infinity();
-    return m_next_mps.norm() + m_velocity_mps.norm() +
+    return m_nextExcess_mps.norm() + m_velocity_mps.norm() +
            m_deviation_m * DriftNoise::kLargest * std::numbers::sqrt2;
 }
 
@@ -199,17 +200,17 @@ void DriftModel::drawStep()
         m_step_m = m_deviation_m * m_source.next();
     else
         m_step_m = Point::Zero();
-    m_own_mps = m_next_mps;
+    m_excess_mps = m_nextExcess_mps;
     if (m_fade.kept == 1)
         return;
-    m_step_m += m_fade.carried_s * m_own_mps;
-    m_next_mps = m_fade.kept * m_own_mps;
+    m_step_m += m_fade.carried_s * m_excess_mps;
+    m_nextExcess_mps = m_fade.kept * m_excess_mps;
     if (m_fade.velocity_mps == 0)
         return;
     const Point velocity = m_velocitySource.next();
     const Point place = m_velocitySource.next();
     m_step_m += m_fade.shared_m * velocity + m_fade.place_m * place;
-    m_next_mps += m_fade.velocity_mps * velocity;
+    m_nextExcess_mps += m_fade.velocity_mps * velocity;
 }
 
 void DriftModel::nextSecond()

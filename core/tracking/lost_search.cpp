@@ -13,21 +13,21 @@ namespace berg {
 
 namespace {
 
-/** Track spacing of the expanding square, of the width of the view. */
+/** Track spacing of the expanding square, as a fraction of the width of the view. */
 constexpr double kSpacing = 0.9;
-/** A pattern covers so many standard deviations to either side of the datum. */
+/** A pattern covers this many standard deviations to either side of the datum. */
 constexpr double kCovered_sd = 3;
-/** Legs looked ahead when a search is judged: once round. */
+/** Number of legs over which a search is judged: one round of the square. */
 constexpr std::size_t kLegsAhead = 4;
 
-// Cells: a square grid in standard deviations.
+// The cells are a square grid in standard deviations.
 constexpr int kCellsAcross = 21;
 constexpr double kCellsReach_sd = 3.2;
 
 struct Cells
 {
     std::vector<Point> offset_sd;
-    std::vector<double> chance; ///< their sum 1
+    std::vector<double> chance; ///< probabilities; their sum is 1
 };
 
 const Cells& cells()
@@ -65,7 +65,7 @@ std::vector<Point> expandingSquare(double spacing_m, double reach_m, double head
         static_cast<int>(std::min<double>(std::ceil(reach_m / spacing_m), kMostSquareRounds));
     std::vector<Point> corners_m{Point::Zero()};
     for (int leg = 0; leg < 4 * rounds + 1 && rounds > 0; ++leg) {
-        const int longer = leg / 2 + 1; // every second time
+        const int longer = leg / 2 + 1; // every second leg is longer
         const double length_m = spacing_m * longer;
         corners_m.emplace_back(corners_m.back() + length_m * towards(heading_rad - leg * kPi / 2));
     }
@@ -78,7 +78,8 @@ std::vector<Point> sectorSearch(double radius_m, double heading_rad)
     std::vector<Point> corners_m{Point::Zero()};
     double leg_rad = heading_rad;
     for (int triangle = 0; triangle < 3; ++triangle) {
-        // Out, across, and home through the datum: the next triangle starts straight on.
+        // The legs lead out, across and back through the datum; the next triangle starts straight
+        // on.
         const Point out_m = radius_m * towards(leg_rad);
         const Point across_m = out_m + radius_m * towards(leg_rad - 2 * kPi / 3);
         corners_m.insert(corners_m.end(), {out_m, across_m, Point(Point::Zero())});
@@ -122,7 +123,8 @@ void LostSearch::miss(const FieldOfView& view, const Point& datum_m, double dete
             chances[k] *= 1 - detection;
         left += chances[k];
     }
-    if (!(left > 0)) // seen everywhere in vain: nothing has been learnt about where it is
+    // all cells were in view without a sighting: nothing is learnt about the position
+    if (!(left > 0))
         return;
     for (double& chance : chances)
         chance /= left;
@@ -182,7 +184,7 @@ std::vector<SearchPlace> LostSearch::likeliestPlaces(double half_m, std::size_t 
         return std::pair(std::max(0, at - within), std::min(kCellsAcross - 1, at + within));
     };
     while (places.size() < most) {
-        // Of each cell the sum over the columns of its view, then over its rows.
+        // Sums over the columns of the view of each cell, then over its rows.
         std::vector<double> ofRow(left.size(), 0);
         for (int row = 0; row < kCellsAcross; ++row)
             for (int column = 0; column < kCellsAcross; ++column)

@@ -55,7 +55,7 @@ void Track::measured(const Point& position_m, double variance_m2, double time_s)
     const double innovation_m2 = sigma_m2 + variance_m2;
     anchor_s = time_s;
     seen_s = time_s;
-    if (!(innovation_m2 > 0)) { // both are exact: the measurement is the position
+    if (!(innovation_m2 > 0)) { // both are exact, so the measurement is the position
         anchor_m = position_m;
         return;
     }
@@ -63,16 +63,16 @@ void Track::measured(const Point& position_m, double variance_m2, double time_s)
     const double velocityGain_1ps = mixed_m2ps / innovation_m2;
     anchor_m = predicted_m + positionGain * (position_m - predicted_m);
     velocity_mps += velocityGain_1ps * (position_m - predicted_m);
-    // Written so that no variance can become negative by rounding.
+    // In this form rounding cannot make a variance negative.
     sigma_m2 = positionGain * variance_m2;
     velocity_m2ps2 = std::max(0.0, velocity_m2ps2 - velocityGain_1ps * mixed_m2ps);
     mixed_m2ps *= variance_m2 / innovation_m2;
 }
 
-LookDraw lookDraw(std::uint64_t seed, std::uint64_t stream, std::int64_t look)
+SampleDraw sampleDraw(std::uint64_t seed, std::uint64_t stream, std::int64_t sample)
 {
-    // The golden ratio of 2^64 keeps the streams of consecutive looks apart.
-    Random random(seed, stream ^ (static_cast<std::uint64_t>(look + 1) * 0x9e3779b97f4a7c15ULL));
+    // The golden ratio of 2^64 separates the streams of consecutive samples.
+    Random random(seed, stream ^ (static_cast<std::uint64_t>(sample + 1) * 0x9e3779b97f4a7c15ULL));
     const double chance = random.uniform();
     const double x = random.normal();
     const double y = random.normal();

@@ -7,14 +7,15 @@
 
 namespace berg {
 
+/** Shape of the camera's field of view. */
 enum class FovShape
 {
-    Body,  ///< rectangle turning with the UAV's heading
+    Body,  ///< rectangle that turns with the UAV's heading
     North, ///< rectangle, along = north
-    Disk   ///< diameter = the first extent
+    Disk   ///< disk whose diameter is the first extent
 };
 
-/** What the camera covers, bank ignored. */
+/** Ground area covered by the camera; bank is ignored. */
 struct SensorSpec
 {
     Point fov_m = Point(600, 600); ///< extent along and across the heading
@@ -22,14 +23,16 @@ struct SensorSpec
     bool operator==(const SensorSpec&) const = default;
 };
 
-/** How positions and uncertainties of the icebergs are known. Names: `kObserverNames`. */
+/**
+ * Model of how positions and uncertainties of the icebergs become known. Names: `kObserverNames`.
+ */
 enum class ObserverModel
 {
-    Simple, ///< the paper's: in view the estimate is the truth, velocity and start are known
+    Simple, ///< model of the paper: in view the estimate is the truth; velocity and start are known
     Kalman  ///< noisy measurements of icebergs in view, filtered for position and velocity
 };
 
-/** What is flown to find an iceberg again that was not where it was believed to be. */
+/** Pattern flown to find an iceberg again that was not at its estimate. */
 enum class SearchPattern
 {
     None,
@@ -37,42 +40,50 @@ enum class SearchPattern
     Sector
 };
 
-/** The measurement processor; all but the model is read with `ObserverModel::Kalman` only. */
+/**
+ * Parameters of the measurement processor. `ObserverModel::Simple` uses only the search pattern
+ * and, for the chances of a search, the detection probability.
+ */
 struct ObserverSpec
 {
     ObserverModel model = ObserverModel::Simple;
-    double positionSd_m = 5; ///< of a measurement, along each axis
-    double interval_s = 1;   ///< between two looks of the camera
-    double detection = 1;    ///< chance that one look shows an iceberg in view
+    double positionSd_m = 5; ///< standard deviation of a measurement along each axis
+    double interval_s = 1;   ///< sensor interval
+    /** Detection probability: chance that one camera sample shows an iceberg in view. */
+    double detection = 1;
     SearchPattern search = SearchPattern::Square;
     bool operator==(const ObserverSpec&) const = default;
 };
 
-/** The random numbers of one look at one iceberg. */
-struct LookDraw
+/** Random numbers of one camera sample of one iceberg. */
+struct SampleDraw
 {
-    double chance = 0;           ///< uniform in [0, 1): shown when below the chance of detection
-    Point noise = Point::Zero(); ///< standard normal along each axis
+    /** Uniform in [0, 1); the iceberg is detected if it is below the detection probability. */
+    double chance = 0;
+    Point noise = Point::Zero(); ///< standard normal number along each axis
 };
 
 /**
- * Those of look number `look` >= 0 of a run: the same whatever is flown, so that flights of one
- * scenario are compared with the same luck. `stream` is the iceberg's.
+ * Returns the random numbers of camera sample number `sample` >= 0 of a run. They do not depend on
+ * the flight, so that flights of one scenario are compared under equal chances. `stream` is the
+ * iceberg's.
  */
-[[nodiscard]] LookDraw lookDraw(std::uint64_t seed, std::uint64_t stream, std::int64_t look);
+[[nodiscard]] SampleDraw sampleDraw(std::uint64_t seed, std::uint64_t stream, std::int64_t sample);
 
-/** How far from the UAV everything is in view, whatever its heading. */
+/** Returns the distance, m, from the UAV within which everything is in view, on any heading. */
 [[nodiscard]] double surelySeen_m(const SensorSpec& sensor);
 
-/** Test of points against the field of view of a UAV at one instant. */
+/** Tests points against the field of view of a UAV at one instant. */
 class FieldOfView
 {
 public:
+    /** Makes the field of view of a UAV at `centre_m` with heading `psi_rad`. */
     FieldOfView(const SensorSpec& sensor, const Point& centre_m, double psi_rad);
 
+    /** Returns whether the point is in view. */
     [[nodiscard]] bool contains(const Point& p_m) const;
 
-    /** No point farther from the UAV than this is in view, however it is turned. */
+    /** Returns the distance, m, beyond which no point is in view, on any heading. */
     [[nodiscard]] static double reach_m(const SensorSpec& sensor);
 
 private:
@@ -82,49 +93,53 @@ private:
     bool m_disk;
 };
 
-/** Whether an iceberg is where it is believed to be, as far as is known. */
+/** Whether an iceberg is near its estimate, as far as is known. */
 enum class TrackStatus
 {
     Tracked,
-    Lost,   ///< not seen where it should have been; searched for
-    GivenUp ///< the search has ended without it; found only by chance
+    Lost,   ///< not seen at its estimate; it is searched for
+    GivenUp ///< the search ended without a sighting; only chance can find it
 };
 
 /**
- * Estimate and uncertainty of one iceberg. In the simple model Eq. (18), (22)-(23): outside the
- * field of view the estimate moves with the known velocity and sigma grows by q dt; in view the
- * estimate is the truth and sigma is 0. (Eq. (21) as printed contradicts (22); (22) is what we do.)
+ * Estimate and uncertainty of one iceberg. The simple model follows Eq. (18), (22)-(23): outside
+ * the field of view the estimate moves with the known velocity and sigma grows by q dt; in view the
+ * estimate is the truth and sigma is 0. (Eq. (21) as printed contradicts (22); (22) is used.)
  *
- * With measurements a Kalman filter for position and velocity: constant velocity plus the
+ * With measurements it is a Kalman filter for position and velocity: constant velocity plus the
  * white-noise velocity of Eq. (17), whose position variance grows by q t. Both axes are measured
  * with the same variance, so they share one covariance (sigma, mixed, velocity variance). With a
- * known velocity and measurements without noise it is the simple model. Where the velocity is not
- * constant (`DriftProcess`), what is believed of it fades to the mean, and its variance grows.
+ * known velocity and measurements without noise it equals the simple model. If the velocity is not
+ * constant (`DriftProcess`), its estimate fades to the mean and its variance grows.
  */
 struct Track
 {
     Point anchor_m = Point::Zero(); ///< estimate at `anchor_s`
     double anchor_s = 0;
-    double seen_s = 0; ///< last seen; before the first time, known from then on
+    /** Time of the last sighting; before the first one, the time from which it is known. */
+    double seen_s = 0;
     Point velocity_mps = Point::Zero();
-    double sigma_m2 = 0; ///< variance along one axis
+    double sigma_m2 = 0; ///< variance of the position along one axis
     double q_m2ps = 0;
-    bool inView = false;       ///< seen in the last look
+    bool inView = false;       ///< whether the last camera sample showed it
     double mixed_m2ps = 0;     ///< covariance of position and velocity along one axis
     double velocity_m2ps2 = 0; ///< variance of the velocity along one axis
-    double presence = 1;       ///< chance that it is where the camera looks in vain
+    /** Probability that it is near its estimate after camera samples that showed nothing. */
+    double presence = 1;
     TrackStatus status = TrackStatus::Tracked;
-    bool left = false;              ///< of the area that is monitored
-    Point mean_mps = Point::Zero(); ///< what the velocity fades to; see `DriftProcess`
+    bool left = false;              ///< whether it has left the monitored area
+    Point mean_mps = Point::Zero(); ///< mean to which the velocity fades; see `DriftProcess`
     double velocitySpread_mps = 0;
-    double velocityTime_s = 0; ///< 0: the velocity is constant
+    double velocityTime_s = 0; ///< 0 means a constant velocity
 
+    /** Returns the predicted position at `time_s`. */
     [[nodiscard]] Point estimate_m(double time_s) const
     {
         if (velocityTime_s > 0 && time_s > anchor_s)
             return fadedEstimate_m(time_s);
         return anchor_m + velocity_mps * (time_s - anchor_s);
     }
+    /** Sets the estimate to the true position seen at `time_s`; simple model. */
     void seen(const Point& truth_m, double time_s)
     {
         anchor_m = truth_m;
@@ -151,8 +166,8 @@ struct Track
         velocity_m2ps2 = variances.velocity_m2ps2;
     }
     /**
-     * Prediction of the filter: the variances of `dt_s` later. A velocity that fades is then that
-     * of the instant as well: the anchor moves on.
+     * Predicts the variances after `dt_s`. If the velocity fades, the anchor moves on too, so that
+     * the velocity is that of the same instant.
      */
     void grow(double dt_s)
     {
@@ -163,14 +178,17 @@ struct Track
         sigma_m2 += q_m2ps * dt_s + dt_s * (2 * mixed_m2ps + dt_s * velocity_m2ps2);
         mixed_m2ps += dt_s * velocity_m2ps2;
     }
-    /** sigma after `dt_s` >= 0 unseen. */
+    /** Returns sigma after `dt_s` >= 0 without a sighting. */
     [[nodiscard]] double sigmaAfter_m2(double dt_s) const
     {
         if (velocityTime_s > 0)
             return grown(variances(), process(), dt_s).position_m2;
         return sigma_m2 + q_m2ps * dt_s + dt_s * (2 * mixed_m2ps + dt_s * velocity_m2ps2);
     }
-    /** A position measured at `time_s`, to which the variances have grown. */
+    /**
+     * Updates the filter with a position measured at `time_s`; `grow` must have predicted the
+     * variances for that time.
+     */
     void measured(const Point& position_m, double variance_m2, double time_s);
     bool operator==(const Track&) const = default;
 

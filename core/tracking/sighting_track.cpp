@@ -14,10 +14,13 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/** So many rival chains are followed at once; the shortest gives way to a newer one. */
+/** Number of rival chains followed at once; the shortest gives way to a newer one. */
 constexpr std::size_t kMostChains = 8;
 
-/** By time, the last given of each time; what is not finite is left out. */
+/**
+ * Sorts the fixes by time and keeps the last given of each time; leaves out values that are not
+ * finite.
+ */
 Indices byTime(std::span<const Fix> fixes, std::size_t& repeated)
 {
     Indices order(fixes.size());
@@ -46,13 +49,13 @@ bool canFollow(const Fix& before, const Fix& after, const TrackRules& rules)
     return (after.position_m - before.position_m).norm() <= reach_m;
 }
 
-/** Longest chain of fixes each of which can follow the one before. */
+/** Returns the longest chain of fixes each of which can follow the one before. */
 Indices longestChain(std::span<const Fix> fixes, const Indices& order, const TrackRules& rules)
 {
     const auto shorter = [](const Indices& a, const Indices& b) { return a.size() < b.size(); };
     std::vector<Indices> chains;
     for (const std::size_t i : order) {
-        // The longest that fits, so that a stray fix cannot draw the track away to itself.
+        // The longest chain that fits wins, so that a stray fix cannot draw the track away.
         Indices* best = nullptr;
         for (Indices& chain : chains)
             if (canFollow(fixes[chain.back()], fixes[i], rules) &&
@@ -66,7 +69,7 @@ Indices longestChain(std::span<const Fix> fixes, const Indices& order, const Tra
             chains.erase(std::min_element(chains.begin(), chains.end(), shorter));
         chains.push_back({i});
     }
-    // Of equal length: the one that ends last.
+    // Among chains of equal length the one that ends last wins.
     const auto longest =
         std::max_element(chains.begin(), chains.end(), [&](const Indices& a, const Indices& b) {
             return a.size() != b.size() ? a.size() < b.size()
@@ -75,7 +78,7 @@ Indices longestChain(std::span<const Fix> fixes, const Indices& order, const Tra
     return longest == chains.end() ? Indices() : std::move(*longest);
 }
 
-/** The newest of `order` that lie in the window, or the last two where that is one. */
+/** Returns the newest of `order` that lie in the window, or the last two if only one does. */
 Indices inWindow(std::span<const Fix> fixes, const Indices& order, const TrackRules& rules)
 {
     if (order.empty())
@@ -91,7 +94,10 @@ Indices inWindow(std::span<const Fix> fixes, const Indices& order, const TrackRu
     return {near ? before : from, order.end()};
 }
 
-/** Whether the fixes since `stationaryFor_s` ago, and the last one before, are all in one place. */
+/**
+ * Returns whether the fixes of the last `stationaryFor_s`, and the one before, are all in one
+ * place.
+ */
 bool isStationary(std::span<const Fix> fixes, const Indices& order, const TrackRules& rules)
 {
     if (rules.stationaryFor_s <= 0 || order.empty())
@@ -100,7 +106,7 @@ bool isStationary(std::span<const Fix> fixes, const Indices& order, const TrackR
     const auto after = std::find_if(order.begin(), order.end(),
                                     [&](std::size_t i) { return fixes[i].time_s > since_s; });
     if (after == order.begin())
-        return false; // not watched for so long
+        return false; // the track is too short
     const Indices used = longestChain(fixes, {after - 1, order.end()}, rules);
     if (used.size() < 3 || fixes[used.front()].time_s > since_s)
         return false;
@@ -112,7 +118,7 @@ bool isStationary(std::span<const Fix> fixes, const Indices& order, const TrackR
     });
 }
 
-/** See `estimateTrack`; at least three fixes. */
+/** Returns q by the formula at `estimateTrack`; requires at least three fixes. */
 double growth_m2ps(std::span<const Fix> fixes, const Indices& used, const Point& velocity_mps)
 {
     const double span_s = fixes[used.back()].time_s - fixes[used.front()].time_s;
@@ -127,7 +133,7 @@ double growth_m2ps(std::span<const Fix> fixes, const Indices& used, const Point&
         residual_m2 += (b.position_m - a.position_m - velocity_mps * dt_s).squaredNorm() / 2;
         squares_s2 += dt_s * dt_s;
         error_m2 += a.variance_m2 + b.variance_m2;
-        // The errors of the first and the last fix are in the velocity too.
+        // The errors of the first and the last fix affect the velocity too.
         const double shared_m2 = (k == 1 ? fixes[used.front()].variance_m2 : 0) +
                                  (k + 1 == used.size() ? fixes[used.back()].variance_m2 : 0);
         error_m2 -= 2 * dt_s / span_s * shared_m2;
@@ -151,7 +157,7 @@ TrackEstimate estimateTrack(std::span<const Fix> fixes, const TrackRules& rules)
 {
     require(!fixes.empty(), "estimateTrack: no fix");
     TrackEstimate estimate;
-    // The window first: an old part of the track has no vote on where the iceberg is now.
+    // The window comes first: an old part of the track must not affect the present position.
     const Indices order = byTime(fixes, estimate.repeated);
     const Indices window = inWindow(fixes, order, rules);
     const Indices used = longestChain(fixes, window, rules);
@@ -160,6 +166,9 @@ TrackEstimate estimateTrack(std::span<const Fix> fixes, const TrackRules& rules)
     estimate.last = used.back();
     estimate.used = used.size();
     estimate.jumped = window.size() - used.size();
+    for (const std::size_t i : used)
+        if (fixes[i].drift_mps)
+            estimate.stated = i;
     if (used.size() < 2)
         return estimate;
     if (isStationary(fixes, order, rules)) {
@@ -167,13 +176,13 @@ TrackEstimate estimateTrack(std::span<const Fix> fixes, const TrackRules& rules)
         estimate.velocity_mps = Point(Point::Zero());
         return estimate;
     }
-    const bool tellsGrowth = used.size() >= std::max<std::size_t>(3, rules.fewestForGrowth);
+    const bool estimatesGrowth = used.size() >= std::max<std::size_t>(3, rules.fewestForGrowth);
     if (rules.drift.velocitySpread_mps > 0) {
         std::vector<Fix> chosen;
         for (const std::size_t i : used)
             chosen.push_back(fixes[i]);
         estimate.fit = fitDrift(chosen, rules.drift, rules.mean_mps,
-                                tellsGrowth ? rules.largestGrowth_m2ps : 0);
+                                estimatesGrowth ? rules.largestGrowth_m2ps : 0);
     }
     const Fix& first = fixes[used.front()];
     const Fix& last = fixes[used.back()];
@@ -183,7 +192,7 @@ TrackEstimate estimateTrack(std::span<const Fix> fixes, const TrackRules& rules)
     const Point clamped_mps = velocity_mps.cwiseMax(-most_mps).cwiseMin(most_mps);
     estimate.velocityClamped = clamped_mps != velocity_mps;
     estimate.velocity_mps = clamped_mps;
-    if (!tellsGrowth)
+    if (!estimatesGrowth)
         return estimate;
     const double q_m2ps =
         estimate.fit ? estimate.fit->q_m2ps : growth_m2ps(fixes, used, velocity_mps);
@@ -197,34 +206,35 @@ RecordedTrack thinned(const RecordedTrack& track, double tolerance_m)
     const std::size_t count = track.time_s.size();
     if (count <= 2 || tolerance_m <= 0)
         return track;
-    RecordedTrack kept;
-    const auto keep = [&](std::size_t i) {
-        kept.time_s.push_back(track.time_s[i]);
-        kept.position_m.push_back(track.position_m[i]);
+    RecordedTrack result;
+    const auto add = [&](std::size_t i) {
+        result.time_s.push_back(track.time_s[i]);
+        result.position_m.push_back(track.position_m[i]);
     };
     const double infinity = std::numeric_limits<double>::infinity();
     const Point slack_m = Point::Constant(tolerance_m / std::numbers::sqrt2);
-    // Velocities from the last entry kept that pass all entries since at the tolerance or nearer.
+    // Range of velocities from the last entry kept that pass all later entries within the
+    // tolerance.
     Point low_mps = Point::Constant(-infinity);
     Point high_mps = Point::Constant(infinity);
-    keep(0);
+    add(0);
     for (std::size_t i = 1; i < count; ++i) {
-        Point path_m = track.position_m[i] - kept.position_m.back();
-        double dt_s = track.time_s[i] - kept.time_s.back();
+        Point path_m = track.position_m[i] - result.position_m.back();
+        double dt_s = track.time_s[i] - result.time_s.back();
         const Point velocity_mps = path_m / dt_s;
         if ((velocity_mps.array() < low_mps.array()).any() ||
             (velocity_mps.array() > high_mps.array()).any()) {
-            keep(i - 1);
+            add(i - 1);
             low_mps = Point::Constant(-infinity);
             high_mps = Point::Constant(infinity);
-            path_m = track.position_m[i] - kept.position_m.back();
-            dt_s = track.time_s[i] - kept.time_s.back();
+            path_m = track.position_m[i] - result.position_m.back();
+            dt_s = track.time_s[i] - result.time_s.back();
         }
         low_mps = low_mps.cwiseMax((path_m - slack_m) / dt_s);
         high_mps = high_mps.cwiseMin((path_m + slack_m) / dt_s);
     }
-    keep(count - 1);
-    return kept;
+    add(count - 1);
+    return result;
 }
 
 } // namespace berg

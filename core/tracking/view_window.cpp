@@ -10,8 +10,8 @@ double narrowed(double half_m, double margin_m)
 }
 
 /**
- * A view that turns is entered through its front, where a wrong place costs a moment and not the
- * sighting; the others are entered anywhere.
+ * A view that turns is entered through its front, where a position error costs a moment and not the
+ * sighting; the others are entered from any side.
  */
 Point plannedHalf_m(const SensorSpec& sensor, double margin_m)
 {
@@ -56,7 +56,8 @@ double ViewWindow::entry_m(const Point& ahead, double offset_m) const
     case FovShape::North:
         break;
     }
-    // In the view's axes, north and west: the point at `entry_m` ahead and `offset_m` to the left.
+    // In the view's axes, north and west, this is the point `entry_m` ahead and `offset_m` to the
+    // left.
     const Point along(ahead.y(), -ahead.x());
     const Point left(-along.y(), along.x());
     double entry_m = reach_m();

@@ -8,7 +8,7 @@
 
 namespace berg {
 
-/** Part of a straight way, as fractions of it. */
+/** Part of a straight line, as fractions of its length. */
 struct ViewSpan
 {
     double enter = 0;
@@ -16,20 +16,24 @@ struct ViewSpan
 };
 
 /**
- * The field of view as planners need it: when a point that moves past the UAV is in it. Points are
- * taken in the view's own axes (`x` along the first extent, `y` to its left, UAV at the origin).
+ * The field of view as planners need it: it finds when a point that moves past the UAV is in view.
+ * Points are in the view's own axes, m (`x` along the first extent, `y` to its left, UAV at the
+ * origin).
  */
 class ViewWindow
 {
 public:
     /**
-     * `margin_m` narrower on each side than the sensor, a third of that in front and behind when
-     * it turns with the UAV, but half as wide as the sensor at least.
+     * Makes a view that is `margin_m` narrower on each side than the sensor, but at least half as
+     * wide. A view that turns with the UAV is narrowed by only a third of the margin in front and
+     * behind.
      */
     ViewWindow(const SensorSpec& sensor, double margin_m);
 
-    /** The same for what may be elsewhere by `deviation_m`: so much smaller on each side, but a
-     * quarter at most. */
+    /**
+     * Returns the view for a point whose position is uncertain by `deviation_m`: it is that much
+     * smaller on each side, but by a quarter at most.
+     */
     [[nodiscard]] ViewWindow narrowed(double deviation_m) const
     {
         ViewWindow narrow = *this;
@@ -39,7 +43,7 @@ public:
         return narrow;
     }
 
-    /** The middle of it. */
+    /** Returns the middle `share` (0 to 1) of the view. */
     [[nodiscard]] ViewWindow scaled(double share) const
     {
         ViewWindow part = *this;
@@ -48,19 +52,23 @@ public:
         return part;
     }
 
-    /** Whether the axes turn with the UAV. */
+    /** Returns whether the axes turn with the UAV. */
     [[nodiscard]] bool turns() const { return m_shape == FovShape::Body; }
     [[nodiscard]] FovShape shape() const { return m_shape; }
-    /** Half extents; those of a disk are equal. */
+    /** Returns the half extents, m; those of a disk are equal. */
     [[nodiscard]] const Point& half_m() const { return m_half_m; }
-    /** No point farther away than this is in view. */
+    /** Returns the distance, m, beyond which no point is in view. */
     [[nodiscard]] double reach_m() const
     {
         return m_shape == FovShape::Disk ? m_half_m.x() : m_half_m.norm();
     }
-    /** A line that passes a point at no more than this brings it into view, on any course. */
+    /**
+     * Returns the largest distance, m, at which a line that passes a point brings it into view, on
+     * any course.
+     */
     [[nodiscard]] double largestOffset_m() const { return m_largestOffset_m; }
 
+    /** Returns whether the point, in the view's axes, is in view. */
     [[nodiscard]] bool contains(const Point& p_m) const
     {
         if (m_shape == FovShape::Disk)
@@ -68,7 +76,10 @@ public:
         return std::abs(p_m.x()) <= m_half_m.x() && std::abs(p_m.y()) <= m_half_m.y();
     }
 
-    /** Which part of the straight way between the two points is in view. */
+    /**
+     * Returns the part of the straight line between the two points that is in view; nullopt if none
+     * is.
+     */
     [[nodiscard]] std::optional<ViewSpan> crossing(const Point& from_m, const Point& to_m) const
     {
         if (m_shape == FovShape::Disk)
@@ -81,8 +92,10 @@ public:
                                            : crossingRectangle(from_m, to_m);
     }
 
-    /** How far from the edge of the view all of the way is; negative: part of it is outside, or the
-     * view is a disk. */
+    /**
+     * Returns the distance, m, of the whole line from the edge of the view; negative if part of the
+     * line is outside, or if the view is a disk.
+     */
     [[nodiscard]] double inside_m(const Point& from_m, const Point& to_m) const
     {
         if (m_shape == FovShape::Disk)
@@ -93,8 +106,8 @@ public:
     }
 
     /**
-     * How far before abeam a point comes into view that is passed on a straight course `ahead` (a
-     * unit vector, east and north) and lies `offset_m` left of it.
+     * Returns how far, m, before abeam a point comes into view that is passed on a straight course
+     * `ahead` (a unit vector, east and north) and lies `offset_m` left of it.
      */
     [[nodiscard]] double entry_m(const Point& ahead, double offset_m) const;
 
@@ -120,7 +133,7 @@ private:
     [[nodiscard]] std::optional<ViewSpan> crossingDisk(const Point& from_m,
                                                        const Point& to_m) const;
 
-    /** Wider margins would make first passes slow. */
+    /** Limit of `narrowed`; smaller views would make first passes slow. */
     static constexpr double kMostNarrowed = 0.25;
 
     FovShape m_shape;
@@ -129,8 +142,8 @@ private:
 };
 
 /**
- * How much narrower than the sensor a view is planned, so that a drift of `q_m2ps` over the
- * minutes between plan and sighting does not carry an iceberg past its edge.
+ * Returns the margin, m, by which a planned view is narrower than the sensor, so that a drift of
+ * `q_m2ps` over the minutes between plan and sighting does not carry an iceberg past its edge.
  */
 [[nodiscard]] double viewMargin_m(double q_m2ps);
 

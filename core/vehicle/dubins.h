@@ -4,7 +4,7 @@
 
 namespace berg {
 
-/** Position and course angle psi (from the x = east axis, counter-clockwise), Eq. (15). */
+/** Position (m) and heading psi of a UAV, from the x = east axis, counter-clockwise, Eq. (15). */
 struct DubinsState
 {
     Point position_m = Point::Zero();
@@ -13,15 +13,16 @@ struct DubinsState
 };
 
 /**
- * One step of Eq. (15) with constant turn rate `u_radps` (mid-point course) in air that moves with
- * `wind_mps` over ground. Psi stays in [-pi, pi].
+ * Returns the state one time step `dt_s` later, Eq. (15): constant turn rate `u_radps`, integrated
+ * by the mid-point rule, in air that moves with `wind_mps` over ground. Psi is wrapped to [-pi,
+ * pi].
  */
 [[nodiscard]] DubinsState step(const DubinsState& state, double airspeed_mps, double u_radps,
                                double dt_s, const Point& wind_mps);
 
 /**
- * Time to fly straight over `displacement_m` (over ground) at airspeed U in wind W, seconds:
- * d / (w_par + sqrt(U^2 - w_n^2)); 0 at d = 0. Needs |W| < U.
+ * Returns the time, s, to fly straight over `displacement_m` (over ground) at airspeed U in wind W:
+ * d / (w_par + sqrt(U^2 - w_n^2)), and 0 for d = 0. Requires |W| < U.
  */
 [[nodiscard]] double flightTime_s(const Point& displacement_m, double airspeed_mps,
                                   const Point& wind_mps);

@@ -13,14 +13,16 @@ namespace berg {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
-/** The circle over ground is so much wider than it needs to be. */
-constexpr double kSpare = 1.05;
-/** Ways are passed beside a corner where there is so much of the space looked for. */
+/** Factor by which the circle over ground is wider than necessary. */
+constexpr double kCircleMargin = 1.05;
+/** A path passes a corner at a distance where this fraction of it is free of the fence. */
 constexpr double kSpace = 0.95;
-/** The straight lines of a way pass a corner nearer than the place where they meet: at a bend of
- * 120 degrees by half. */
+/**
+ * The straight lines of a path pass a corner nearer than the point where they meet: half as near at
+ * a bend of 120 degrees.
+ */
 constexpr double kNearer = 0.5;
-/** So far beside a hole who looks into it flies to. */
+/** Distance from the edge at which a UAV flies to view a place in a hole. */
 constexpr double kBeside_m = 5;
 
 } // namespace
@@ -28,7 +30,7 @@ constexpr double kBeside_m = 5;
 double circleOverGround_m(const Motion& motion)
 {
     const double faster = 1 + motion.wind_mps.norm() / motion.airspeed_mps;
-    return kSpare * faster * faster * motion.airspeed_mps / motion.limit_radps;
+    return kCircleMargin * faster * faster * motion.airspeed_mps / motion.limit_radps;
 }
 
 Geofence::Geofence(std::vector<Point> corners_m, const Motion& motion,
@@ -39,10 +41,10 @@ Geofence::Geofence(std::vector<Point> corners_m, const Motion& motion,
         m_rings_m.insert(m_rings_m.begin(), std::move(corners_m));
     std::size_t corners = 0;
     for (const std::vector<Point>& ring_m : m_rings_m) {
-        require(ring_m.size() >= 3, "Geofence: number of corners");
+        require(ring_m.size() >= 3, "Geofence: wrong number of corners");
         corners += ring_m.size();
     }
-    require(corners >= 3 && corners <= kMostFenceCorners, "Geofence: number of corners");
+    require(corners >= 3 && corners <= kMostFenceCorners, "Geofence: wrong number of corners");
     for (std::size_t k = 0; k < m_rings_m.size(); ++k)
         if ((signedArea(m_rings_m[k]) < 0) == (m_isBounded && k == 0))
             std::reverse(m_rings_m[k].begin(), m_rings_m[k].end());
@@ -103,8 +105,10 @@ Point Geofence::nearestInside_m(const Point& place_m) const
     return best_m;
 }
 
-/** The integral of 1/speed over ground round all courses: against the wind it takes longer than
- * down wind it saves. */
+/**
+ * Integrates 1/speed over ground round all courses: the time lost upwind exceeds the time gained
+ * downwind.
+ */
 double Geofence::circle_s() const
 {
     const double airspeed_mps = m_motion.airspeed_mps;
@@ -129,7 +133,7 @@ double Geofence::clearance_m(const Point& from_m, const Point& to_m) const
     return least_m;
 }
 
-double Geofence::edgeRoom_m(const Point& place_m) const
+double Geofence::signedClearance_m(const Point& place_m) const
 {
     const double distance_m = clearance_m(place_m);
     return contains(place_m) ? distance_m : -distance_m;
@@ -142,7 +146,8 @@ double Geofence::turnClearance_m(const DubinsState& state) const
         m_motion.wind_mps;
     const Point ahead = over_mps.normalized();
     const Point side_m = m_radius_m * Point(-ahead.y(), ahead.x());
-    return std::max(edgeRoom_m(state.position_m + side_m), edgeRoom_m(state.position_m - side_m)) -
+    return std::max(signedClearance_m(state.position_m + side_m),
+                    signedClearance_m(state.position_m - side_m)) -
            m_radius_m;
 }
 
@@ -157,7 +162,9 @@ bool Geofence::isShutOff(const Point& place_m) const
     return open < kCourses / 2;
 }
 
-/** Who comes straight at a hole turns aside before its edge: by less than half a circle's radius.
+/**
+ * A UAV that flies straight at a hole turns aside before its edge, by less than half a circle's
+ * radius.
  */
 bool Geofence::isOutOfReach(const Point& place_m, double reach_m) const
 {
@@ -188,13 +195,15 @@ void Geofence::placeCorners()
         }
 }
 
-/** Beside it on the bisector inwards: a radius off it, or half the space. */
+/**
+ * Places the point on the inward bisector: one radius off the corner, halved until there is space.
+ */
 void Geofence::placeCorner(const Point& corner_m, const Point& inwards)
 {
     double space_m = m_radius_m;
     Point place_m = corner_m + space_m * inwards;
     for (int round = 0; round < 12; ++round) {
-        if (edgeRoom_m(place_m) >= kSpace * space_m)
+        if (signedClearance_m(place_m) >= kSpace * space_m)
             break;
         space_m /= 2;
         place_m = corner_m + space_m * inwards;
@@ -235,7 +244,7 @@ double Geofence::air_m(const Point& from_m, const Point& to_m) const
            flightTime_s(to_m - from_m, m_motion.airspeed_mps, m_motion.wind_mps);
 }
 
-/** All shortest ways between the corners, as Floyd and Warshall have it. */
+/** Computes all shortest paths between the corners (Floyd-Warshall). */
 void Geofence::connectCorners()
 {
     const auto n = static_cast<Eigen::Index>(m_corners_m.size());
@@ -297,37 +306,39 @@ std::vector<Point> Geofence::cornersBetween(const Point& start_m, const Point& e
     return corners;
 }
 
-/** The quicker one of the ways with a turn to the left and to the right that leaves room; when
- * neither does, the one that lacks less, which the guard of the fence can make one of. */
+/**
+ * Returns the quicker path among the turns to the left and to the right that keep the fence. If
+ * neither does, returns the one that violates it less: the guard of the fence corrects the rest.
+ */
 std::optional<Path> Geofence::legTo(const DubinsState& start, const MovingPlace& place,
                                     double command_s) const
 {
     if ((m_motion.wind_mps - place.drift_mps).norm() >= m_motion.airspeed_mps)
         return std::nullopt;
     std::optional<Path> best;
-    double bestRoom_m = 0;
+    double bestClearance_m = 0;
     for (const double side : {1.0, -1.0}) {
         const SideTurn turn(start, place, m_motion, command_s, side);
         const std::optional<Path> path = turn.find();
         if (!path)
             continue;
-        const double clearance_m = std::min(0.0, roomIn_m(turn, std::abs(path->turn_rad)));
-        const bool better = clearance_m != bestRoom_m ? clearance_m > bestRoom_m
-                                                      : best && path->time_s < best->time_s;
+        const double clearance_m = std::min(0.0, clearanceOnTurn_m(turn, std::abs(path->turn_rad)));
+        const bool better = clearance_m != bestClearance_m ? clearance_m > bestClearance_m
+                                                           : best && path->time_s < best->time_s;
         if (!best || better) {
             best = path;
-            bestRoom_m = clearance_m;
+            bestClearance_m = clearance_m;
         }
     }
     return best;
 }
 
-/** The least on the turn. */
-double Geofence::roomIn_m(const SideTurn& turn, double turn_rad) const
+/** Returns the least clearance along the turn. */
+double Geofence::clearanceOnTurn_m(const SideTurn& turn, double turn_rad) const
 {
-    constexpr double kLook_rad = kPi / 12;
+    constexpr double kSample_rad = kPi / 12;
     double least_m = turnClearance_m(turn.turned(turn_rad));
-    for (double turned_rad = kLook_rad; turned_rad < turn_rad; turned_rad += kLook_rad)
+    for (double turned_rad = kSample_rad; turned_rad < turn_rad; turned_rad += kSample_rad)
         least_m = std::min(least_m, turnClearance_m(turn.turned(turned_rad)));
     return least_m;
 }
@@ -386,7 +397,7 @@ Eigen::MatrixXd Geofence::distances_m(std::span<const Point> wanted_m) const
                 for (const Sight& a : seen[from])
                     for (const Sight& b : seen[to])
                         best_m = std::min(best_m, a.from_m + m_path_m(a.corner, b.corner) + b.to_m);
-            // Where no way is known, straight: the fence is kept in flight.
+            // If no path is known the distance is straight: the guard keeps the fence in flight.
             result_m(i, j) = best_m < kFar ? best_m : air_m(places_m[from], places_m[to]);
         }
     return result_m;

@@ -8,113 +8,160 @@ namespace berg {
 
 class SideTurn;
 
-/** Most corners of a geofence, with its holes: ways round them are found by looking from each to
- * each. */
+/**
+ * Largest number of corners of a geofence and its holes together; the cost of the paths round them
+ * grows with its third power.
+ */
 inline constexpr std::size_t kMostFenceCorners = 200;
 
-/** For each corner on a way: the fence may turn the UAV aside there. */
+/**
+ * Time added to a path for each corner it rounds, because the fence may turn the UAV aside there.
+ */
 inline constexpr double kCornerReserve_s = 5;
 
-/** Radius of the circle over ground that can be flown for ever in this wind: (1 + W/U)^2 times the
- * UAV's own, and 5 % more. */
+/**
+ * Returns the radius, m, of the circle over ground that can be flown for ever in this wind: (1 +
+ * W/U)^2 times the UAV's own, and 5 % more.
+ */
 [[nodiscard]] double circleOverGround_m(const Motion& motion);
 
 /**
- * Where a UAV stays: inside a simple polygon, concave or not, and outside others, its holes, which
- * may overlap each other and the polygon. Without the first polygon it is unbounded.
+ * Area that a UAV must not leave: inside a simple polygon, concave or not, and outside other
+ * polygons, its holes, which may overlap each other and the polygon. Without the first polygon it
+ * is unbounded.
  *
  * Holding: the UAV can stay for ever on a circle over ground (`circleOverGround_m`) tangent to its
- * course, left or right. While one of the two lies inside, with no
- * hole in it, the fence can be kept: `turnClearance_m` >= 0. Whoever flies only commands that leave
- * room stays inside.
+ * course, left or right. The fence can be kept while one of the two circles lies inside and
+ * contains no part of a hole: `turnClearance_m` >= 0. A UAV that flies only commands that keep this
+ * clearance stays inside.
  *
- * Ways: the shortest in time round the corners that point inwards, those of the polygon that are
- * reflex and those of holes that are not. They are passed at a circle's radius where there is
- * space. Immutable: one object serves several threads.
+ * Paths: the quickest ones round the corners that point inwards, which are the reflex corners of
+ * the polygon and the convex corners of holes. They pass a corner at a circle's radius where there
+ * is space. Immutable: one object may be used by several threads.
  */
 class Geofence
 {
 public:
-    /** Any direction of the corners; |wind| < airspeed. No corners: holes only. Throws
-     * `std::logic_error` for a polygon of less than three corners, for more than
-     * `kMostFenceCorners` of all, and for nothing at all. */
+    /**
+     * Takes the corners of the polygon and of the holes in either direction of rotation. An empty
+     * `corners_m` makes an unbounded area with holes. Requires |wind| < airspeed. Throws
+     * `std::logic_error` if a polygon has fewer than three corners, if all have more than
+     * `kMostFenceCorners` together, or if there is no polygon at all.
+     */
     Geofence(std::vector<Point> corners_m, const Motion& motion,
              std::vector<std::vector<Point>> holes_m = {});
-    /** The same polygons in another wind. */
+    /** Returns a fence with these polygons for another wind over ground. */
     [[nodiscard]] Geofence inWind(const Point& wind_mps) const;
 
     [[nodiscard]] bool hasHoles() const { return m_rings_m.size() > std::size_t{m_isBounded}; }
-    /** Inside the polygon and in no hole. */
+    /** Returns whether the place is inside the polygon and in no hole. */
     [[nodiscard]] bool contains(const Point& place_m) const;
-    /** The place itself, or, when it is in a hole, a place beside the hole that is near it. */
+    /**
+     * Returns the place itself if it is in no hole, else `nearestInside_m`: the nearest permitted
+     * place 5 m from an edge of the fence.
+     */
     [[nodiscard]] Point beside_m(const Point& place_m) const;
-    /** The place itself, or a place just inside that is nearest to it. */
+    /**
+     * Returns the place itself if the fence contains it, else the nearest place that is 5 m from an
+     * edge and that the fence contains. Returns the place itself if there is no such place.
+     */
     [[nodiscard]] Point nearestInside_m(const Point& place_m) const;
+    /** Returns airspeed, turn limit and wind of the fence. */
     [[nodiscard]] const Motion& motion() const { return m_motion; }
-    /** To the nearest edge, from either side. */
+    /** Returns the distance, m, to the nearest edge, from either side. */
     [[nodiscard]] double clearance_m(const Point& place_m) const;
-    /** Of the straight line between two places; 0 when it meets an edge. */
+    /**
+     * Returns the least distance, m, of the straight line between two places to an edge; 0 if they
+     * meet.
+     */
     [[nodiscard]] double clearance_m(const Point& from_m, const Point& to_m) const;
-    /** Radius of the circle over ground. */
+    /** Returns the radius, m, of the holding circle over ground. */
     [[nodiscard]] double radius_m() const { return m_radius_m; }
-    /** So long it takes to fly round it. */
+    /** Returns the time, s, to fly once round that circle in the wind of the fence. */
     [[nodiscard]] double circle_s() const;
-    /** From the better of the two circles to the fence; negative: neither is inside. */
+    /**
+     * Returns the distance, m, of the better of the two holding circles to the fence; it is
+     * negative if neither circle is inside.
+     */
     [[nodiscard]] double turnClearance_m(const DubinsState& state) const;
-    /** Whether on most courses over the place there is no room: it can be seen, but hardly met. */
+    /**
+     * Returns whether more than half of the courses over the place leave no holding circle inside:
+     * the place can be seen, but hardly overflown.
+     */
     [[nodiscard]] bool isShutOff(const Point& place_m) const;
-    /** Whether the place lies in a hole so far from its edge that nobody comes so near to it. */
+    /**
+     * Returns whether the place lies so deep in a hole that a UAV outside never comes within
+     * `reach_m`.
+     */
     [[nodiscard]] bool isOutOfReach(const Point& place_m, double reach_m) const;
-    /** Turn rate that stays on the circle to the left (`side` 1) or right (-1). */
+    /**
+     * Returns the turn rate, rad/s and within the limit, that stays on the holding circle to the
+     * left
+     * (`side` 1) or right (-1).
+     */
     [[nodiscard]] double circlingRate_radps(const DubinsState& state, double side) const;
 
-    /** Corners to fly round between two places; empty: straight, or no way is known. Of a place in
-     * a hole, `beside_m`, here and in what follows. */
+    /**
+     * Returns the places to fly over on the quickest path between two places. Empty if the straight
+     * line is clear, or if no path is known. A place in a hole is replaced by `beside_m` of it,
+     * here, in `pathTo` (for its end) and in `distances_m`.
+     */
     [[nodiscard]] std::vector<Point> cornersBetween(const Point& start_m, const Point& end_m) const;
     /**
-     * As the function of this name, round the corners; where one of the two turns would be cut
-     * short by the fence, the other one. With `kCornerReserve_s` for each corner.
+     * Returns the path of `berg::pathTo` led round the corners, with `kCornerReserve_s` added for
+     * each. Where the fence would cut one of the two turns short, the other is taken. Returns
+     * nullopt if the place may outrun the UAV.
      */
     [[nodiscard]] std::optional<Path> pathTo(const DubinsState& start, const MovingPlace& place,
                                              double command_s) const;
-    /** An upper bound of its time to a place that stands still, with `circle_s` to spare. */
+    /**
+     * Returns an upper bound, s, of the time of `pathTo` to a fixed place, which must not be in a
+     * hole, plus `circle_s`.
+     */
     [[nodiscard]] double longestPath_s(const DubinsState& start, const Point& place_m,
                                        double command_s) const;
-    /** Air distances (airspeed x time) of the ways between the places, row = from. */
+    /**
+     * Returns the air distances (airspeed x time, m) of the paths between the places: N x N, where
+     * a row holds the distances from one place. Where no path is known, the distance is that of the
+     * straight line.
+     */
     [[nodiscard]] Eigen::MatrixXd distances_m(std::span<const Point> wanted_m) const;
 
 private:
-    struct Sight ///< of a corner from a place
+    struct Sight ///< a corner that is visible from a place
     {
         int corner = 0;
-        double from_m = 0; ///< air distance from the place to it
-        double to_m = 0;   ///< and back
+        double from_m = 0; ///< air distance from the place to the corner
+        double to_m = 0;   ///< air distance from the corner to the place
     };
 
     [[nodiscard]] std::optional<Path> legTo(const DubinsState& start, const MovingPlace& place,
                                             double command_s) const;
-    [[nodiscard]] double roomIn_m(const SideTurn& turn, double turn_rad) const;
+    [[nodiscard]] double clearanceOnTurn_m(const SideTurn& turn, double turn_rad) const;
     void placeCorners();
     [[nodiscard]] bool isClear(const Point& a, const Point& b) const;
     [[nodiscard]] double air_m(const Point& from_m, const Point& to_m) const;
     [[nodiscard]] bool isInHole(const Point& place_m) const;
-    [[nodiscard]] double edgeRoom_m(const Point& place_m) const;
+    [[nodiscard]] double signedClearance_m(const Point& place_m) const;
     [[nodiscard]] std::vector<Sight> sights(const Point& place_m) const;
     void connectCorners();
 
     [[nodiscard]] bool meetsEdge(const Point& a, const Point& b) const;
     void placeCorner(const Point& corner_m, const Point& inwards);
 
-    /** Inside is to the left of each edge: the polygon counter-clockwise, then holes clockwise. */
+    /**
+     * Inside is to the left of each edge: the polygon is counter-clockwise, the holes are
+     * clockwise.
+     */
     std::vector<std::vector<Point>> m_rings_m;
     bool m_isBounded; ///< the first of the rings is the polygon
     Motion m_motion;
     double m_radius_m = 0;
     std::vector<Point> m_reflex_m;  ///< corners that point inwards
-    std::vector<double> m_space_m;  ///< by reflex corner: how far off it is passed
-    std::vector<Point> m_corners_m; ///< by reflex corner: where it is passed
-    Eigen::MatrixXd m_path_m;       ///< between those, the shortest
-    Eigen::MatrixXi m_next;         ///< on it, after the row; -1: none
+    std::vector<double> m_space_m;  ///< by reflex corner: distance at which it is passed
+    std::vector<Point> m_corners_m; ///< by reflex corner: place at which it is passed
+    Eigen::MatrixXd m_path_m;       ///< shortest air distances between those places
+    Eigen::MatrixXi m_next;         ///< place after the row on that path; -1 if no path is known
 };
 
 } // namespace berg

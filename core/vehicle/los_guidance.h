@@ -13,7 +13,7 @@ struct LosGains
     bool operator==(const LosGains&) const = default;
 };
 
-/** The air the UAV moves in and how fast it turns there. */
+/** Airspeed and turn limit of a UAV, and the wind it flies in. */
 struct Motion
 {
     double airspeed_mps = 22;
@@ -25,30 +25,32 @@ struct Motion
  * Line-of-sight path following with integral action (Fossen 2011, section 10.3; anti-windup of
  * Caharija et al. 2012). Follows the straight leg from a fixed start to a possibly moving end:
  *
- *   psi_d = chi - atan((e + k y) / Delta),   dy/dt = Delta e / ((e + k y)^2 + Delta^2)
+ *    psi_d = chi - atan((e + k y) / Delta),   dy/dt = Delta e / ((e + k y)^2 + Delta^2)
  *
  * with e the cross-track error (positive left of the leg) and y the integral state in seconds,
- * frozen while the turn rate saturates and zeroed on a new leg.
+ * which is frozen while the turn rate saturates and reset on a new leg.
  */
 struct LosGuidance
 {
     LosGains gains;
-    Point start_m = Point::Zero(); ///< where the leg starts
+    Point start_m = Point::Zero(); ///< start of the leg
     double integral_s = 0;         ///< y, in seconds
 
+    /** Starts a leg at `from_m` and resets the integral. */
     void startLeg(const Point& from_m);
 
+    /** Command of one time step. */
     struct Command
     {
         double u_radps = 0;      ///< within the limit
         double crossTrack_m = 0; ///< e
-        double course_rad = 0;   ///< psi_d, the course over ground wanted
+        double course_rad = 0;   ///< psi_d, desired course over ground
         bool passedEnd = false;  ///< the UAV is beyond the end, along the leg
     };
 
     /**
-     * Turn rate for this step; advances the integral by dt. In wind, psi_d is a course over
-     * ground, kept by the crab angle.
+     * Returns the command for this time step and advances the integral by `dt_s`. In wind, psi_d is
+     * a course over ground that is held with a crab angle.
      */
     [[nodiscard]] Command steer(const DubinsState& state, const Point& end_m, const Motion& motion,
                                 double dt_s);
@@ -56,7 +58,10 @@ struct LosGuidance
     bool operator==(const LosGuidance&) const = default;
 };
 
-/** Turn rate that holds `course_rad` over ground: heading = course + crab asin(-w_n / U). */
+/**
+ * Returns the turn rate, rad/s and within the limit, that steers to the course `course_rad` over
+ * ground: gain times the error of the heading psi = course + crab angle asin(-w_n / U).
+ */
 [[nodiscard]] double turnRateForCourse(double psi_rad, double course_rad, const Motion& motion,
                                        double gain_1ps);
 

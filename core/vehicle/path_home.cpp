@@ -25,7 +25,7 @@ double longestPath_s(const DubinsState& start, const Point& place_m, const Motio
 {
     const double wind_mps = motion.wind_mps.norm();
     const double turn_s = kMostTurn_rad / motion.limit_radps + command_s;
-    // How far from here the turn may end; flight times obey the triangle inequality.
+    // The turn may end this far from here; flight times obey the triangle inequality.
     const double astray_m = 2 * motion.airspeed_mps / motion.limit_radps +
                             motion.airspeed_mps * command_s + wind_mps * turn_s;
     return turn_s + astray_m / (motion.airspeed_mps - wind_mps) +

@@ -6,19 +6,21 @@
 
 namespace berg {
 
-/** How long a sortie may take, and where it ends. */
+/** Duration limit of a sortie, and the place it returns to. */
 struct SortieSpec
 {
     double endurance_s = 0;
-    double turnaround_s = 0; ///< on the ground before the next one
+    double turnaround_s = 0; ///< time on the ground before the next sortie
     Point home_m = Point::Zero();
 };
 
-/** Landed where the track passes home at this distance or less. */
+/** A returning UAV has landed when its track passes home within this distance. */
 inline constexpr double kLandingRadius_m = 25;
-/** Endurance kept for what `pathTo` leaves out: rounding to time steps, the approach itself. */
+/** Endurance kept for what `pathTo` leaves out: rounding to time steps, and the approach. */
 inline constexpr double kHomeReserve_s = 10;
-/** Kept besides for each visit promised: line-of-sight guidance turns later than `pathTo` has it.
+/**
+ * Endurance kept once in addition when the visits before the return are counted
+ * (`SafetyGuard::visitsInTime`), because line-of-sight guidance turns later than `pathTo` predicts.
  */
 inline constexpr double kVisitReserve_s = 10;
 
@@ -29,31 +31,35 @@ struct MovingPlace
     Point drift_mps = Point::Zero();
 };
 
-/** A way to a place: a turn at the limit, then straight on. */
+/** A path to a place: a turn at the limit, then a straight line. */
 struct Path
 {
-    double turn_rad = 0; ///< left positive, three full circles at most
+    double turn_rad = 0; ///< positive to the left, at most three full circles
     double time_s = 0;
-    DubinsState end; ///< over the place, at that time
+    DubinsState end; ///< state over the place at the end of the path
 };
 
 /**
- * The quicker one of the ways with a turn to the left and to the right, in constant wind, for an
- * autopilot with so much time between two commands: the turn takes whole commands, the last one at
- * a lower rate. None when the place may outrun the UAV (relative wind not below the airspeed).
+ * Returns the quicker of the two paths that begin with a turn to the left and to the right, in
+ * constant wind, for an autopilot that gives a command every `command_s`: the turn takes whole
+ * commands, the last of them at a lower rate. Returns nullopt if the place may outrun the UAV (the
+ * wind relative to the place is not below the airspeed).
  *
- * Flying the turn's rate and asking again at each command never takes longer: the rest of a way is
- * a way. That there is one: over three circles one of the two turns comes round to the bearing of
+ * Replanning at each command while flying the turn never takes longer, because the rest of a path
+ * is a path. A path always exists: within three circles one of the two turns reaches the bearing of
  * the place, which cannot be inside both circles at once.
  */
 [[nodiscard]] std::optional<Path> pathTo(const DubinsState& start, const MovingPlace& place,
                                          const Motion& motion, double command_s);
 
-/** An upper bound of `pathTo(...).time_s` to a place that stands still; much quicker to compute. */
+/**
+ * Returns an upper bound, s, of the time of `pathTo` to a fixed place; much quicker to compute. The
+ * wind must be below the airspeed.
+ */
 [[nodiscard]] double longestPath_s(const DubinsState& start, const Point& place_m,
                                    const Motion& motion, double command_s);
 
-/** Turn rate to begin the way with: of the next command. */
+/** Returns the turn rate, rad/s and within the limit, of the next command on the path. */
 [[nodiscard]] double turnRateOf(const Path& path, const Motion& motion, double command_s);
 
 } // namespace berg

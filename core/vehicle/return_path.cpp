@@ -11,20 +11,24 @@ namespace berg {
 
 namespace {
 
-/** Home is passed at this distance or less: landed from farther away. */
+/**
+ * A path passes home within this distance; landing counts from farther away (`kLandingRadius_m`).
+ */
 constexpr double kPass_m = 15;
-/** Legs and turns of one path at most; half round a stand-off ring there are more. */
+/** Largest number of legs and turns of a path; half round a stand-off ring needs more. */
 constexpr int kDeepest = 8;
 constexpr int kDeepestRoundHoles = 16;
 constexpr int kQuickTries = 24;
 constexpr int kAnyTries = 400;
-/** Straight lines that make room for a turn, in circles' radii. */
+/** Lengths of the straight lines that make room for a turn, in circle radii. */
 constexpr std::array<double, 5> kRunOuts{0.5, 1, 2, 4, 8};
-/** Turns that do. */
+/** Turns that make room for the path. */
 constexpr double kFirstTurn_rad = kPi / 4;
 constexpr int kFirstTurns = 6;
 
-/** As `step` has it, without adding up: chords of the circle, one for each time step. */
+/**
+ * Returns the result of repeated `step` without adding up: chords of the circle, one per time step.
+ */
 DubinsState afterSteps(const DubinsState& from, const Motion& motion, double rate_radps,
                        double steps, double dt_s)
 {
@@ -91,12 +95,12 @@ bool ReturnSearch::isInside(const DubinsState& from, double rate_radps, std::int
             return false;
         if (flown == steps)
             return true;
-        // Until then it is half the margin inside, however it flies.
+        // Until then the UAV is at least half the margin inside, on any course.
         flown = std::min(steps, flown + (clearance_m - kFenceMargin_m / 2) / step_m);
     }
 }
 
-/** False: it would leave the fence. */
+/** Returns false, and adds nothing, if the commands would leave the fence. */
 bool ReturnSearch::add(Trial& trial, double rate_radps, std::int64_t commands) const
 {
     if (commands <= 0)
@@ -125,7 +129,10 @@ bool ReturnSearch::turnTo(Trial& trial, const Point& place_m, double side) const
            (rest_rad <= 0 || add(trial, side * rest_rad / command_s, 1));
 }
 
-/** What whole commands have left of the turn, made up for by one more of them or two. */
+/**
+ * Corrects the heading error that whole commands leave after the turn, with up to three more
+ * commands.
+ */
 bool ReturnSearch::pointAt(Trial& trial, const Point& place_m) const
 {
     constexpr int kMostCommands = 3;
@@ -154,7 +161,7 @@ bool ReturnSearch::pointAt(Trial& trial, const Point& place_m) const
     return true;
 }
 
-/** Up to the place, or the first command that ends beyond it. */
+/** Flies straight up to the place, or to the end of the first command beyond it. */
 bool ReturnSearch::flyStraight(Trial& trial, const Point& place_m, bool isHome) const
 {
     const Motion& motion = m_fence.motion();
@@ -166,7 +173,7 @@ bool ReturnSearch::flyStraight(Trial& trial, const Point& place_m, bool isHome) 
     const auto commands = static_cast<std::int64_t>(std::ceil(time_s / m_clock.command_s() - 1e-9));
     if (!isHome)
         return add(trial, 0, commands);
-    // Landed on the last of the commands, wherever it would end.
+    // The UAV lands during the last command, so the place where that command ends does not matter.
     const Point end_m = trial.at.position_m + over_mps * time_s;
     if ((end_m - place_m).norm() > kPass_m || !m_fence.contains(trial.at.position_m) ||
         m_fence.clearance_m(trial.at.position_m, end_m) < kFenceMargin_m)
@@ -183,7 +190,7 @@ void ReturnSearch::extend(const Trial& trial, int depth, Found& found) const
         follow(trial, m_fence.cornersBetween(trial.at.position_m, m_home_m), depth, found);
 }
 
-/** Past these corners and home, with either turn at each of them. */
+/** Follows these corners and then flies home, trying both turns at each of them. */
 void ReturnSearch::follow(const Trial& trial, std::span<const Point> corners_m, int depth,
                           Found& found) const
 {

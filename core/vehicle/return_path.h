@@ -6,7 +6,7 @@
 
 namespace berg {
 
-/** How an autopilot commands: a turn rate, held for so many time steps. */
+/** Command rate of an autopilot: it holds a turn rate for `steps` time steps of `dt_s`. */
 struct CommandClock
 {
     double dt_s = 0.1;
@@ -15,47 +15,63 @@ struct CommandClock
     [[nodiscard]] double command_s() const { return static_cast<double>(steps) * dt_s; }
 };
 
-/** A path home inside the fence, as the commands that fly it: the proof that there is one. */
+/**
+ * A path home inside the fence, as the sequence of commands that fly it. It proves that one exists.
+ */
 struct ReturnPath
 {
+    /** Equal commands in a row. */
     struct Part
     {
         double rate_radps = 0;
-        std::int64_t commands = 0; ///< in a row
+        std::int64_t commands = 0; ///< number of consecutive commands at that rate
         bool operator==(const Part&) const = default;
     };
 
     std::vector<Part> parts;
 
+    /** Returns the number of commands of the path. */
     [[nodiscard]] std::int64_t commands() const;
-    /** Takes the first of the commands off; straight on when none is left. */
+    /**
+     * Removes the first command and returns its turn rate; returns 0 (straight on) if none is left.
+     */
     double takeNext_radps();
     bool operator==(const ReturnPath&) const = default;
 };
 
 /**
- * Looks for paths home that stay `kFenceMargin_m` inside a fence: turns at the limit and straight
- * lines, round the fence's corners. Each is checked as it will be flown, command by command and at
- * every instant: how far the fence is says how long the UAV cannot meet it. A path found is one;
- * one that is not found may exist all the same.
+ * Searches for paths home that stay `kFenceMargin_m` inside a fence: turns at the limit and
+ * straight lines, round the fence's corners. Each candidate is checked as it will be flown, command
+ * by command and at every instant: the distance to the fence gives the time in which the UAV cannot
+ * reach it. A path that is found is safe; a path may exist although none is found.
  */
 class ReturnSearch
 {
 public:
-    /** `fence` outlives the search; its wind and airspeed are those of the UAV. */
+    /**
+     * Borrows `fence`, which must outlive the search; its wind and airspeed must be those of the
+     * UAV.
+     */
     ReturnSearch(const Geofence& fence, const CommandClock& clock, const Point& home_m);
 
-    /** Whether the UAV stays inside on so many commands at one rate. */
+    /**
+     * Returns whether the UAV stays `kFenceMargin_m` inside during `commands` commands at one rate.
+     */
     [[nodiscard]] bool isInside(const DubinsState& from, double rate_radps,
                                 std::int64_t commands) const;
-    /** Where it is after them. */
+    /** Returns the state of the UAV after those commands. */
     [[nodiscard]] DubinsState after(const DubinsState& from, double rate_radps,
                                     std::int64_t commands) const;
 
-    /** The quickest of few: turn, straight on, round the corners. For every command. */
+    /**
+     * Returns the quickest of a few candidates (a turn, a straight line, round the corners), or
+     * nullopt if none is safe. Cheap enough to call at every command.
+     */
     [[nodiscard]] std::optional<ReturnPath> quickPath(const DubinsState& from) const;
-    /** That, or else the quickest of many that begin with a straight line or a turn, to have room
-     * for it. Takes milliseconds when there is none. */
+    /**
+     * Returns `quickPath`, or else the quickest of many candidates that first make room for the
+     * turn by a straight line or a turn. Returns nullopt if none is safe, which takes milliseconds.
+     */
     [[nodiscard]] std::optional<ReturnPath> anyPath(const DubinsState& from) const;
 
 private:
@@ -86,7 +102,7 @@ private:
     int m_deepest;
 };
 
-/** So far from the fence a path home stays. */
+/** Distance that a path home keeps from the fence. */
 inline constexpr double kFenceMargin_m = 1;
 
 } // namespace berg

@@ -11,11 +11,11 @@ namespace berg {
 
 namespace {
 
-/** Left of the fence by commands that are not made for it. */
-constexpr double kRoom_m = 2;
-/** Turn rates tried instead, in parts of the limit. */
+/** Clearance that ordinary commands keep from the fence. */
+constexpr double kClearance_m = 2;
+/** Turn rates tried in place of the requested one, as fractions of the limit. */
 constexpr std::array<double, 9> kRates{-1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1};
-/** On the ground, while no heading is safe to take off with. */
+/** Time between two attempts to take off while no heading is safe. */
 constexpr double kNextTry_s = 60;
 
 } // namespace
@@ -27,9 +27,9 @@ void SafetyGuard::setWind(const Point& wind_mps)
         m_uav.fence = std::make_shared<const Geofence>(m_uav.fence->inWind(wind_mps));
 }
 
-std::optional<double> SafetyGuard::command_radps(const DubinsState& pose, double wished_radps)
+std::optional<double> SafetyGuard::command_radps(const DubinsState& pose, double requested_radps)
 {
-    const double u_radps = limitedToFence_radps(pose, wished_radps);
+    const double u_radps = limitedToFence_radps(pose, requested_radps);
     if (provesReturn())
         return provenCommand_radps(pose, u_radps);
     if (!m_uav.sortie || homeInTimeAfter(pose, u_radps, slotLeft_s()))
@@ -38,25 +38,26 @@ std::optional<double> SafetyGuard::command_radps(const DubinsState& pose, double
 }
 
 /**
- * The command wished for, where a path home is proven after it. Else the next one of the path that
- * is proven now, unless time is what lacks, or the path ends: then it is home.
+ * Returns the requested turn rate if a path home is proven after it, else the next command of the
+ * proven path. Returns nullopt, so that the UAV flies home, if time is short or that path ends.
  */
-std::optional<double> SafetyGuard::provenCommand_radps(const DubinsState& pose, double wished_radps)
+std::optional<double> SafetyGuard::provenCommand_radps(const DubinsState& pose,
+                                                       double requested_radps)
 {
     std::optional<ReturnPath>& path = m_sortie.returnPath;
     const double left_s = slotLeft_s();
-    Outlook outlook = outlookAfter(pose, wished_radps, left_s);
+    Outlook outlook = outlookAfter(pose, requested_radps, left_s);
     if (outlook.back == Return::InTime) {
         path = std::move(outlook.path);
-        return wished_radps;
+        return requested_radps;
     }
     if (path && !path->parts.empty())
         return outlook.back == Return::Unknown && path->commands() > 1
                    ? std::optional(path->takeNext_radps())
                    : std::nullopt;
-    if (homeInTimeAfter(pose, wished_radps, left_s)) {
+    if (homeInTimeAfter(pose, requested_radps, left_s)) {
         path.reset();
-        return wished_radps;
+        return requested_radps;
     }
     path = returnPath(pose);
     return std::nullopt;
@@ -70,7 +71,7 @@ double SafetyGuard::homeCommand_radps(const DubinsState& pose, bool maySearch)
     return path ? path->takeNext_radps() : limitedToFence_radps(pose, homeRate_radps(pose));
 }
 
-void SafetyGuard::needHome(const SortieSpec& home)
+void SafetyGuard::requireHome(const SortieSpec& home)
 {
     if (m_uav.sortie)
         return;
@@ -86,7 +87,7 @@ void SafetyGuard::proveReturn(const DubinsState& pose, double u_radps, std::int6
         m_sortie.returnPath = returnPath(heldFor(pose, u_radps, stepsHeld(step)));
 }
 
-/** Steps for which the command in force is held on. */
+/** Returns the time steps until the next command. */
 std::int64_t SafetyGuard::stepsHeld(std::int64_t step) const
 {
     return (m_uav.clock.steps - step % m_uav.clock.steps) % m_uav.clock.steps;
@@ -181,8 +182,8 @@ DubinsState SafetyGuard::heldFor(const DubinsState& pose, double u_radps, std::i
     return at;
 }
 
-/** What the fence has left after one command; negative when the fence can be left. */
-double SafetyGuard::roomAfter_m(const DubinsState& pose, double u_radps) const
+/** Returns the clearance, m, after one command; negative if the command may leave the fence. */
+double SafetyGuard::clearanceAfter_m(const DubinsState& pose, double u_radps) const
 {
     DubinsState at = pose;
     for (std::int64_t i = 0; i < m_uav.clock.steps; ++i) {
@@ -193,7 +194,10 @@ double SafetyGuard::roomAfter_m(const DubinsState& pose, double u_radps) const
     return m_uav.fence->turnClearance_m(at);
 }
 
-/** Outside by the shortest way: where a circle has most room there is along the edge. */
+/**
+ * Outside, the UAV takes the shortest path back: the rate with the largest clearance would lead
+ * along the edge.
+ */
 double SafetyGuard::backInside_radps(const DubinsState& pose) const
 {
     const Point path_m = m_uav.fence->nearestInside_m(pose.position_m) - pose.position_m;
@@ -205,18 +209,18 @@ double SafetyGuard::limitedToFence_radps(const DubinsState& pose, double u_radps
 {
     if (m_uav.fence && !m_uav.fence->contains(pose.position_m))
         return backInside_radps(pose);
-    if (!m_uav.fence || roomAfter_m(pose, u_radps) >= kRoom_m)
+    if (!m_uav.fence || clearanceAfter_m(pose, u_radps) >= kClearance_m)
         return u_radps;
     std::vector<double> rates{m_uav.fence->circlingRate_radps(pose, 1),
                               m_uav.fence->circlingRate_radps(pose, -1)};
     for (const double part : kRates)
         rates.push_back(part * m_uav.motion.limit_radps);
     double best_radps = u_radps;
-    double best_m = roomAfter_m(pose, u_radps);
+    double best_m = clearanceAfter_m(pose, u_radps);
     for (const double rate_radps : rates) {
-        const double clearance_m = roomAfter_m(pose, rate_radps);
+        const double clearance_m = clearanceAfter_m(pose, rate_radps);
         const bool nearer = std::abs(rate_radps - u_radps) < std::abs(best_radps - u_radps);
-        if (best_m < kRoom_m ? clearance_m > best_m : clearance_m >= kRoom_m && nearer) {
+        if (best_m < kClearance_m ? clearance_m > best_m : clearance_m >= kClearance_m && nearer) {
             best_m = clearance_m;
             best_radps = rate_radps;
         }
@@ -235,7 +239,7 @@ std::optional<double> SafetyGuard::timeHome_s(const DubinsState& from) const
     const std::optional<Path> path = pathTo(from, {.place_m = m_uav.sortie->home_m});
     if (!path)
         return std::nullopt;
-    // The fence may turn it aside once, and round a circle, where the way leads close by.
+    // The fence may turn the UAV aside once, round a circle, where the path passes close to it.
     return path->time_s + (m_uav.fence ? m_uav.fence->circle_s() : 0);
 }
 

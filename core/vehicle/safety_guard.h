@@ -8,34 +8,37 @@
 
 namespace berg {
 
-/** Slower autopilots do not come home for sure, nor can it be told when they must be gone. */
+/**
+ * Longest command interval with which a UAV is sure to come home in time, and for which the latest
+ * time to head home can be calculated.
+ */
 inline constexpr double kSlowestHoming_s = 1;
 
-/** What the guard knows of its UAV. */
+/** Parameters of the UAV that a guard protects. */
 struct GuardedUav
 {
     Motion motion;
-    std::optional<SortieSpec> sortie;      ///< none: unlimited endurance
-    std::shared_ptr<const Geofence> fence; ///< null: none
+    std::optional<SortieSpec> sortie;      ///< nullopt means unlimited endurance
+    std::shared_ptr<const Geofence> fence; ///< null means no fence
     CommandClock clock;
 };
 
-/** Where a UAV stands between two landings. */
+/** Progress of a UAV between two landings. */
 struct SortieState
 {
     bool isAloft = true;
-    double aloft_s = 0;  ///< since take-off
-    double ground_s = 0; ///< left to stand when it is not
+    double aloft_s = 0;  ///< time since take-off
+    double ground_s = 0; ///< remaining time on the ground, if not aloft
     /** Endurance that plans leave unused, so that the UAV arrives in its recovery slot. */
     double withheld_s = 0;
-    /** With fence and endurance: a proven path home from the next command on. */
+    /** Proven path home from the next command on; only for a UAV with both a fence and a home. */
     std::optional<ReturnPath> returnPath;
 };
 
 /**
- * What a UAV may be commanded: inside its fence, and so that it is home in time. State and wish in,
- * command out; it knows nothing of icebergs and plans. Keeps the clocks of the sortie and the
- * proven path home.
+ * Limits the commands of one UAV so that it stays inside its fence and is home in time. It takes
+ * the state and the requested turn rate and returns a command; it does not depend on icebergs or
+ * plans. It keeps the clocks of the sortie and the proven path home.
  */
 class SafetyGuard
 {
@@ -44,112 +47,169 @@ public:
 
     [[nodiscard]] const GuardedUav& uav() const { return m_uav; }
     [[nodiscard]] const SortieState& sortie() const { return m_sortie; }
-    /** The fence is made anew for the wind. */
+    /** Sets the wind, and rebuilds the fence for it. The proven path home must be proven again. */
     void setWind(const Point& wind_mps);
-    /** Made for the wind that blows; null: none from now on. */
+    /** Replaces the fence; it must be made for the present wind. Null removes the fence. */
     void setFence(std::shared_ptr<const Geofence> fence) { m_uav.fence = std::move(fence); }
 
     /**
-     * From now on it can come home, although its endurance is unlimited, and is commanded no slower
-     * than `kSlowestHoming_s`.
+     * Makes a UAV with unlimited endurance able to return to `home`, and limits its command
+     * interval to `kSlowestHoming_s`. Does nothing if it has a home.
      */
-    void needHome(const SortieSpec& home);
+    void requireHome(const SortieSpec& home);
 
-    /** The command for this wish, from now on; none: it has to go home, `homeCommand_radps`. */
-    [[nodiscard]] std::optional<double> command_radps(const DubinsState& pose, double wished_radps);
     /**
-     * Along the proven path; without one, which only a new wind or a bad start leaves, as well as
-     * it goes. `maySearch`: for one, which takes long.
+     * Returns the command for the requested turn rate, rad/s. Returns nullopt if the UAV has to
+     * return now: fly `homeCommand_radps` instead.
+     */
+    [[nodiscard]] std::optional<double> command_radps(const DubinsState& pose,
+                                                      double requested_radps);
+    /**
+     * Returns the next command along the proven path home, rad/s. Without such a path (no fence, or
+     * after a change of wind or a bad start), it steers home as well as the fence allows;
+     * `maySearch` permits a search for a path first, which takes milliseconds. Requires a sortie.
      */
     [[nodiscard]] double homeCommand_radps(const DubinsState& pose, bool maySearch);
 
-    /** Looks for a path home from the next command on, whatever there was before; `u_radps` is held
-     * until then, in time step `step`. */
+    /**
+     * Replaces the proven path home by one from the next command on, or clears it if none is found.
+     * `u_radps` is held until then; `step` is the present time step.
+     */
     void proveReturn(const DubinsState& pose, double u_radps, std::int64_t step);
     /**
-     * Endurance left when it would be home, flying there from the next command on; none: unlimited,
-     * or on the ground. Below 0: home cannot be reached in time any more.
+     * Returns the endurance, s, that would be left on arrival if the UAV flew home from the next
+     * command on; negative if it cannot be home in time, minus the whole endurance if the wind is
+     * too strong to come home. Returns nullopt if the endurance is unlimited or the UAV is on the
+     * ground.
      */
     [[nodiscard]] std::optional<double> homeMargin_s(const DubinsState& pose, double u_radps,
                                                      std::int64_t step) const;
-    /** Of this sortie; on the ground, of the next. There must be a limit. */
+    /**
+     * Returns the endurance, s, left of this sortie, or of the next one if on the ground. Requires
+     * a sortie.
+     */
     [[nodiscard]] double enduranceLeft_s() const;
-    /** Until the UAV has to be home for its recovery slot: `enduranceLeft_s` without one. */
+    /**
+     * Returns the time, s, until the UAV has to be home for its recovery slot: `enduranceLeft_s`
+     * without one.
+     */
     [[nodiscard]] double slotLeft_s() const { return enduranceLeft_s() - m_sortie.withheld_s; }
-    /** Plans and returns reckon with so much less endurance, until it lands. */
+    /** Reduces the endurance for plans and returns by `withheld_s` until the UAV lands. */
     void withhold(double withheld_s) { m_sortie.withheld_s = withheld_s; }
-    /** How many of the places, as they are now, can be visited in this order before home must be
-     * reached; none: unlimited. */
+    /**
+     * Returns how many of the places, in this order from their present positions, can be visited
+     * before the UAV has to be home, with `kHomeReserve_s` and `kVisitReserve_s` to spare. Returns
+     * nullopt if the endurance is unlimited.
+     */
     [[nodiscard]] std::optional<int> visitsInTime(const DubinsState& pose,
                                                   std::span<const MovingPlace> places) const;
 
-    /** One time step of a UAV with a limited endurance; true: it ends in this step. */
+    /**
+     * Advances the clocks of a UAV with a limited endurance by one time step; returns whether the
+     * endurance ends in this step, in flight. Requires a sortie.
+     */
     [[nodiscard]] bool tick();
-    /** Whether a UAV on its way home lands between these places. */
+    /**
+     * Returns whether a returning UAV lands between these places: the line passes home within
+     * `kLandingRadius_m`. Requires a sortie.
+     */
     [[nodiscard]] bool isLanding(const Point& from_m, const Point& to_m) const;
+    /**
+     * Starts the turnaround, ends `withhold` and clears the path home. Requires a sortie.
+     */
     void land();
-    /** The heading to start with; none: it would not come home, and tries again later. */
+    /**
+     * Starts the sortie and returns the heading psi to take off with, rad. Returns nullopt if a
+     * fence leaves no heading with a path home in time; the UAV then stays on the ground for
+     * another minute. Without a fence it is the heading of the pose. Requires a sortie.
+     */
     [[nodiscard]] std::optional<double> takeOff(const DubinsState& pose);
 
     /**
-     * The turn rate, or the one nearest to it that leaves room inside the fence: as there was room
-     * before, there is one, round the circle that was inside. When rounding has used it up, the one
-     * that leaves most. Outside the one that comes back.
+     * Returns `u_radps`, or the nearest turn rate that keeps the UAV inside the fence: if there was
+     * clearance before, a rate that circles inside exists. If rounding has used up the clearance,
+     * returns the rate that leaves the most clearance. Outside the fence, returns
+     * `backInside_radps`; without one, `u_radps`.
      */
     [[nodiscard]] double limitedToFence_radps(const DubinsState& pose, double u_radps) const;
+    /** Returns the turn rate, rad/s, that steers to the nearest place inside. Requires a fence. */
     [[nodiscard]] double backInside_radps(const DubinsState& pose) const;
 
-    /** The path to a place that drifts, round the fence. */
+    /**
+     * Returns the path to a drifting place, round the fence if there is one; nullopt if the place
+     * may outrun the UAV.
+     */
     [[nodiscard]] std::optional<Path> pathTo(const DubinsState& from,
                                              const MovingPlace& place) const;
-    /** How long the way home takes, with what the fence may add; needs a sortie. */
+    /**
+     * Returns the time, s, of the path home, with one circle added for the fence. Requires a
+     * sortie. Returns nullopt if the wind is too strong.
+     */
     [[nodiscard]] std::optional<double> timeHome_s(const DubinsState& from) const;
-    /** Whether home can be reached within `left_s` after one command at this rate. */
+    /**
+     * Returns whether the UAV can be home within `left_s` from now, with `kHomeReserve_s` to spare,
+     * if it first flies one command at this rate, whose duration counts. With a fence the time
+     * includes one circle (`timeHome_s`). Requires a sortie.
+     */
     [[nodiscard]] bool homeInTimeAfter(const DubinsState& pose, double u_radps,
                                        double left_s) const;
-    /** Turn rate that begins the way home. */
+    /**
+     * Returns the turn rate, rad/s, of the next command on the path home; 0 if there is none.
+     * Requires a sortie.
+     */
     [[nodiscard]] double homeRate_radps(const DubinsState& pose) const;
 
-    /** A path home from there, however long; none: no one is known. */
+    /**
+     * Returns a path home inside the fence from there, of any duration, or nullopt if none is
+     * found. Requires a fence and a sortie.
+     */
     [[nodiscard]] std::optional<ReturnPath> returnPath(const DubinsState& pose) const
     {
         return search().anyPath(pose);
     }
+    /** Returns the duration of a path home, s. */
     [[nodiscard]] double time_s(const ReturnPath& path) const
     {
         return static_cast<double>(path.commands()) * m_uav.clock.command_s();
     }
-    /** The heading nearest to that of the pose with a path home within `left_s`; for take-off. */
+    /**
+     * Returns the heading nearest to that of the pose from which a path home within `left_s`
+     * exists with `kHomeReserve_s` to spare, for take-off; nullopt if none is found. Requires a
+     * fence and a sortie.
+     */
     [[nodiscard]] std::optional<double> safeHeading_rad(const DubinsState& pose,
                                                         double left_s) const;
 
-    /** The pose after so many time steps at this rate, bit for bit as it is flown. */
+    /** Returns the pose after `steps` time steps at this rate, bit for bit as it is flown. */
     [[nodiscard]] DubinsState heldFor(const DubinsState& pose, double u_radps,
                                       std::int64_t steps) const;
 
 private:
-    /** Whether a command may be given to a UAV with a fence and a limited endurance. */
+    /** Verdict on a command for a UAV with a fence and a limited endurance. */
     enum class Return
     {
         InTime,
-        Late,   ///< there is a path home, which takes too long
-        Unknown ///< none is known that stays inside
+        Late,   ///< a path home exists but takes too long
+        Unknown ///< no path home inside the fence is known
     };
-    /** What a command leads to, and the path home from there. */
+    /** Consequence of a command, and the path home after it. */
     struct Outlook
     {
         Return back = Return::Unknown;
-        std::optional<ReturnPath> path; ///< `InTime` only
+        std::optional<ReturnPath> path; ///< set for `InTime` only
     };
 
-    /** Whether the UAV has a fence and a home, so that a path home is proven at each command. */
+    /**
+     * Returns whether the UAV has a fence and a home, so that a path home is proven at each
+     * command.
+     */
     [[nodiscard]] bool provesReturn() const { return m_uav.fence && m_uav.sortie; }
-    /** Whether a path home inside the fence is proven after one command at this rate. */
+    /** Returns whether a path home within `left_s` is proven after one command at this rate. */
     [[nodiscard]] Outlook outlookAfter(const DubinsState& pose, double u_radps,
                                        double left_s) const;
     [[nodiscard]] std::optional<double> provenCommand_radps(const DubinsState& pose,
-                                                            double wished_radps);
-    [[nodiscard]] double roomAfter_m(const DubinsState& pose, double u_radps) const;
+                                                            double requested_radps);
+    [[nodiscard]] double clearanceAfter_m(const DubinsState& pose, double u_radps) const;
     [[nodiscard]] std::int64_t stepsHeld(std::int64_t step) const;
     [[nodiscard]] ReturnSearch search() const
     {

@@ -10,7 +10,7 @@ namespace berg {
 namespace {
 
 constexpr double kLeastStep_rad = 0.01;
-/** Less than this is made up for by the commands after the turn. */
+/** The commands after the turn correct heading errors below this. */
 constexpr double kHeading_rad = 0.02;
 
 } // namespace
@@ -38,7 +38,7 @@ std::optional<Path> SideTurn::find(double within_s) const
         const double high_rad = low_rad + safeStep_rad(low);
         const Miss high = missAfter(high_rad);
         const bool changes = (low.miss_rad > 0) != (high.miss_rad > 0);
-        // A change of sign that is not on the far side of the compass.
+        // A sign change counts only if it is not on the far side of the compass.
         if (changes && std::abs(low.miss_rad - high.miss_rad) < kPi) {
             low_rad = root(low_rad, low.miss_rad, high_rad, high.miss_rad);
             if (std::abs(missAfter(low_rad).miss_rad) < kHeading_rad)
@@ -52,7 +52,7 @@ std::optional<Path> SideTurn::find(double within_s) const
     return pathAfter(low_rad);
 }
 
-/** Exactly round an arc, or straight on. */
+/** Advances the state exactly along an arc, or straight on. */
 void SideTurn::fly(Turned& turned, double rate_radps, double time_s) const
 {
     const double half_rad = rate_radps * time_s / 2;
@@ -88,17 +88,19 @@ SideTurn::Miss SideTurn::missAfter(double turn_rad) const
     const double away_m = path_m.norm();
     const double across = cross(path_m, m_relativeWind_mps) / away_m;
     if (!std::isfinite(across))
-        return {}; // over the place
+        return {}; // the UAV is over the place
     const double wanted_rad =
         std::atan2(path_m.y(), path_m.x()) - std::asin(across / m_motion.airspeed_mps);
     return {.miss_rad = wrapPi(m_side * (wanted_rad - turned.state.psi_rad)), .away_m = away_m};
 }
 
-/** So much further no turn ends with the heading wanted, unless it is `kLeastStep_rad`. */
+/**
+ * Returns a step, at least `kLeastStep_rad`, within which no turn ends with the required heading.
+ */
 double SideTurn::safeStep_rad(const Miss& now) const
 {
     const double nearer_m = m_fastest_mps / m_motion.limit_radps; // per radian
-    // Of the heading wanted per radian of turn, while half the distance is left.
+    // Bounds the turn of the required heading per radian of turn, while half the distance is left.
     const double swing = 2 * m_crabGain * nearer_m / now.away_m;
     const double ahead_rad = now.miss_rad > 0 ? now.miss_rad : now.miss_rad + 2 * kPi;
     double step_rad = std::min(ahead_rad / (1 + swing), now.away_m / (2 * nearer_m));
@@ -107,7 +109,10 @@ double SideTurn::safeStep_rad(const Miss& now) const
     return std::max(kLeastStep_rad, step_rad);
 }
 
-/** Regula falsi, Illinois variant. A miss beyond both ends is on the far side of the compass. */
+/**
+ * Finds the root by regula falsi, Illinois variant. A miss beyond both ends is on the far side of
+ * the compass.
+ */
 double SideTurn::root(double low_rad, double low, double high_rad, double high) const
 {
     constexpr int kMostRounds = 60;

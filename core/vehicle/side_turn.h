@@ -6,27 +6,32 @@
 
 namespace berg {
 
-/** No way turns further: the proof is at `pathTo`. */
+/** Largest turn of a path; the proof is at `pathTo`. */
 inline constexpr double kMostTurn_rad = 18.85; // three full circles
 
-/** Ways to a place that turn to one side: the half of `pathTo`. */
+/** Paths to a place that begin with a turn to one side; `pathTo` compares both sides. */
 class SideTurn
 {
 public:
-    /** `side` 1: to the left, -1: to the right. The relative wind must be below the airspeed. */
+    /**
+     * Prepares paths that turn to the left (`side` 1) or right (-1), with a command every
+     * `command_s`. The wind relative to the place must be below the airspeed.
+     */
     SideTurn(const DubinsState& start, const MovingPlace& place, const Motion& motion,
              double command_s, double side);
 
     /**
-     * The way with the least turn, one that takes so long at most. The heading wanted turns no
-     * faster than the bearing of the place can, so no step along the turn passes over an answer.
-     * Turns of whole commands can: with commands of a second one in ten thousand starts, all within
-     * three circles of the place, finds a later answer a command later than it was foreseen.
+     * Returns the path with the smallest turn. Returns nullopt if its turn takes longer than
+     * `within_s`, or if no turn to this side of up to `kMostTurn_rad` reaches the required heading.
+     * The required heading turns no faster than the bearing of the place can, so no step along the
+     * turn passes over an answer. Turns of whole commands can: with commands of one second, one
+     * start in ten thousand, all within three circles of the place, gets a later answer one command
+     * later than predicted.
      */
     [[nodiscard]] std::optional<Path>
     find(double within_s = std::numeric_limits<double>::infinity()) const;
 
-    /** Where a turn by so much, >= 0, to this side ends. */
+    /** Returns the state after a turn by `turn_rad` >= 0 to this side. */
     [[nodiscard]] DubinsState turned(double turn_rad) const { return after(turn_rad).state; }
 
 private:
@@ -37,8 +42,9 @@ private:
     };
     struct Miss
     {
-        double miss_rad = 0; ///< what the turn is short of the heading wanted, -pi to pi
-        double away_m = 0;   ///< distance of the place then
+        /** Required heading minus the heading of the turn, -pi to pi, 0 over the place. */
+        double miss_rad = 0;
+        double away_m = 0; ///< distance to the place
     };
 
     void fly(Turned& turned, double rate_radps, double time_s) const;
@@ -55,8 +61,8 @@ private:
     double m_command_s;
     double m_side;
     Point m_relativeWind_mps;
-    double m_fastest_mps; ///< towards the place
-    double m_crabGain;    ///< how much faster the heading wanted turns than the bearing
+    double m_fastest_mps; ///< largest speed towards the place
+    double m_crabGain; ///< largest ratio of the turn of the required heading to that of the bearing
 };
 
 } // namespace berg

@@ -9,7 +9,7 @@ namespace berg {
 
 namespace {
 
-/** Turns this close to a full circle are none. */
+/** A turn this close to a full circle counts as no turn. */
 constexpr double kNoTurn_rad = 1e-9;
 
 struct TangentSide
@@ -20,7 +20,7 @@ struct TangentSide
     bool possible = false;
 };
 
-/** `side` 1: to the left, -1: to the right. */
+/** Computes the turn to the left (`side` 1) or right (-1). */
 TangentSide turnTo(double side, const Pose& start, const LinePast& line, double radius_m)
 {
     const Point toTarget_m = line.target_m - start.position_m - side * radius_m * start.left();

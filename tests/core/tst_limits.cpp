@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 constexpr int kMostLines = 500;        ///< of a file
 constexpr int kMostFunctionLines = 80; ///< of a function, its braces and name included
 
-/** A stretch of a file, from the name of a function to its closing brace. */
+/** A function in a file, from the line of its name to its closing brace. */
 struct Function
 {
     std::string name; ///< its first line
@@ -22,13 +22,15 @@ struct Function
     int lines = 0;
 };
 
-/** Tables of test data grow by rows, not by thoughts. */
+/**
+ * Returns whether a function is a table of test data, which grows by rows only and has no limit.
+ */
 bool isTable(std::string_view name)
 {
     return name.ends_with("_data()") || name.ends_with(" cases()");
 }
 
-/** What stands after the indent, nothing on a line further left. */
+/** Returns the part of a line after the indent, or an empty text for a line with less indent. */
 std::string withoutIndent(std::string_view line, std::size_t indent)
 {
     return line.find_first_not_of(' ') < indent
@@ -37,16 +39,16 @@ std::string withoutIndent(std::string_view line, std::size_t indent)
 }
 
 /**
- * Functions of `text`, as the formatter lays them out: a brace alone on a line opens one, at the
- * left margin or one step inside a class, and a brace at the same margin closes it. Braces of types
- * look the same, but end in "};", or have a type's keyword before them.
+ * Returns the functions of `text`, as the formatter lays them out: a brace alone on a line opens
+ * one, at the left margin or one step inside a class, and a brace at the same margin closes it.
+ * Braces of types look the same, but end in "};", or have a type's keyword before them.
  */
 std::vector<Function> functionsOf(const std::vector<std::string>& text)
 {
     std::vector<Function> found;
     for (std::size_t indent : {std::size_t{0}, std::size_t{4}}) {
-        std::size_t first = 0; // line of the name
-        std::size_t open = 0;  // line after the brace, 0 outside
+        std::size_t first = 0; // Line of the name.
+        std::size_t open = 0;  // Line after the brace; 0 outside a function.
         for (std::size_t i = 0; i < text.size(); ++i) {
             const std::string line = withoutIndent(text[i], indent);
             if (open == 0 && line == "{") {
@@ -67,7 +69,7 @@ std::vector<Function> functionsOf(const std::vector<std::string>& text)
     return found;
 }
 
-/** Lines of a file; those of raw texts are empty, for they may hold braces. */
+/** Returns the lines of a file. Lines of raw texts are empty because they may hold braces. */
 std::vector<std::string> linesOf(const fs::path& path)
 {
     std::ifstream in(path);
@@ -117,13 +119,16 @@ Scan scanTree(const fs::path& root)
 
 } // namespace
 
-/** Holds files and functions to the lengths that CONTRIBUTING.md names. */
+/** Verifies that files and functions keep to the lengths that CONTRIBUTING.md names. */
 class TestLimits : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** What is counted, and what is not: a check that finds no function would hold for ever. */
+    /**
+     * Verifies which functions are counted, because a check that finds no function would always
+     * pass.
+     */
     void functionsAreFound()
     {
         const std::vector<std::string> text{"namespace a {",

@@ -6,14 +6,14 @@
 
 namespace berg::test {
 
-/** Result of `COMPARE_NEAR`: kept apart so that the macro evaluates its arguments once. */
+/** Result of `COMPARE_NEAR`, a type of its own so that the macro evaluates its arguments once. */
 struct Near
 {
     double actual = 0;
     double expected = 0;
     double tolerance = 0;
 
-    /** False for a NaN on either side. */
+    /** Returns false if either value is NaN. */
     [[nodiscard]] bool ok() const { return std::abs(actual - expected) <= tolerance; }
     [[nodiscard]] QByteArray text() const
     {

@@ -6,7 +6,7 @@
 
 namespace berg::test {
 
-/** A row with times that are easy to recognise: median, worst three times as long. */
+/** Returns a row with recognisable times: the worst is three times the median. */
 inline BenchmarkRow benchmarkRow(const BenchmarkSolver& solver, int icebergs, double median_s)
 {
     BenchmarkRow row{.icebergs = icebergs, .solver = solver, .instances = 10, .proven = 10};
@@ -15,7 +15,7 @@ inline BenchmarkRow benchmarkRow(const BenchmarkSolver& solver, int icebergs, do
     return row;
 }
 
-/** A table as a machine of 2026 gives it, `cbc-printed` cut at 6 icebergs and left out after. */
+/** Returns a table as measured on a machine of 2026; `cbc-printed` stops at 6 icebergs. */
 inline std::vector<BenchmarkRow> benchmarkTable()
 {
     struct Times

@@ -4,7 +4,7 @@
 
 #include <QLocale>
 
-// What flight briefs are tried with.
+// Fixtures for flight briefs.
 
 namespace berg::test {
 
@@ -12,14 +12,14 @@ inline const QLocale kEnglish(QLocale::English, QLocale::UnitedKingdom);
 inline const QLocale kAmerican(QLocale::English, QLocale::UnitedStates);
 inline const QLocale kGerman(QLocale::German, QLocale::Germany);
 
-/** The scenario with a start at which its flights are by day. */
+/** Returns the scenario with a start time at which its flights are by day. */
 inline Scenario byDay(Scenario scenario)
 {
     scenario.startUtc = "2026-05-01T12:00:00Z";
     return scenario;
 }
 
-/** So many UAVs that share the icebergs of `fiveHundred` or fewer. */
+/** Returns a fleet of `uavs` UAVs that share `icebergs` icebergs of `fiveHundred`. */
 inline Scenario fleetScenario(int uavs, int icebergs)
 {
     Scenario scenario = byDay(fiveHundred());
@@ -34,7 +34,7 @@ inline Scenario fleetScenario(int uavs, int icebergs)
     return scenario;
 }
 
-/** The icebergs in turn. */
+/** Returns a plan that gives the icebergs to the UAVs in turn. */
 inline PlanAnswer fleetPlan(int uavs, int icebergs)
 {
     PlanAnswer plan;
@@ -49,7 +49,7 @@ inline ExportContent fleetContent(int uavs, int icebergs)
     return planContent(fleetScenario(uavs, icebergs), fleetPlan(uavs, icebergs));
 }
 
-/** Names of 300 characters, with everything in them that breaks lines and pages. */
+/** Returns a scenario with names of 300 characters that break lines and pages. */
 inline Scenario longHostile()
 {
     Scenario scenario = hostile();

@@ -12,16 +12,16 @@
 
 namespace berg::test {
 
-/** Optimum found by looking at every order; `order` is the lexicographically first of the best. */
+/** Optimum over all orders; `order` is the lexicographically first of the best. */
 struct BruteForce
 {
-    double objective = 0; ///< of the problem's criterion
+    double objective = 0; ///< objective by the problem's criterion
     VisitOrder order;
 };
 
 /**
- * Eq. (1)-(2) by the visiting numbers t_i of the paper, deliberately written otherwise than
- * `objective`, so that one fault is not made twice.
+ * Returns Eq. (1)-(2) by the visiting numbers t_i of the paper, deliberately computed in another
+ * form than `objective`, so that a fault is not repeated.
  */
 inline double costByVisitingNumbers(const TvpProblem& problem, const VisitOrder& order)
 {
@@ -45,7 +45,7 @@ inline double costByVisitingNumbers(const TvpProblem& problem, const VisitOrder&
     return -reward + problem.mu * distance_m;
 }
 
-/** Weighted latency, leg by leg: each counts with the sigma that is not yet visited. */
+/** Returns the weighted latency, leg by leg: each counts with the sigma that is not yet visited. */
 inline double costByLegs(const TvpProblem& problem, const VisitOrder& order)
 {
     double cost = 0;
@@ -60,7 +60,7 @@ inline double costByLegs(const TvpProblem& problem, const VisitOrder& order)
     return cost;
 }
 
-/** The objective, by its other formula. */
+/** Returns the objective by the independent formula. */
 inline double independentCost(const TvpProblem& problem, const VisitOrder& order)
 {
     return problem.criterion == Criterion::Latency ? costByLegs(problem, order)

@@ -6,7 +6,9 @@
 
 namespace berg::test {
 
-/** Clp works to about 1e-9 of the cost that is never negative, sum(sigma t) + mu D. */
+/**
+ * Returns a tolerance: Clp is accurate to about 1e-9 of the nonnegative cost sum(sigma t) + mu D.
+ */
 inline double toleranceOf(const TvpProblem& problem, double objective)
 {
     return 1e-7 * (objective + objectiveShift(problem));

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Chart panels with a flight to show.
+// Chart panels that show a flight.
 
 namespace berg::test {
 

@@ -9,7 +9,9 @@ namespace berg::test {
 
 using Groups = std::vector<std::vector<int>>;
 
-/** Two standing icebergs, 0 and 2, 400 m apart across the way, 2 km ahead, and one far beyond. */
+/**
+ * Two stationary icebergs, 0 and 2, 400 m apart across the path, 2 km ahead, and one far beyond.
+ */
 inline Scenario pairAhead()
 {
     Scenario scenario = emptySea();
@@ -21,7 +23,7 @@ inline Scenario pairAhead()
     return scenario;
 }
 
-/** 14 icebergs so close together that many lie within one view. */
+/** Returns 14 icebergs so close together that many are within one field of view. */
 inline Scenario crowd(std::int64_t seed)
 {
     Scenario scenario = randomScenario(seed, {.icebergs = 14, .size_m = Point(2500, 2000)});

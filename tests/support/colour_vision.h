@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-// What the colour-blind see of a colour, and how far apart two colours are.
+// Simulation of colour blindness, and differences between colours.
 
 namespace berg::test {
 
@@ -74,8 +74,8 @@ inline Lab labOf(const LinearRgb& rgb)
 }
 
 /**
- * CIEDE2000, as written down by Sharma, Wu and Dalal, Color Research and Application 30 (2005).
- * About 1 is what can just be noticed of large areas side by side.
+ * Returns the CIEDE2000 difference after Sharma, Wu and Dalal, Color Research and Application 30
+ * (2005). About 1 is just noticeable for large areas side by side.
  */
 inline double colourDifference(const Lab& p, const Lab& q)
 {

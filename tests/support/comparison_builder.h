@@ -5,13 +5,13 @@
 
 namespace berg::test {
 
-/** The planner's settings for a policy. */
+/** Returns planner settings for a policy. */
 inline PlannerSettings policy(PolicyKind kind, double tau = 1)
 {
     return {.policy = kind, .tau = tau};
 }
 
-/** The scenario flown with these settings until `until_s`, in the calling thread. */
+/** Flies the scenario with these settings until `until_s`, in the calling thread. */
 inline Mission flownWith(Scenario scenario, const PlannerSettings& planner, double until_s = 1e9)
 {
     scenario.planner = planner;
@@ -26,7 +26,7 @@ inline FlightRecord flownRecord(const Scenario& scenario, const PlannerSettings&
     return recordOf(flownWith(scenario, planner, until_s));
 }
 
-/** One that the scenarios do not have. */
+/** Returns an iceberg that the scenarios do not have. */
 inline Iceberg newIceberg()
 {
     Iceberg iceberg;
@@ -35,7 +35,7 @@ inline Iceberg newIceberg()
     return iceberg;
 }
 
-/** Five minutes of a random scenario: flown in a moment. */
+/** Returns five minutes of a random scenario, which is flown quickly. */
 inline Scenario shortScenario(int seed = 3)
 {
     Scenario scenario = randomScenario(seed);
@@ -43,7 +43,7 @@ inline Scenario shortScenario(int seed = 3)
     return scenario;
 }
 
-/** Two runs with zeta as given, one sample a second. */
+/** Returns two runs with these values of zeta, one sample a second. */
 inline RunComparison comparisonOf(const std::vector<double>& reference_m2s,
                                   const std::vector<double>& other_m2s)
 {

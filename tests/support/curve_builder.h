@@ -6,7 +6,7 @@
 
 namespace berg::test {
 
-/** A proven curve from 0 through these ends of its intervals; distance and reward fall along it. */
+/** Returns a proven curve from 0 through these interval ends; distance and reward fall along it. */
 inline TauCurve curveThrough(std::initializer_list<double> ends)
 {
     TauCurve curve{.intervals = {}, .complete = true};

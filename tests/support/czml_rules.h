@@ -16,7 +16,9 @@ using namespace Qt::StringLiterals;
 
 namespace czml {
 
-/** [longitude, latitude, height] or [time, longitude, latitude, height] again and again. */
+/**
+ * Checks repeated groups of [longitude, latitude, height], or [time, longitude, latitude, height].
+ */
 inline QString degreesFault(const QJsonArray& numbers, bool timed)
 {
     const qsizetype step = timed ? 4 : 3;
@@ -66,7 +68,7 @@ inline QString packetFault(const QJsonObject& packet)
 
 } // namespace czml
 
-/** What breaks a rule first, empty when all is well. */
+/** Returns the first broken rule, or an empty text. */
 inline QString czmlFault(const QByteArray& text)
 {
     const QJsonDocument document = QJsonDocument::fromJson(text);

@@ -1,5 +1,5 @@
-// Part of every program of tests that shows words: it speaks English, with its plural forms, on
-// every machine.
+// Part of every test program that shows texts: it uses English, with its plural forms, on every
+// machine.
 #include "widgets/theme/language.h"
 
 #include <QCoreApplication>
@@ -10,7 +10,7 @@ namespace {
 void speakEnglish()
 {
     berg::installLanguage(QStringLiteral("en"));
-    QLocale::setDefault(QLocale::system()); // numbers stay as they are
+    QLocale::setDefault(QLocale::system()); // number formats do not change
 }
 
 } // namespace

@@ -10,7 +10,7 @@
 
 namespace berg::test {
 
-/** The `Error` that an action throws, none when it throws nothing; other exceptions pass. */
+/** Returns the `Error` that an action throws, or nullopt; other exceptions pass. */
 template <class Action>
 std::optional<Error> errorOf(Action&& action)
 {
@@ -51,7 +51,7 @@ inline std::string codeName(ErrorCode code)
     return "unknown";
 }
 
-/** Code name of what an action throws, "nothing" when it throws nothing. */
+/** Returns the code name of the `Error` that an action throws, or "nothing". */
 template <class Action>
 std::string codeOf(Action&& action)
 {
@@ -59,7 +59,7 @@ std::string codeOf(Action&& action)
     return error ? codeName(error->code()) : "nothing";
 }
 
-/** True when a finding names exactly this field. */
+/** Returns whether a finding names exactly this field. */
 inline bool names(const std::vector<Issue>& issues, const std::string& field)
 {
     return std::any_of(issues.begin(), issues.end(),

@@ -11,11 +11,14 @@
 #include <QTest>
 #include <QXmlStreamReader>
 
-// What exports are tried with, and whether what came out is what its readers take.
+// Fixtures for exports, and checks of their results by the rules of their readers.
 
 namespace berg::test {
 
-/** Names that break files: markup, quotes, line ends, controls, both directions, broken UTF-8. */
+/**
+ * Returns names that break files: markup, quotes, line ends, controls, both directions, broken
+ * UTF-8.
+ */
 inline Scenario hostile()
 {
     return changed([](Scenario& s) {
@@ -42,7 +45,7 @@ inline Scenario hostile()
     });
 }
 
-/** `fourIcebergs` with the antimeridian through the middle of its area. */
+/** Returns `fourIcebergs` with the antimeridian through the middle of its area. */
 inline Scenario at180()
 {
     return changed([](Scenario& s) {
@@ -67,8 +70,8 @@ inline Scenario fiveHundred()
 }
 
 /**
- * Rows of every format that writes plans, scenario and choice. Pages and pictures have a test with
- * fonts and paper of their own.
+ * Adds a row for every format that writes plans, with scenario and option. Pages and images have
+ * tests of their own with fonts and paper.
  */
 inline void exportRows()
 {
@@ -77,7 +80,7 @@ inline void exportRows()
     QTest::addColumn<ExportOptions>("options");
     const Scenario north = changed([](Scenario& s) {
         s.origin = {.latitude_deg = 90, .longitude_deg = 0};
-        s.operation = Operation{}; // its parts hold the pole
+        s.operation = Operation{}; // its volume contains the pole
     });
     const Scenario south =
         changed([](Scenario& s) { s.origin = {.latitude_deg = -89.99, .longitude_deg = 180}; });
@@ -94,12 +97,12 @@ inline void exportRows()
         for (const auto& [name, scenario] : scenarios) {
             QTest::addRow("%s, %s", qPrintable(id), name) << id << scenario << ExportOptions{};
             QTest::addRow("%s, %s, path", qPrintable(id), name)
-                << id << scenario << ExportOptions{.what = ExportWhat::Path, .returnHome = true};
+                << id << scenario << ExportOptions{.what = ExportScope::Path, .returnHome = true};
         }
     }
 }
 
-/** Well-formed, and every latitude and longitude of its attributes within range. */
+/** Checks that a text is well-formed XML with latitudes and longitudes within range. */
 inline QString xmlFault(const QByteArray& text)
 {
     QXmlStreamReader xml(text);
@@ -134,7 +137,7 @@ inline QString wplFault(const QByteArray& text)
     return {};
 }
 
-/** What the readers of the format would refuse, empty when nothing. */
+/** Returns what readers of the format would refuse, or an empty text. */
 inline QString faultOf(const QString& id, const std::string& text)
 {
     const QByteArray file = bytes(text);
@@ -153,7 +156,7 @@ inline QString faultOf(const QString& id, const std::string& text)
     return file.contains('\0') || !file.endsWith('\n') ? u"no table"_s : QString();
 }
 
-/** First difference of two texts whose numbers may differ by `tolerance`. */
+/** Returns the first difference of two texts whose numbers may differ by `tolerance`. */
 inline QString numbersDifference(const QByteArray& a, const QByteArray& b, double tolerance)
 {
     static const QRegularExpression number(u"-?\\d+(\\.\\d+)?"_s);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Exports and archives at once, as tests read them.
+// Complete exports and archives as texts.
 
 #include "core/io/export/formats.h"
 #include "core/io/text/zip_file.h"

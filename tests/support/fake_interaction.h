@@ -9,50 +9,54 @@
 
 namespace berg::test {
 
-/** Answers what the window asks as the test has set, and keeps what was asked. */
+/** Answers questions of the window as set by the test, and records them. */
 class FakeInteraction final : public Interaction
 {
 public:
     Unsaved unsaved = Unsaved::Cancel;
-    std::vector<Unsaved> unsavedAnswers; ///< one after the other, then `unsaved`
+    std::vector<Unsaved> unsavedAnswers; ///< used in turn, then `unsaved`
     Unsaved unsavedRun = Unsaved::Cancel;
-    QString path; ///< of the next file; empty: cancelled
+    QString path; ///< path of the next file; empty to cancel
     InUse inUse = InUse::Cancel;
     Overwrite overwrite = Overwrite::Cancel;
     bool reload = false;
     bool endsFlight = false;
     bool removes = true;
-    QStringList removals; ///< names in the questions about icebergs that leave a run
-    std::vector<RecoveryAnswer> recoveryAnswers; ///< one after the other, then Later
+    bool undoes = true;
+    /** Changes and their times, in questions about undoing them in flight. */
+    QStringList undoQuestions;
+    QStringList removals; ///< names in questions about removing icebergs in flight
+    std::vector<RecoveryAnswer> recoveryAnswers; ///< used in turn, then Later
     std::optional<ExportRequest> exportChoice;
-    std::function<void()> whileExportIsChosen; ///< what happens while the dialog is on screen
+    std::function<void()> whileExportIsChosen; ///< called while the dialog is open
     std::function<void()> whileOverwriteIsAsked;
     std::optional<OriginChoice> originChoice;
-    std::optional<Point> wind_mps;         ///< answered
-    std::optional<double> declination_deg; ///< answered
-    int sounds = 0;                        ///< of alarms
-    /** Answers a question about an import; null: cancelled. */
+    std::optional<Point> wind_mps;         ///< answer
+    std::optional<double> declination_deg; ///< answer
+    int sounds = 0;                        ///< number of alarm sounds
+    /** Answers a question about an import; null cancels. */
     std::function<std::optional<ImportChoice>(ImportRunner&, const ImportOffer&)> importAnswer;
 
-    QStringList unsavedNames;       ///< each question about unsaved changes
-    QStringList suggested;          ///< each question where to save
-    std::vector<bool> runQuestions; ///< each about an unsaved run: whether it is under way
+    QStringList unsavedNames; ///< one for each question about unsaved changes
+    QStringList suggested;    ///< one for each question about a file name
+    /** One for each question about an unsaved run: whether it is in progress. */
+    std::vector<bool> runQuestions;
     int openQuestions = 0;
-    bool toldOfFlight = false; ///< in the last of them
+    bool toldOfFlight = false; ///< whether the last of them mentioned the flight
     int endFlightQuestions = 0;
-    std::optional<FlightEnd> flightEnd; ///< of the last of them
-    QStringList holders;                ///< each question about a file in use
-    QStringList overwriteReasons;       ///< each question before writing over a file
+    std::optional<FlightEnd> flightEnd; ///< flight end of the last of them
+    QStringList holders;                ///< one for each question about a file in use
+    QStringList overwriteReasons;       ///< one for each question about overwriting a file
     QStringList reloadQuestions;
     std::vector<std::vector<RecoveryOffer>> recoveryOffers;
-    QStringList waits;                  ///< what was waited for while the window lived
-    std::vector<bool> mayCancelWaits;   ///< of each of them
-    std::function<void()> whileWaiting; ///< what happens before the end is looked for
+    QStringList waits;                  ///< titles of waits while the window existed
+    std::vector<bool> mayCancelWaits;   ///< whether each of them could be cancelled
+    std::function<void()> whileWaiting; ///< called before the end is checked
     QStringList errors;
     QStringList informations;
     std::vector<ExportOffer> offers;
     std::vector<LatLon> suggestedOrigins;
-    std::vector<Point> askedWinds_mps; ///< each question about the wind: what blew then
+    std::vector<Point> askedWinds_mps; ///< wind at each question about the wind
     std::vector<ImportOffer> importOffers;
 
     [[nodiscard]] Unsaved askUnsaved(QWidget*, const UnsavedWork& work) override
@@ -74,13 +78,19 @@ public:
         flightEnd = why;
         return endsFlight;
     }
-    /** What happens while a question about an import, a file or the wind is open. */
+    /** Called while a question about an import, a file or the wind is open. */
     std::function<void()> meanwhile;
     [[nodiscard]] bool askRemove(QWidget*, const QStringList& names) override
     {
         removals << names;
         passTime();
         return removes;
+    }
+    [[nodiscard]] bool askUndo(QWidget*, const QString& change, const QString& since) override
+    {
+        undoQuestions << change + QStringLiteral(" | ") + since;
+        passTime();
+        return undoes;
     }
     [[nodiscard]] QString openPath(QWidget*, const QString&) override
     {

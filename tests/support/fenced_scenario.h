@@ -10,9 +10,9 @@
 namespace berg::test {
 
 /**
- * `randomScenario` in a random star of 6 to 15 corners, concave as a rule: the icebergs outside are
- * moved inside, and the UAV starts two circles from the fence. It is a geofence unless it is said
- * that it is none.
+ * Returns `randomScenario` in a random star of 6 to 15 corners, usually concave: icebergs outside
+ * are moved inside, and the UAV starts two turn circles from the fence. `area_m` is a geofence by
+ * default.
  */
 inline Scenario fencedScenario(std::int64_t seed, const Point& wind_mps = Point::Zero())
 {
@@ -32,7 +32,7 @@ inline Scenario fencedScenario(std::int64_t seed, const Point& wind_mps = Point:
         return Point(x_m, random.uniform(-1500, 5500));
     };
     for (Iceberg& iceberg : s.icebergs) {
-        iceberg.velocity_mps *= 0.25; // few of them leave
+        iceberg.velocity_mps *= 0.25; // so that few of them leave
         while (!insidePolygon(s.area_m, iceberg.position_m))
             iceberg.position_m = anywhere_m();
     }

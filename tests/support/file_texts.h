@@ -1,6 +1,6 @@
 #pragma once
 
-// Files of ours at once, as tests write and read them.
+// Files of Bergwatch as complete texts.
 
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"

@@ -6,7 +6,7 @@
 
 namespace berg::test {
 
-/** What the first finding of that kind says, in English; empty: there is none. */
+/** Returns the English text of the first finding with this id, or an empty text. */
 inline std::string messageOf(const Scenario& scenario, IssueId id)
 {
     for (const Issue& issue : validate(scenario))

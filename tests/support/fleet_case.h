@@ -2,8 +2,8 @@
 
 #include "core/base/angles.h"
 #include "core/base/random.h"
-#include "core/scenario/advice.h"
 #include "core/scenario/presets.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/sim/mission.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 namespace berg::test {
 
 /**
- * Two to six UAVs of one altitude layer over a field that has hardly room for them, apart at the
- * start: wind, fences, slow autopilots, and endurances with one home for all, drawn at random.
+ * Two to six UAVs of one altitude layer over a field with hardly enough room, separated at the
+ * start: wind, fences, slow autopilots, and endurances with a common home, drawn at random.
  */
 class FleetCase
 {
@@ -88,7 +88,7 @@ private:
         }
     }
 
-    /** Wherever the others and it turn, and inside the fence. */
+    /** Returns whether the UAV can circle inside the fence, clear of the others' circles. */
     [[nodiscard]] bool hasRoom(const Uav& uav) const
     {
         const double mine_m = 2 * circle_m(uav, m_scenario.wind_mps);
@@ -107,20 +107,21 @@ private:
     Scenario m_scenario;
 };
 
-/** What came of a fleet's flight. */
+/** Results of a fleet's flight. */
 struct FleetOutcome
 {
     double least_m = 1e9;
-    bool staysApart = true; ///< of pairs: once they have been the separation apart
+    bool staysApart = true; ///< whether pairs stay apart once they have been separated
     bool isInside = true;
     double zeta_m2s = 0;
     int visits = 0;
     int landings = 0;
-    int late = 0;  ///< told that part of the reserve is needed
+    int late = 0;  ///< UAVs reported to need part of the reserve
     int spent = 0; ///< landings after the whole endurance
     double longest_s =
         0; ///< that one of them had a target, or home to go to, and did not get there
-    std::vector<double> waits_s; ///< by landing: later than foreseen when it was sent home
+    /** By landing: delay over the time predicted at the start of the return. */
+    std::vector<double> waits_s;
 };
 
 inline FleetOutcome flownFleet(const Scenario& s)

@@ -14,8 +14,8 @@
 namespace berg::test {
 
 /**
- * Several UAVs over icebergs that drift as is known: each flies one leg, a Dubins step at a time;
- * sigma is 0 in view of any and grows by q otherwise.
+ * Several UAVs over icebergs with known drift: each flies one leg, a Dubins step at a time; sigma
+ * is 0 in view of any UAV and grows by q otherwise.
  */
 class FleetFlight
 {
@@ -45,9 +45,9 @@ public:
     [[nodiscard]] const Track& track(int iceberg) const { return m_tracks[at(iceberg)]; }
     [[nodiscard]] const DubinsState& uav(int uav) const { return m_flyers[at(uav)].state; }
     [[nodiscard]] int target(int uav) const { return m_flyers[at(uav)].target; }
-    /** The iceberg is for this UAV alone; -1: for any. */
+    /** Assigns the iceberg to this UAV alone; −1 lets any UAV visit it. */
     void keep(int iceberg, int uav) { m_kept[at(iceberg)] = uav; }
-    [[nodiscard]] int keptFor(int iceberg) const { return m_kept[at(iceberg)]; }
+    [[nodiscard]] int assignedUav(int iceberg) const { return m_kept[at(iceberg)]; }
 
     [[nodiscard]] PlanRequest request(std::span<const std::vector<int>> lastRests = {}) const
     {
@@ -70,7 +70,7 @@ public:
         return request;
     }
 
-    /** -1: no target, it holds. */
+    /** Sets the target of a UAV; −1 makes it hold. */
     void setLeg(int uav, int target, const std::optional<AimedLeg>& aim = std::nullopt)
     {
         Flyer& flyer = m_flyers[at(uav)];
@@ -79,7 +79,9 @@ public:
         flyer.guidance.startLeg(aim ? aim->from_m : flyer.state.position_m);
     }
 
-    /** One step; true when an iceberg has come into view, or an aimed leg is 2 s overdue. */
+    /**
+     * Advances one step. Returns true if an iceberg came into view or an aimed leg is 2 s overdue.
+     */
     bool advance()
     {
         ++m_step;
@@ -118,7 +120,7 @@ private:
         UavRequest request{.uav = uav};
         std::vector<Point> places_m{flyer.state.position_m};
         for (int i = 0; i < static_cast<int>(m_tracks.size()); ++i) {
-            const bool isOurs = keptFor(i) < 0 || keptFor(i) == uav;
+            const bool isOurs = assignedUav(i) < 0 || assignedUav(i) == uav;
             request.available.push_back(!track(i).inView && isOurs);
             places_m.push_back(track(i).estimate_m(time_s()));
         }
@@ -131,15 +133,15 @@ private:
                     flightTime_s(places_m[static_cast<std::size_t>(b)] -
                                      places_m[static_cast<std::size_t>(a)],
                                  flyer.motion.airspeed_mps, flyer.motion.wind_mps);
-        request.picture = std::make_shared<const FlightPicture>(
-            FlightPicture{.time_s = time_s(),
-                          .until_s = m_scenario.duration_s,
-                          .uav = flyer.state,
-                          .motion = flyer.motion,
-                          .sensor = flyer.sensor,
-                          .tracks = m_tracks,
-                          .seed = static_cast<std::uint64_t>(m_scenario.seed),
-                          .step = m_step});
+        request.prediction = std::make_shared<const PredictionInput>(
+            PredictionInput{.time_s = time_s(),
+                            .until_s = m_scenario.duration_s,
+                            .uav = flyer.state,
+                            .motion = flyer.motion,
+                            .sensor = flyer.sensor,
+                            .tracks = m_tracks,
+                            .seed = static_cast<std::uint64_t>(m_scenario.seed),
+                            .step = m_step});
         return request;
     }
 
@@ -189,7 +191,7 @@ private:
     std::vector<int> m_kept;
 };
 
-/** The scenario with so many UAVs like its own, each a kilometre farther north. */
+/** Returns the scenario with `uavs` copies of its UAV, each a kilometre farther north. */
 inline Scenario withUavs(Scenario scenario, int uavs)
 {
     for (int u = 1; u < uavs; ++u) {

@@ -8,7 +8,7 @@ namespace berg::test {
 
 inline const Point kSecond_m(500, 3000);
 
-/** Two UAVs: the second higher and heading west; berg-1 is kept for it. */
+/** Two UAVs: the second higher and heading west; berg-1 is assigned to it. */
 inline Scenario twoUavs()
 {
     Scenario scenario = MapFixture::fourIcebergs();
@@ -24,7 +24,7 @@ inline Scenario twoUavs()
     return scenario;
 }
 
-/** A pixel of the image in that rectangle is of exactly that colour. */
+/** Returns whether the image has a pixel of exactly that colour in the rectangle. */
 inline bool hasColour(const QImage& image, const QRectF& near, const QColor& colour)
 {
     const QRect rect = near.toAlignedRect().intersected(image.rect());

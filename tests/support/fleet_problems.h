@@ -9,17 +9,17 @@
 
 namespace berg::test {
 
-/** What makes a fleet's problem more than icebergs and starts in the plane. */
+/** Special properties of a fleet's problem. */
 enum class FleetKind
 {
     Plain,
     Unlike,   ///< airspeeds differ, and distances are asymmetric
-    Assigned, ///< about a third of the icebergs belong to a UAV
+    Assigned, ///< about a third of the icebergs are assigned to a UAV
     Closed,
-    Latency, ///< the criterion; airspeeds differ, and some icebergs are not for all
+    Latency, ///< latency criterion; airspeeds differ, and some icebergs are assigned
 };
 
-/** The iceberg is for that UAV alone. */
+/** Assigns the iceberg to that UAV alone. */
 inline void assign(FleetProblem& problem, int iceberg, int owner)
 {
     if (problem.allowed.empty())
@@ -67,8 +67,10 @@ inline FleetProblem randomFleet(std::uint64_t seed, int uavs, int icebergs, doub
     return problem;
 }
 
-/** F by the visiting numbers t_i, or the latency leg by leg: written otherwise than
- * `fleetObjective`. */
+/**
+ * Returns F by the visiting numbers t_i, or the latency leg by leg; computed in another form than
+ * `fleetObjective`.
+ */
 inline double fleetCostByNumbers(const FleetProblem& problem, const FleetPlan& plan)
 {
     const std::size_t N = problem.sigma_m2.size();
@@ -94,7 +96,7 @@ inline double fleetCostByNumbers(const FleetProblem& problem, const FleetPlan& p
     return cost;
 }
 
-/** Least objective of all plans, by putting one iceberg after the other into every place. */
+/** Returns the least objective of all plans, found by inserting each iceberg at every place. */
 inline double bruteForceFleet(const FleetProblem& problem, FleetPlan plan = {}, int iceberg = 1)
 {
     plan.resize(problem.distance_m.size());

@@ -6,7 +6,7 @@
 
 namespace berg::test {
 
-/** The places seen by UAVs at these points, numbered 20, 21, ...; everything is available. */
+/** Returns a request for places seen by UAVs at these points, numbered 20, 21, …, all available. */
 inline PlanRequest fleetRequestOf(const std::vector<Point>& uavs_m,
                                   const std::vector<Place>& places)
 {
@@ -22,7 +22,7 @@ inline PlanRequest fleetRequestOf(const std::vector<Point>& uavs_m,
     return request;
 }
 
-/** UAVs and icebergs anywhere; airspeeds differ when so said. Deterministic. */
+/** Returns a request with random UAVs and icebergs; airspeeds differ if `unlike`. Deterministic. */
 inline PlanRequest randomFleetRequest(std::uint64_t seed, int uavs, int icebergs,
                                       bool unlike = false)
 {
@@ -36,7 +36,7 @@ inline PlanRequest randomFleetRequest(std::uint64_t seed, int uavs, int icebergs
     return request;
 }
 
-/** About so much of what there is stays available. */
+/** Returns the request with about this share of its icebergs available. */
 inline PlanRequest thinnedOut(PlanRequest request, Random& random, double share)
 {
     for (UavRequest& uav : request.uavs)
@@ -45,7 +45,7 @@ inline PlanRequest thinnedOut(PlanRequest request, Random& random, double share)
     return request;
 }
 
-/** The request as UAV k would make it alone. */
+/** Returns the request that UAV k would make alone. */
 inline PlanRequest aloneOf(const PlanRequest& request, std::size_t k)
 {
     PlanRequest alone = request;
@@ -53,14 +53,14 @@ inline PlanRequest aloneOf(const PlanRequest& request, std::size_t k)
     return alone;
 }
 
-/** Nothing is available to UAV k. */
+/** Returns the request with nothing available to UAV k. */
 inline PlanRequest withoutUav(PlanRequest request, std::size_t k)
 {
     request.uavs[k].available.assign(request.ids.size(), false);
     return request;
 }
 
-/** The iceberg of that id is not available to any UAV. */
+/** Returns the request without the iceberg of this id for any UAV. */
 inline PlanRequest withoutIceberg(PlanRequest request, int id)
 {
     for (UavRequest& uav : request.uavs)

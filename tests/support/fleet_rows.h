@@ -6,7 +6,7 @@
 
 namespace berg::test {
 
-/** Columns kind and tau of `fetchedFleet`, a row for each pair of them. */
+/** Adds the columns kind and tau of `fetchedFleet` with a row for each pair. */
 inline void addFleetRows(bool latency = true)
 {
     struct Named
@@ -32,10 +32,10 @@ inline FleetProblem fetchedFleet(std::uint64_t seed, int uavs, int icebergs)
     return randomFleet(seed, uavs, icebergs, tau, static_cast<FleetKind>(kind));
 }
 
-/** Whether two objectives differ by rounding only, measured by F + N sum(sigma). */
+/** Returns whether two objectives differ only by rounding, relative to F + N sum(sigma). */
 inline bool sameObjective(const FleetProblem& problem, double a, double b)
 {
-    constexpr double kRounding = 1e-11; // of sums of a few hundred numbers
+    constexpr double kRounding = 1e-11; // rounding of sums of a few hundred numbers
     return std::abs(a - b) <= kRounding * (std::abs(b) + objectiveShift(problem));
 }
 

@@ -3,7 +3,7 @@
 #include "core/io/export/export_flight.h"
 #include "core/io/export/formats.h"
 #include "core/io/files/run_json.h"
-#include "core/scenario/advice.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission_instant.h"
 #include "tests/support/file_texts.h"
@@ -13,18 +13,24 @@
 
 namespace berg::test {
 
-/** What must not be found about a flight. */
+/** Faults that must not occur in a flight. */
 enum class Fault
 {
     Unsearched, ///< an iceberg is lost, all others are fresh, and nobody searches
-    Idle,       ///< a UAV circles beside an unseen iceberg that nobody flies to; where routes are
-                ///< kept, one that is kept for it
-    Outside,    ///< it left a fence that it could have kept
-    Late,       ///< home after its time, although there was a way; of UAVs that are kept apart:
-                ///< after the whole endurance, see `reserves`
-    LookBack,   ///< an instant of the record is not that of the flight
-    Replay,     ///< the run file does not repeat
-    Export,     ///< a format cannot be written, or holds what is no number
+    /**
+     * A UAV circles although an unseen iceberg (with kept routes: one assigned to it) has no other
+     * visitor.
+     */
+    Idle,
+    Outside, ///< it left a fence that it could have kept
+    /**
+     * It returned late although a timely path existed; with separation: after the whole endurance,
+     * see `reserves`.
+     */
+    Late,
+    LookBack, ///< an instant of the record differs from the flight
+    Replay,   ///< the run file does not repeat
+    Export,   ///< a format cannot be written, or contains an invalid number
     Thrown
 };
 inline constexpr std::array kFaultNames{"unsearched", "idle",   "outside", "late",
@@ -32,12 +38,12 @@ inline constexpr std::array kFaultNames{"unsearched", "idle",   "outside", "late
 
 struct FleetFaults
 {
-    std::array<int, kFaultNames.size()> seconds{}; ///< or times, by `Fault`
-    std::string first;                             ///< where the first one was
+    std::array<int, kFaultNames.size()> seconds{}; ///< seconds, or occurrences, by `Fault`
+    std::string first;                             ///< description of the first fault
     int losses = 0;
     int sorties = 0;
     int landings = 0;
-    int reserves = 0; ///< landings that took part of the reserve, as others were in the way
+    int reserves = 0; ///< landings that used part of the reserve because others were in the way
 
     void add(Fault fault, const std::string& where)
     {
@@ -51,7 +57,7 @@ struct FleetFaults
     }
 };
 
-/** Flies a `RandomFleet` and looks at it once a second. */
+/** Flies a `RandomFleet` and checks it once a second. */
 class FleetWatch
 {
 public:
@@ -94,10 +100,10 @@ public:
     }
 
 private:
-    /** Of so many flights one is flown again from its run file, and exported. */
+    /** One in this many flights is replayed from its run file and exported. */
     static constexpr std::int64_t kFilesOfEach = 4;
 
-    /** The planner's time, and the rounding of whole seconds. */
+    /** Planning time plus the rounding of whole seconds. */
     [[nodiscard]] double delay_s() const { return m_fleet.scenario().planningTime_s + 2; }
     [[nodiscard]] double round_s(int uav) const
     {
@@ -106,13 +112,14 @@ private:
     }
     [[nodiscard]] bool isTargeted(int iceberg) const
     {
-        return std::ranges::any_of(
-            m_mission.simulation().fleet().autopilots(), [iceberg](const Autopilot& uav) {
-                const Errand* errand = uav.errand();
-                return uav.target() == iceberg ||
-                       (errand != nullptr &&
-                        std::ranges::find(errand->members, iceberg) != errand->members.end());
-            });
+        return std::ranges::any_of(m_mission.simulation().fleet().autopilots(),
+                                   [iceberg](const Autopilot& uav) {
+                                       const FlightTarget* flightTarget = uav.flightTarget();
+                                       return uav.target() == iceberg ||
+                                              (flightTarget != nullptr &&
+                                               std::ranges::find(flightTarget->members, iceberg) !=
+                                                   flightTarget->members.end());
+                                   });
     }
 
     void intervene(const Intervention& change)
@@ -120,11 +127,11 @@ private:
         try {
             m_mission.intervene(change);
         } catch (const Error&) {
-            return; // such as an iceberg that has left
+            return; // for example, an iceberg that has left
         }
         m_isSafe = m_isSafe && !change.wind_mps;
     }
-    /** All of it. */
+    /** Returns the whole endurance, s. */
     [[nodiscard]] double endurance_s(int uav) const
     {
         const double endurance_s = m_fleet.scenario().uavs[toIndex(uav)].spec.endurance_s;
@@ -140,11 +147,14 @@ private:
         return m_fleet.scenario().separation_m > 0 && std::ranges::count_if(uavs, shares) > 1;
     }
 
-    /** Some UAV may search for it, comes home from there, and has no other search. */
+    /**
+     * Returns whether a UAV may search for the iceberg, can return from there, and has no other
+     * search.
+     */
     [[nodiscard]] bool hasSearcher(int iceberg) const
     {
         const Simulation& now = m_mission.simulation();
-        const int assigned = now.world().body(iceberg).assignedUav;
+        const int assigned = now.world().parameters(iceberg).assignedUav;
         for (int uav = 0; uav < now.uavCount(); ++uav)
             if (const Autopilot& me = now.fleet().autopilot(uav);
                 me.isPlanned() && !now.observer().searches().of(uav) &&
@@ -163,8 +173,10 @@ private:
         return false;
     }
 
-    /** A round: every other iceberg has been seen since it was given up, and a UAV has had time to
-     * fly a circle. */
+    /**
+     * Counts rounds without a search: every other iceberg was seen since the search was abandoned,
+     * and a UAV has had time to fly a circle.
+     */
     void watchLost(double time_s)
     {
         const Simulation& now = m_mission.simulation();
@@ -199,7 +211,7 @@ private:
             for (int i = 0; i < now.icebergCount() && beside < 0; ++i)
                 if (now.available(uav, i) && !isTargeted(i) &&
                     time_s - now.track(i).seen_s > round_s(uav) &&
-                    (!keepsRoute || now.world().body(i).assignedUav == uav))
+                    (!keepsRoute || now.world().parameters(i).assignedUav == uav))
                     beside = i;
             double& idle_s = m_idle_s[static_cast<std::size_t>(uav)];
             const bool isIdle =
@@ -253,10 +265,11 @@ private:
 
     const RandomFleet& m_fleet;
     Mission m_mission;
-    bool m_isSafe = true; ///< it can keep its fence and come home in time
+    bool m_isSafe = true; ///< whether it can keep its fence and return in time
     FleetFaults m_faults;
-    std::vector<double> m_since_s; ///< by iceberg: lost and unsearched; below 0: it is not
-    std::vector<double> m_idle_s;  ///< by UAV
+    /** By iceberg: start of being lost and unsearched; negative if it is not. */
+    std::vector<double> m_since_s;
+    std::vector<double> m_idle_s; ///< idle time by UAV
 };
 
 [[nodiscard]] inline FleetFaults faultsOf(std::uint64_t seed, bool isChanging = false)

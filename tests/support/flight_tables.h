@@ -6,7 +6,7 @@
 
 namespace berg::test {
 
-/** What one of the writers of tables writes of a mission. */
+/** Returns the table that one of the writers makes of a mission. */
 inline std::string written(void (*write)(const Mission&, const TextSink&), const Mission& mission)
 {
     std::string text;
@@ -14,7 +14,7 @@ inline std::string written(void (*write)(const Mission&, const TextSink&), const
     return text;
 }
 
-/** The samples of a mission as trajectory.csv has them. */
+/** Returns the samples of a mission as in trajectory.csv. */
 inline std::string trajectoryCsv(const Mission& mission)
 {
     const SampleTables tables(mission.scenario(), mission.icebergs(),

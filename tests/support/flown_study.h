@@ -4,7 +4,7 @@
 
 namespace berg::test {
 
-/** Six icebergs for 300 s: short, but with several visits. */
+/** Returns six icebergs for 300 s: short, but with several visits. */
 inline Scenario smallField(std::int64_t seed)
 {
     Scenario scenario = randomScenario(seed, {.icebergs = 6, .size_m = {3000, 2500}});
@@ -12,7 +12,7 @@ inline Scenario smallField(std::int64_t seed)
     return scenario;
 }
 
-/** The study flown with these options, as far as they let it. */
+/** Flies the study with these options as far as they allow. */
 inline Study flown(StudySpec spec, const StudyOptions& options = {})
 {
     Study study{.spec = std::move(spec)};

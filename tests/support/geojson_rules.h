@@ -102,7 +102,9 @@ inline QString geometry(const QJsonObject& object)
     return u"3.1 unknown geometry "_s + type;
 }
 
-/** As many times as positions, nested in the same way (a convention, not in the RFC). */
+/**
+ * Checks that there are as many times as positions, nested alike (a convention, not in the RFC).
+ */
 inline QString times(const QJsonObject& feature)
 {
     const QJsonObject properties = feature["properties"_L1]["coordinateProperties"_L1].toObject();
@@ -121,7 +123,10 @@ inline QString times(const QJsonObject& feature)
 
 } // namespace geojson_rules
 
-/** The first rule that the text breaks; empty when it is a FeatureCollection of RFC 7946. */
+/**
+ * Returns the first rule that the text breaks, or an empty text for a FeatureCollection of RFC
+ * 7946.
+ */
 inline QString geojsonFault(const QByteArray& text)
 {
     QJsonParseError error{};

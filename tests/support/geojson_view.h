@@ -11,7 +11,7 @@
 
 #include <vector>
 
-// GeoJSON of a scenario, and what is in it.
+// GeoJSON of a scenario, and access to its parts.
 
 namespace berg::test {
 
@@ -27,7 +27,7 @@ inline QByteArray runText(const Mission& mission)
     return bytes(geoJson(runContent(mission)));
 }
 
-/** `fourIcebergs` elsewhere. */
+/** Returns `fourIcebergs` at another place. */
 inline Scenario at(double latitude_deg, double longitude_deg)
 {
     return changed([&](Scenario& s) {

@@ -7,14 +7,15 @@
 namespace berg::test {
 
 /**
- * While it lives numbers of C++ and, where the system has German, of C are German: comma for the
- * decimals, point for the thousands.
+ * While it exists, numbers of C++ and, if the system has German, of C are German: comma for
+ * decimals, point for thousands.
  */
 class GermanNumbers
 {
 public:
     GermanNumbers()
-        : m_before(std::locale::global(std::locale(std::locale(), new Numbers))) // the locale's own
+        // Owned by the locale.
+        : m_before(std::locale::global(std::locale(std::locale(), new Numbers)))
     {
         std::setlocale(LC_ALL, "de_DE.UTF-8");
     }

@@ -19,7 +19,9 @@ inline QByteArray bytes(const std::string& text)
     return QByteArray(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/** Content of tests/data/golden/`name`; with BERG_UPDATE_GOLDEN set, `actual` becomes it. */
+/**
+ * Returns the content of tests/data/golden/`name`; with BERG_UPDATE_GOLDEN set, writes `actual`.
+ */
 inline QByteArray golden(const QString& name, const QByteArray& actual)
 {
     QFile file(QStringLiteral(BERG_TEST_DATA "/golden/") + name);
@@ -36,7 +38,7 @@ inline bool near(double a, double b, double tolerance)
 }
 
 /**
- * Path of the first difference between two JSON values, empty when there is none. Numbers may
+ * Returns the path of the first difference between two JSON values, or an empty text. Numbers may
  * differ by `tolerance`, absolute below 1 and relative above.
  */
 inline QString difference(const QJsonValue& a, const QJsonValue& b, double tolerance,
@@ -78,8 +80,8 @@ inline QString difference(const QJsonValue& a, const QJsonValue& b, double toler
 }
 
 /**
- * First difference between two texts of lines and fields split by `separator`; fields that are
- * numbers may differ by `tolerance`.
+ * Returns the first difference between two texts of lines and fields split by `separator`; fields
+ * that are numbers may differ by `tolerance`.
  */
 inline QString tableDifference(const QByteArray& a, const QByteArray& b, char separator,
                                double tolerance)

@@ -8,12 +8,12 @@
 
 namespace berg::test {
 
-/** What makes a problem awkward for a proof. */
+/** Properties that make a problem hard to prove. */
 enum class Oddity
 {
     None,
     RealSigmas,  ///< not integers
-    ZeroSigmas,  ///< about a third of them
+    ZeroSigmas,  ///< about a third are 0
     EqualSigmas, ///< ties
     Coincident,  ///< pairs of icebergs in one place
     Grid         ///< few different distances: ties
@@ -23,7 +23,7 @@ inline constexpr std::array kOddities{Oddity::None,        Oddity::RealSigmas, O
                                       Oddity::EqualSigmas, Oddity::Coincident, Oddity::Grid};
 inline constexpr std::array kTaus{0.0, 0.25, 0.5, 1.0, 3.0, 10.0};
 
-/** `problem` with the oddity; deterministic from the seed. */
+/** Returns the problem with the oddity; deterministic from the seed. */
 inline TvpProblem madeOdd(TvpProblem problem, Oddity oddity, std::uint64_t seed)
 {
     Random random(seed, 78);
@@ -60,7 +60,7 @@ inline TvpProblem madeOdd(TvpProblem problem, Oddity oddity, std::uint64_t seed)
     return problem;
 }
 
-/** The variants of a size: numbers 0, 1, 2, ... go through tau, route, wind and oddity. */
+/** Returns the variants of a size: numbers 0, 1, 2, … go through tau, route, wind and oddity. */
 inline TvpProblem variedProblem(int icebergs, int number)
 {
     const auto seed = static_cast<std::uint64_t>(1000 * icebergs + number);
@@ -71,7 +71,7 @@ inline TvpProblem variedProblem(int icebergs, int number)
     return madeOdd(randomProblem(seed, icebergs, tau, route, asymmetric), oddity, seed);
 }
 
-/** The same variants for latency, which knows no tau: mu is 1 / airspeed. */
+/** Returns the same variants for latency, which has no tau: mu is 1 / airspeed. */
 inline TvpProblem variedLatencyProblem(int icebergs, int number)
 {
     TvpProblem problem = variedProblem(icebergs, number);

@@ -13,10 +13,9 @@
 namespace berg::test {
 
 /**
- * Flights better than any UAVs': points that turn on the spot, may hover, know where the
- * icebergs truly are, and have their cameras at the best heading for each iceberg at the same time.
- * Searches flights of low zeta or of low sigma at the end, and keeps the lowest sum of sigma any of
- * them had at each step.
+ * Flights better than those of any UAV: points that turn on the spot, may hover, know the true
+ * positions, and have their cameras at the best heading for each iceberg at once. Searches flights
+ * of low zeta or of low final sigma, and records the lowest sum of sigma at each step.
  */
 class IdealFlights
 {
@@ -41,7 +40,7 @@ public:
         }
     }
 
-    /** Simulated annealing from random flights; returns the lowest zeta of all flown. */
+    /** Runs simulated annealing from random flights; returns the lowest zeta of all flown. */
     double search(std::uint64_t seed, int flights, bool forLastSigma)
     {
         Random random(seed);
@@ -61,17 +60,17 @@ public:
         return m_lowestZeta_m2s;
     }
 
-    /** By step, over all flights so far. */
+    /** Lowest sum of sigma by step, over all flights so far. */
     [[nodiscard]] const std::vector<double>& lowestSigma_m2() const { return m_lowestSigma_m2; }
 
 private:
-    /** To this place beside an iceberg, drifting with it. */
+    /** A place beside an iceberg, drifting with it. */
     struct Aim
     {
         std::size_t iceberg = 0;
         Point offset_m = Point::Zero();
     };
-    using Aims = std::vector<Aim>;  // flown in turn, again and again
+    using Aims = std::vector<Aim>;  // flown in turn, repeatedly
     using Plan = std::vector<Aims>; // by UAV
 
     struct Flown
@@ -169,7 +168,9 @@ private:
         return result;
     }
 
-    /** (22)-(23) at step k; the sum over the icebergs that have appeared. */
+    /**
+     * Updates sigma by (22)-(23) at step k; returns the sum over the icebergs that have appeared.
+     */
     double observe(std::size_t k, const std::vector<Point>& uavs_m,
                    std::vector<double>& sigma_m2) const
     {
@@ -190,7 +191,7 @@ private:
 
     const Scenario& m_scenario;
     std::size_t m_steps;
-    std::vector<std::vector<Point>> m_truth_m; ///< by iceberg, step
+    std::vector<std::vector<Point>> m_truth_m; ///< by iceberg and step
     std::vector<double> m_lowestSigma_m2;
     double m_lowestZeta_m2s = 1e300;
 };

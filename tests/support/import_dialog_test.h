@@ -22,7 +22,7 @@ inline QString fixturePath(const char* file)
     return QStringLiteral(BERG_TEST_DATA "/import/") + QString::fromLatin1(file);
 }
 
-/** The dialog by itself, on a runner of its own. */
+/** The dialog alone, with its own runner. */
 class Importing
 {
 public:
@@ -61,7 +61,7 @@ public:
     }
     [[nodiscard]] QString error() { return at<QLabel>(QStringLiteral("importError")).text(); }
     [[nodiscard]] QString summary() { return at<QLabel>(QStringLiteral("importSummary")).text(); }
-    /** As the user does, who also tells the dialog. */
+    /** Chooses an entry as the user does, which also notifies the dialog. */
     void choose(const QString& combo, int index)
     {
         auto& box = at<QComboBox>(combo);
@@ -75,7 +75,7 @@ public:
         enter(at<QLineEdit>(name), QString::fromLatin1(text));
     }
 
-    /** Opens a list; Escape then closes it, and not the dialog. */
+    /** Opens a list; Escape then closes the list and not the dialog. */
     [[nodiscard]] bool escapeClosesListAlone(const QString& combo)
     {
         auto& box = at<QComboBox>(combo);
@@ -101,7 +101,7 @@ inline QString written(const QString& path, const QByteArray& content)
     return path;
 }
 
-/** What the file itself says comes out, without a dialog. */
+/** Returns the result of importing the file without a dialog. */
 inline ImportResult direct(const char* file, const Scenario& base,
                            const ImportOptions& options = {})
 {

@@ -20,7 +20,7 @@ inline Scenario threeIcebergs()
     return scenario;
 }
 
-/** The inspector of a document, as wide as its dock. */
+/** The Inspector of a document, as wide as its dock. */
 struct InspectorFixture
 {
     ScenarioDocument document;

@@ -7,7 +7,10 @@
 
 namespace berg::test {
 
-/** A picture of `icebergs` in 5 km x 4 km with a flown track and a plan over all of them. */
+/**
+ * Returns a map picture of `icebergs` in 5 km x 4 km with a flown track and a plan over all of
+ * them.
+ */
 inline MapPicture randomPicture(int icebergs, std::uint64_t seed = 1)
 {
     using namespace Qt::StringLiterals;

@@ -9,7 +9,7 @@
 
 namespace berg::test {
 
-/** A shown map of 1000 x 700 pixels with four icebergs well apart, and what it works on. */
+/** A visible map of 1000 x 700 pixels with four icebergs far apart, and its document. */
 struct MapFixture
 {
     ScenarioDocument document;
@@ -34,7 +34,7 @@ struct MapFixture
         addIceberg(scenario, 3500, 3000).velocity_mps = {-0.1, 0.3};
         return scenario;
     }
-    /** The same, soon flown to its end. */
+    /** Returns the scenario with a short duration. */
     static Scenario shortRun()
     {
         Scenario scenario = fourIcebergs();
@@ -42,7 +42,7 @@ struct MapFixture
         return scenario;
     }
 
-    /** What an owner adds to the scenario, without the title panel. */
+    /** Returns the picture of the scenario without the title panel. */
     [[nodiscard]] static MapPicture plainPicture()
     {
         MapPicture picture;
@@ -74,7 +74,7 @@ struct MapFixture
     {
         QTest::mouseClick(&view, Qt::LeftButton, keys, at);
     }
-    /** Press, two moves, and the release when asked for. */
+    /** Presses, moves twice, and releases if `letGo`. */
     void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {},
               bool letGo = true)
     {

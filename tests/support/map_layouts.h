@@ -18,7 +18,7 @@ inline MapLayout layoutOf(const MapPicture& picture, const QSize& size)
                       QRectF(QPointF(0, 0), QSizeF(size)));
 }
 
-/** Of legs that are straight. */
+/** Returns straight legs as lines. */
 inline std::vector<QLineF> linesOf(const std::vector<QPolygonF>& legs)
 {
     std::vector<QLineF> lines;
@@ -27,7 +27,7 @@ inline std::vector<QLineF> linesOf(const std::vector<QPolygonF>& legs)
     return lines;
 }
 
-/** From the UAV a quarter circle and a line, then another line. */
+/** Returns two paths: from the UAV a quarter circle and a line, then another line. */
 inline std::vector<MapPath> twoWays(const Point& from_m)
 {
     MapPath first{.path_m = {from_m}, .aim_m = from_m + Point(1500, 2500)};

@@ -8,7 +8,7 @@
 
 namespace berg::test {
 
-/** Objective of a solution, one value per column, offset included. */
+/** Returns the objective of a solution, one value per column, offset included. */
 inline double objectiveValue(const MilpModel& model, std::span<const double> solution)
 {
     double value = model.objectiveOffset;
@@ -17,7 +17,9 @@ inline double objectiveValue(const MilpModel& model, std::span<const double> sol
     return value;
 }
 
-/** Largest violation of a bound, of a row or of the integrality of a column; 0: feasible. */
+/**
+ * Returns the largest violation of a bound, a row or the integrality of a column; 0 if feasible.
+ */
 inline double violation(const MilpModel& model, std::span<const double> solution)
 {
     double worst = 0;

@@ -23,7 +23,7 @@ inline Scenario fourIcebergs()
     scenario.duration_s = 400;
     scenario.seed = 7;
     scenario.current_mps = Point(0.1, 0);
-    // Clockwise on purpose.
+    // clockwise on purpose
     scenario.area_m = {Point(-1000, -500), Point(-1000, 4000), Point(5000, 4500),
                        Point(5500, -500)};
     scenario.planner.policy = PolicyKind::Nearest;
@@ -57,7 +57,7 @@ inline Scenario changed(const std::function<void(Scenario&)>& change)
     return scenario;
 }
 
-/** Two UAVs that differ in everything, an asset under way, a fence. */
+/** Two UAVs that differ in everything, a moving asset, a fence. */
 inline Scenario twoUavsAndAsset()
 {
     return changed([](Scenario& s) {
@@ -79,11 +79,11 @@ inline Scenario twoUavsAndAsset()
                         .range_m = 4500,
                         .extraJson = {}};
         s.geofence = true;
-        s.planner.policy = PolicyKind::Visitation; // which has something to do for each of them
+        s.planner.policy = PolicyKind::Visitation; // this policy gives each of them something to do
     });
 }
 
-/** An answer of the planner that holds nothing but an order. */
+/** Returns an answer of the planner with an order only. */
 inline PlanAnswer planOf(std::vector<int> order)
 {
     PlanAnswer plan;
@@ -91,19 +91,19 @@ inline PlanAnswer planOf(std::vector<int> order)
     return plan;
 }
 
-/** The order in which the golden files visit `fourIcebergs`. */
+/** Returns the order in which the golden files visit `fourIcebergs`. */
 inline PlanAnswer fourIcebergPlan()
 {
     return planOf({0, 3, 1, 2});
 }
 
-/** Of the only UAV. */
+/** Returns the visits of the only UAV. */
 inline std::vector<Visit> plannedVisits(const Scenario& scenario, const PlanAnswer& plan)
 {
     return berg::plannedVisits(scenario, plan.uavs.at(0).order, plan.clusters);
 }
 
-/** What is exported of a plan. The scenario may go. */
+/** Returns the export content of a plan. It does not refer to the scenario. */
 inline ExportContent planContent(const Scenario& scenario,
                                  const PlanAnswer& plan = fourIcebergPlan(),
                                  const ExportOptions& options = {})
@@ -111,7 +111,7 @@ inline ExportContent planContent(const Scenario& scenario,
     return exportContent({.scenario = scenario, .plan = plan}, options);
 }
 
-/** What is exported of a run, which must stay. */
+/** Returns the export content of a run, which must outlive it. */
 inline ExportContent runContent(const Mission& mission, const ExportOptions& options = {})
 {
     const PlanAnswer plan;
@@ -119,7 +119,7 @@ inline ExportContent runContent(const Mission& mission, const ExportOptions& opt
                          options);
 }
 
-/** The mission flown until `until_s`, or to its end. */
+/** Flies the mission until `until_s`, or to its end. */
 inline Mission flown(const Scenario& scenario, double until_s = 1e9)
 {
     Mission mission(scenario);

@@ -23,9 +23,9 @@
 namespace berg::test {
 
 /**
- * A user without any plan, by whom everything is done in pieces: between a press and its release
- * there may be keys, a take-off, or an undo. What is done depends on the seed and the number of the
- * action; where, on what is on screen then.
+ * A user without any plan, whose actions come in pieces: between a press and its release there may
+ * be keys, a take-off, or an undo. The actions depend on the seed and their number; their places on
+ * the present screen.
  */
 class Monkey
 {
@@ -60,7 +60,7 @@ public:
                                           Kind{2, "dock", &Monkey::raiseDock},
                                           Kind{1, "drop", &Monkey::dropFile},
                                           Kind{5, "wait", &Monkey::wait}};
-        QTest::qWait(0); // what the last one has posted, e.g. to make another window
+        QTest::qWait(0); // handles events posted by the last action, e.g. for another window
         m_random = Random(m_seed, static_cast<std::uint64_t>(number));
         w.window().findChild<QAction*>(u"quitAction"_s)->setEnabled(false);
         const Kind& kind = m_isPressed ? any<Kind>(kPressed) : any<Kind>(kFree);
@@ -71,7 +71,7 @@ public:
             m_isPressed = false;
     }
 
-    /** Nothing is held down, open or half drawn any more. */
+    /** Releases, closes and finishes everything. */
     void rest()
     {
         m_hand.begin(w.window(), m_random.bits());
@@ -131,7 +131,7 @@ private:
                    ? nullptr
                    : shown[static_cast<qsizetype>(below(static_cast<std::uint64_t>(shown.size())))];
     }
-    /** A window on screen: mostly the main one, else one of the docks that float. */
+    /** Returns a visible window: usually the main one, else a floating dock. */
     [[nodiscard]] QWidget& top()
     {
         if (chance(80))
@@ -147,9 +147,9 @@ private:
     }
     void log(const QString& line) { m_log.write((line + u'\n').toUtf8()); }
 
-    // Where
+    // Places.
 
-    /** Pixels of the map at which there is something to be had hold of. */
+    /** Returns pixels of the map with something to grab. */
     [[nodiscard]] std::vector<QPointF> spots()
     {
         std::vector<Point> spots_m;
@@ -173,7 +173,7 @@ private:
                 spots.push_back(at);
         return spots;
     }
-    /** Of the map, in pixels of the window. */
+    /** Returns a place on the map, in pixels of the window. */
     [[nodiscard]] QPoint place()
     {
         const std::vector<QPointF> known = spots();
@@ -198,7 +198,7 @@ private:
     }
     [[nodiscard]] QWindow* mainHandle() { return w.window().windowHandle(); }
 
-    // Mouse
+    // Mouse.
 
     void pressAt(QWindow* window, const QPoint& at)
     {
@@ -278,7 +278,7 @@ private:
         key(Qt::Key_Return);
     }
 
-    // Keys
+    // Keys.
 
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
     {
@@ -287,7 +287,7 @@ private:
             window = mainHandle();
         const char letter = modifiers == Qt::NoModifier ? QTest::keyToAscii(key) : '\0';
         const QString text = letter == '\0' ? QString() : QString(QLatin1Char(letter));
-        // Not `keyClick`, which presses modifiers on a window that may be gone by then.
+        // Unlike `keyClick`, this does not press modifiers on a window that may be gone by then.
         for (const bool isPress : {true, false})
             if (window != nullptr)
                 QTest::simulateEvent(window, isPress, key, modifiers, text, false);
@@ -298,7 +298,7 @@ private:
         log(u"  "_s + QKeySequence(keys.key | keys.modifiers).toString());
         key(keys.key, keys.modifiers);
     }
-    /** What interferes with what is under way. */
+    /** Presses a key that interferes with the current drag. */
     void pressKeyInDrag()
     {
         static constexpr std::array kKeys{Keys{8, Qt::Key_Z, Qt::ControlModifier},
@@ -375,7 +375,7 @@ private:
         pressAny(kKeys);
     }
 
-    // Fields, actions, files
+    // Fields, actions, files.
 
     void write()
     {
@@ -462,7 +462,7 @@ private:
     Hand m_hand;
     bool m_isPressed = false;
     QPointer<QWindow> m_pressedOn;
-    QPoint m_pressedAt; ///< pixels of that window
+    QPoint m_pressedAt; ///< in pixels of that window
 };
 
 } // namespace berg::test

@@ -13,8 +13,8 @@
 namespace berg::test {
 
 /**
- * While one lives, what is modal is used at random and then closed; a menu or a drag between
- * widgets, in whose event loop the caller is stuck, is ended.
+ * While it exists, it uses modal windows at random and closes them, and ends menus and drags
+ * between widgets, whose event loops block the caller.
  */
 class Hand
 {
@@ -25,7 +25,7 @@ public:
         lookAgain();
     }
 
-    /** Something is done to this window from now on. */
+    /** Begins acting on this window. */
     void begin(QWidget& window, std::uint64_t seed)
     {
         m_window = &window;
@@ -34,7 +34,7 @@ public:
         m_clock.restart();
     }
 
-    /** The button that was down is not any more. */
+    /** Returns whether the pressed button has been released. */
     [[nodiscard]] bool hasLetGo() const { return m_hasLetGo; }
 
 private:
@@ -43,7 +43,9 @@ private:
     static constexpr int kStuck_ms = 3000;
     static constexpr int kPatience = 60; ///< turns until a dialog is simply closed
 
-    /** A timer each time: one that repeats is silent in the event loop of a dialog that it opened.
+    /**
+     * Uses a new timer each time: a repeating one does not fire in the event loop of a dialog that
+     * it opened.
      */
     void lookAgain()
     {
@@ -64,7 +66,7 @@ private:
             return;
         }
         if (front == m_usedNow)
-            return; // in the middle of it already
+            return; // already acting
         const QPointer<QWidget> before = m_usedNow;
         m_usedNow = front;
         if (auto* menu = qobject_cast<QMenu*>(front))
@@ -126,7 +128,7 @@ private:
 
     QPointer<QWidget> m_window;
     Random m_random{0};
-    QObject m_alive; ///< ends the looking with this
+    QObject m_alive; ///< ends the checks with this object
     QElapsedTimer m_clock;
     QPointer<QWidget> m_usedNow;
     QPointer<QWidget> m_last;

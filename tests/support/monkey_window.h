@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/dialogs/interaction.h"
-#include "app/window/window_holder.h"
+#include "app/window/main_window_host.h"
 #include "core/base/random.h"
 #include "core/base/solving_guard.h"
 #include "core/io/files/run_json.h"
@@ -24,7 +24,7 @@ namespace berg::test {
 
 using namespace Qt::StringLiterals;
 
-/** The real dialogs, but those for files: whoever chose in those could write anywhere. */
+/** The real dialogs except those for files, in which random choices could overwrite any file. */
 class MonkeyInteraction final : public DialogInteraction
 {
 public:
@@ -35,7 +35,7 @@ public:
 
     [[nodiscard]] QString openPath(QWidget*, const QString&) override
     {
-        QTest::qWait(static_cast<int>(m_random.below(20))); // as long as the dialog stands
+        QTest::qWait(static_cast<int>(m_random.below(20))); // as long as the dialog is open
         return m_random.below(4) == 0 ? QString() : anyFile();
     }
     [[nodiscard]] QString savePath(QWidget*, const QString&, const QString&) override
@@ -45,7 +45,7 @@ public:
             return {};
         return QDir(m_folder).filePath(u"saved-%1"_s.arg(m_random.below(3)));
     }
-    /** A file to open, be it one that cannot be. */
+    /** Returns a file to open, sometimes one that cannot be opened. */
     [[nodiscard]] QString anyFile()
     {
         const QDir folder(m_folder);
@@ -59,7 +59,7 @@ private:
     Random m_random;
 };
 
-/** The real window with real dialogs, and a folder of files of every kind. */
+/** The real window with real dialogs, and a folder with files of every type. */
 class MonkeyWindow
 {
 public:
@@ -73,7 +73,7 @@ public:
         workspace.autosaver().start(folder.filePath(u"recovery"_s),
                                     {.pause_ms = 50, .longest_ms = 200});
         workspace.document().reset(scenario);
-        m_holder = std::make_unique<WindowHolder>(workspace, interaction, settings);
+        m_holder = std::make_unique<MainWindowHost>(workspace, interaction, settings);
         window().resize(1280, 800);
         window().show();
         window().activateWindow();
@@ -86,13 +86,13 @@ public:
     MonkeyInteraction interaction;
     Workspace workspace;
 
-    /** Another one after each change of language or units. */
+    /** Returns the window, which is another one after each change of language or units. */
     [[nodiscard]] MainWindow& window() { return m_holder->window(); }
     [[nodiscard]] MapView& map() { return window().mapView(); }
     [[nodiscard]] ScenarioDocument& document() { return workspace.document(); }
     [[nodiscard]] const Scenario& scenario() { return workspace.document().scenario(); }
 
-    /** The mission shown is that of the newest command, and is not being planned. */
+    /** Waits until the mission of the newest command is shown and planned. */
     [[nodiscard]] bool untilAnswered(int patience_ms)
     {
         return QTest::qWaitFor(
@@ -123,7 +123,7 @@ private:
         const auto native = [&](const QString& name) { return to.filePath(name).toStdString(); };
         saveScenario(scenario, native(u"start.berg"_s));
         std::async(std::launch::async,
-                   [&] { // not on the thread of the window
+                   [&] { // on another thread than the window's
                        Mission mission(quickScenario());
                        mission.advance(60);
                        saveRun(runOf(mission), native(u"flown.bergrun"_s));
@@ -134,8 +134,8 @@ private:
             .get();
     }
 
-    std::unique_ptr<WindowHolder> m_holder;
-    ForbidSolving m_guard;
+    std::unique_ptr<MainWindowHost> m_holder;
+    NoBlockingScope m_guard;
 };
 
 } // namespace berg::test

@@ -11,11 +11,11 @@
 
 namespace berg::test {
 
-// Problems that are legal and that no mission would pose: ties, places and sigmas that agree to the
-// last digits, zeros, scales from 1e-12 to 1e9. What a proof says of them must be true all the
-// same. The same from the same seed.
+// Problems that are legal but that no mission would pose: ties, places and sigmas that agree to the
+// last digits, zeros, scales from 1e-12 to 1e9. Proofs about them must still be true. Deterministic
+// from the seed.
 
-/** Draws what is nasty, one thing at a time. */
+/** Draws one nasty property at a time. */
 class NastyDraw
 {
 public:
@@ -36,7 +36,10 @@ public:
         return kScales[static_cast<std::size_t>(below(static_cast<int>(kScales.size())))];
     }
 
-    /** The first `starts` rows are those of UAVs, which share the columns after them. */
+    /**
+     * Returns distances; the first `starts` rows are those of UAVs, which share the columns after
+     * them.
+     */
     [[nodiscard]] Eigen::MatrixXd distances_m(int places)
     {
         Eigen::MatrixXd d_m = layout(places);
@@ -64,7 +67,7 @@ public:
         return sigma_m2;
     }
 
-    /** Weight that makes both terms of Eq. (1) count, or only one of them, or nothing. */
+    /** Returns a weight that makes both terms of Eq. (1) count, or only one of them, or none. */
     [[nodiscard]] double mu(const Eigen::MatrixXd& distance_m, const std::vector<double>& sigma_m2)
     {
         constexpr std::array kTradeOffs{1e-9, 0.1, 0.5, 1.0, 3.0, 10.0, 1e3};
@@ -94,7 +97,7 @@ private:
     [[nodiscard]] double sigma(int kind, double spread, int number)
     {
         switch (kind) {
-        case 0: // few values: ties
+        case 0: // few values give ties
             return 1 + below(10);
         case 1:
             return 5;
@@ -124,7 +127,8 @@ private:
             points_m.row(i) = place(kind, static_cast<int>(i));
         for (Eigen::Index i = 0; i < places; ++i)
             for (Eigen::Index j = 0; j < places; ++j)
-                d_m(i, j) = kind == 1   ? m_random.uniform(0, 5000) // no triangle inequality
+                // Violates the triangle inequality.
+                d_m(i, j) = kind == 1   ? m_random.uniform(0, 5000)
                             : kind == 2 ? magnitude(-12, 9)
                                         : (points_m.row(i) - points_m.row(j)).norm();
         return d_m;
@@ -136,7 +140,7 @@ private:
             return {500.0 * below(4), 500.0 * below(4)};
         case 4:
             return {100.0 * number, 0};
-        case 5: // a few places, the icebergs of each apart by rounding or not at all
+        case 5: // a few places with icebergs that differ by rounding or not at all
             return {1000.0 * below(3) + (oneIn(2) ? 1e-9 : 0) * m_random.uniform(), 0};
         case 6: // two clusters
             return {(oneIn(2) ? 4000 : 0) + 1e-3 * m_random.uniform(), m_random.uniform(0, 1e-3)};
@@ -160,7 +164,7 @@ private:
     return problem;
 }
 
-/** UAVs of one start, unlike UAVs, icebergs that only some may visit. */
+/** Returns UAVs with one start, differing UAVs, or icebergs that only some may visit. */
 [[nodiscard]] inline FleetProblem nastyFleet(std::uint64_t seed, int uavs, int icebergs,
                                              Criterion criterion)
 {

@@ -6,7 +6,7 @@
 
 namespace berg::test {
 
-/** The icebergs as they are numbered. */
+/** Returns the icebergs in the order of their numbers. */
 inline VisitOrder ascending(int icebergs)
 {
     VisitOrder order(static_cast<std::size_t>(icebergs));

@@ -2,8 +2,8 @@
 
 #include "core/base/angles.h"
 #include "core/base/random.h"
-#include "core/scenario/advice.h"
 #include "core/scenario/presets.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/scenario/validate.h"
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 namespace berg::test {
 
 /**
- * Two to five UAVs that share pads: they start on one or fly off near it, at once, and have to land
- * on it; wind, fences, no-fly areas, altitude layers and endurances, equal or nearly so, drawn at
+ * Two to five UAVs that share pads: they start on a pad or near it at the same time, and must land
+ * on it; wind, fences, no-fly areas, altitude layers and equal or similar endurances are drawn at
  * random.
  */
 class PadFleet
@@ -53,7 +53,7 @@ private:
         const Uav first = m_scenario.uavs.front();
         m_scenario.uavs.clear();
         const auto count = 2 + m_random.below(4);
-        // Of each pad and layer there are two at least.
+        // at least two UAVs of each pad and layer
         const std::uint64_t pads = count >= 4 && oneIn(3) ? 2 : 1;
         const std::uint64_t layers = count >= 4 && pads == 1 && oneIn(3) ? 2 : 1;
         const bool isAlike = !oneIn(3);
@@ -75,7 +75,7 @@ private:
             uav.home_m = pad_m + Point(1500.0 * static_cast<double>(i % pads), 0);
             uav.position_m = *uav.home_m;
             uav.heading_deg = isAlike ? 20 : m_random.uniform(0, 360);
-            if (!isOnPad) { // aloft near it, on their way from it
+            if (!isOnPad) { // aloft near the pad and leaving it
                 const double away_rad = m_random.uniform(-kPi, kPi);
                 uav.position_m +=
                     m_random.uniform(0, 400) * Point(std::cos(away_rad), std::sin(away_rad));
@@ -97,7 +97,7 @@ private:
         m_scenario.area_m.push_back({-beyond_m, size_m + beyond_m});
     }
 
-    /** Clear of the pads. */
+    /** Draws areas clear of the pads. */
     void drawAreas(double size_m)
     {
         const auto count = 1 + m_random.below(4);
@@ -124,7 +124,7 @@ private:
     Scenario m_scenario;
 };
 
-/** The fleet of the seed, if it can be flown at all: no errors, each UAV has paths home. */
+/** Returns the fleet of the seed if it can be flown: no errors, and paths home for each UAV. */
 [[nodiscard]] inline std::optional<Scenario> flyablePadFleet(std::int64_t seed)
 {
     Scenario scenario = PadFleet(seed).scenario();
@@ -138,7 +138,7 @@ private:
     return scenario;
 }
 
-/** Whether `validate` warns of UAVs that get into each other's way. */
+/** Returns whether `validate` warns of UAVs that get into each other's way. */
 [[nodiscard]] inline bool isWarnedOfCrowd(const Scenario& scenario)
 {
     constexpr std::array kCrowds{IssueId::SameLayer, IssueId::CrowdedReturn, IssueId::RecoverySlot};

@@ -9,13 +9,15 @@
 
 namespace berg::test {
 
-/** A warning of Qt fails the test, except those about what the offscreen platform lacks. */
+/** Makes warnings of Qt fail the test, except those about features missing offscreen. */
 inline void failOnWarnings()
 {
     QTest::failOnWarning(QRegularExpression(QStringLiteral("^(?!This plugin does not support )")));
 }
 
-/** The child of that object name and type; a missing one ends the program with its name. */
+/**
+ * Returns the child of that object name and type; if it is missing, the program ends with its name.
+ */
 template <class Widget>
 Widget& child(const QWidget& parent, const QString& name)
 {
@@ -25,7 +27,7 @@ Widget& child(const QWidget& parent, const QString& name)
     return *found;
 }
 
-/** Makes every text longer, as translations may be. */
+/** Lengthens every text, as translations may. */
 class LongerTexts final : public QTranslator
 {
 public:
@@ -50,7 +52,7 @@ private:
     int m_percent;
 };
 
-/** Drift and wind as components, or whatever else, until the end of the scope. */
+/** Sets the units until the end of the scope. */
 struct UnitsInUse
 {
     explicit UnitsInUse(const Units& units) { setShownUnits(units); }
@@ -61,7 +63,7 @@ struct UnitsInUse
 
 inline constexpr Units kComponents{.vectors = VectorForm::Components};
 
-/** Types over what an input holds and presses Return. */
+/** Replaces the text of an input by typing and presses Return. */
 inline void enter(QWidget& input, const QString& text)
 {
     input.setFocus();
@@ -70,6 +72,6 @@ inline void enter(QWidget& input, const QString& text)
     QTest::keyClick(&input, Qt::Key_Return);
 }
 
-inline constexpr int kDock_px = 300; ///< narrowest dock the panels are made for
+inline constexpr int kDock_px = 300; // narrowest dock that the panels are made for
 
 } // namespace berg::test

@@ -2,7 +2,7 @@
 
 namespace berg::test {
 
-/** Against a slow machine and sanitizers; nothing is measured. */
+/** Timeout for slow machines and sanitizers; nothing is measured. */
 inline constexpr int kPatience_ms = 240'000;
 
 } // namespace berg::test

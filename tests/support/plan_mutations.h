@@ -6,8 +6,8 @@
 
 #include <functional>
 
-// The ways in which `.plan` files of other programs are usually rejected, each with the rules of
-// plan_rules.h that must notice ("reader: rule").
+// Common reasons for which readers reject `.plan` files of other programs, each with the rules of
+// plan_rules.h that must detect it ("reader: rule").
 
 namespace berg::test {
 
@@ -47,7 +47,7 @@ inline void editFencePolygon(QJsonObject& root, const std::function<void(QJsonOb
     root["geoFence"_L1] = fence;
 }
 
-/** One way in which files of other programs are rejected, and by which rules. */
+/** One such fault, and the rules that detect it. */
 struct Mutation
 {
     const char* name;

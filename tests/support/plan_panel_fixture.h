@@ -8,7 +8,7 @@
 #include <QSignalSpy>
 #include <QTableView>
 
-// The plan panel with plans of its tests.
+// The plan panel with test plans.
 
 namespace berg::test {
 
@@ -26,7 +26,7 @@ inline std::vector<PlanRow> rowsOf(const std::vector<std::string>& ids)
     return rows;
 }
 
-/** The plan of the only UAV. */
+/** Returns the plan of a single UAV. */
 inline std::vector<PlanSection> planOf(std::vector<PlanRow> rows, bool isPlanned = true)
 {
     return {{.uav = "uav-1", .name = {}, .isPlanned = isPlanned, .rows = std::move(rows)}};
@@ -37,7 +37,7 @@ inline std::vector<PlanSection> visiting(const std::vector<std::string>& ids)
     return planOf(rowsOf(ids));
 }
 
-/** a and b of uav-1, c of uav-2, for which it is kept. */
+/** Returns a and b of uav-1, and c, which is assigned to uav-2. */
 inline std::vector<PlanSection> twoUavSections()
 {
     std::vector<PlanRow> kept = rowsOf({"c"});
@@ -54,7 +54,10 @@ inline std::vector<std::string> manyIds()
     return ids;
 }
 
-/** UAV at (0, 0); icebergs estimated at (300, 400) and, drifting, (300, 1000) at time 100. */
+/**
+ * The UAV is at (0, 0), the icebergs are estimated at (300, 400) and, drifting, (300, 1000) at time
+ * 100.
+ */
 inline MissionSnapshot twoIcebergs(const Scenario& scenario)
 {
     MissionSnapshot now;
@@ -78,7 +81,7 @@ inline MissionSnapshot twoIcebergs(const Scenario& scenario)
     return now;
 }
 
-/** Its icebergs where they are, without drift. */
+/** Returns the snapshot with its icebergs at their places, without drift. */
 inline MissionSnapshot standing(MissionSnapshot now)
 {
     for (Track& track : now.world.tracks) {

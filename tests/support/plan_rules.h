@@ -12,7 +12,7 @@
 // Rules of the readers of `.plan` files, taken from their sources: QGroundControl
 // (PlanMasterController, MissionController, SimpleMissionItem, GeoFenceController,
 // RallyPointController), MAVSDK (mission_import.cpp), Mission Planner (MissionFile.cs). Each rule
-// is one check that says what is wrong, nothing when all is well.
+// is one check that returns the fault, or an empty text.
 
 namespace berg::test {
 
@@ -52,7 +52,7 @@ inline QJsonArray items(const PlanText& plan)
     return mission(plan)["items"_L1].toArray();
 }
 
-/** First fault that `check(item)` finds. */
+/** Returns the first fault that `check(item)` finds. */
 template <class Check>
 QString eachItem(const PlanText& plan, const Check& check)
 {

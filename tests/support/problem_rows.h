@@ -20,7 +20,7 @@ inline void addProblemRows()
                     << tau << closed << asymmetric;
 }
 
-/** The random problem of the present row. */
+/** Returns the random problem of the present row. */
 inline TvpProblem fetchedProblem(std::uint64_t seed, int icebergs)
 {
     QFETCH(double, tau);

@@ -10,13 +10,13 @@
 
 namespace berg::test {
 
-/** Somebody who edits a scenario in every way there is, with mouse and keys on the map. */
+/** Edits a scenario on the map in every possible manner, with mouse and keys. */
 class RandomEdits
 {
 public:
     RandomEdits(MapFixture& map, std::uint64_t seed) : m_map(map), m_random(seed, 17) {}
 
-    /** One edit, or an attempt at one; what it was. */
+    /** Makes or attempts one edit; returns its name. */
     QString edit()
     {
         struct Kind
@@ -50,7 +50,7 @@ public:
         return name;
     }
 
-    /** Kinds that never changed anything, except those that should not. */
+    /** Returns the names of edits that never changed anything, except those that should not. */
     [[nodiscard]] QStringList kindsMissing() const
     {
         QSet<QString> missing = m_all - m_changed;
@@ -135,7 +135,7 @@ private:
             m_map.view.edits().cutSelected();
             return;
         }
-        m_map.view.edits().copySelected(); // or what was cut before
+        m_map.view.edits().copySelected(); // or the icebergs cut before
         if (m_map.scenario().icebergs.size() < kMostIcebergs)
             m_map.view.edits().pasteAt(m_map.view.toWorld(anywhere()));
     }
@@ -227,7 +227,7 @@ private:
         take(MapToolKind::Uav);
         m_map.drag(anywhere(), anywhere());
     }
-    /** As in a field: each letter an edit of one gesture. */
+    /** Edits as by typing in a field: each letter is an edit of one gesture. */
     void type()
     {
         for (std::uint64_t n = 1 + m_random.below(4); n > 0; --n)
@@ -235,7 +235,7 @@ private:
                 QStringLiteral("Name"), [](Scenario& s) { s.name += "x"; }, QStringLiteral("name"));
         m_map.document.endGesture();
     }
-    /** Drags that come to nothing. */
+    /** Makes drags that are cancelled. */
     void takeBack()
     {
         take(MapToolKind::Select);

@@ -13,14 +13,17 @@
 namespace berg::test {
 
 /**
- * A flight with anything that may meet: one to four UAVs, with and without endurance, wind, fence,
- * either observer with what makes it lose icebergs, icebergs that appear, are assigned or have
- * drifted unlike what is known of them, every policy, and something that changes in flight.
+ * A flight with any combination of features: one to four UAVs, with and without endurance, wind,
+ * fence, either observer with causes for lost icebergs, icebergs that appear, are assigned or have
+ * unexpected drift, every policy, and changes in flight.
  */
 class RandomFleet
 {
 public:
-    /** Of the same number, measured icebergs whose velocities change, and several UAVs. */
+    /**
+     * Returns the flight of this number with measured icebergs whose velocities change, and several
+     * UAVs.
+     */
     [[nodiscard]] static RandomFleet withChangingVelocities(std::uint64_t seed)
     {
         RandomFleet fleet(seed);
@@ -30,7 +33,7 @@ public:
             iceberg.velocitySpread_mps = fleet.m_random.uniform(0.02, 0.2);
             iceberg.velocityTime_s = fleet.m_random.uniform(600, 36'000);
         }
-        fleet.m_scenario.noFly.clear(); // where the further ones may start
+        fleet.m_scenario.noFly.clear(); // areas in which additional UAVs may start
         if (fleet.m_scenario.asset)
             fleet.m_scenario.asset->standoff_m = 0;
         while (fleet.m_scenario.uavs.size() < 3)
@@ -55,7 +58,7 @@ public:
         for (int i = 0; i < icebergs; ++i)
             m_scenario.icebergs.push_back(iceberg("berg-" + std::to_string(i + 1)));
         drawChange();
-        // Of a stream of their own: the flights of older seeds stay what they are.
+        // a separate stream leaves the flights of older seeds unchanged
         m_random = Random(seed, 222);
         if (oneIn(3))
             drawAreas();
@@ -65,7 +68,7 @@ public:
     }
 
     [[nodiscard]] const Scenario& scenario() const { return m_scenario; }
-    /** They come at their `time_s`, ascending whole seconds. */
+    /** Changes in flight at ascending whole seconds. */
     [[nodiscard]] const std::vector<Intervention>& changes() const { return m_changes; }
 
 private:
@@ -75,7 +78,7 @@ private:
         const double x_m = m_random.uniform(-largest_m, largest_m);
         return {x_m, m_random.uniform(-largest_m, largest_m)};
     }
-    /** In the fence, so far from it; anywhere without one. */
+    /** Returns a place in the fence with this clearance, or anywhere without a fence. */
     Point place_m(double clear_m)
     {
         for (;;) {
@@ -158,7 +161,7 @@ private:
             iceberg.appears_s = m_random.uniform(0, 0.6) * m_scenario.duration_s;
         if (oneIn(6))
             iceberg.uav = m_scenario.uavs[m_random.below(m_scenario.uavs.size())].id;
-        if (oneIn(4)) { // it moves unlike what is known of it
+        if (oneIn(4)) { // its true motion differs from the known one
             const Point velocity_mps = iceberg.velocity_mps + point_m(0.4);
             iceberg.track.time_s = {0, 1e4};
             iceberg.track.position_m = {iceberg.position_m,
@@ -166,7 +169,7 @@ private:
         }
         return iceberg;
     }
-    /** No-fly areas and a stand-off ring, where no UAV starts. */
+    /** Draws no-fly areas and a stand-off ring away from the starts. */
     void drawAreas()
     {
         const auto count = 1 + m_random.below(3);
@@ -200,7 +203,7 @@ private:
                    1.1 * away_m + 2.1 * 2 * circleRadius_m(motion);
         });
     }
-    /** One UAV is called back or held, and let go again. */
+    /** Orders one UAV to return or to hold, and to resume. */
     void drawOrders()
     {
         const std::string uav = m_scenario.uavs[m_random.below(m_scenario.uavs.size())].id;

@@ -10,7 +10,7 @@
 
 namespace berg::test {
 
-/** Draws whole scenarios without errors in which every field takes unusual values too. */
+/** Draws whole valid scenarios in which every field also takes unusual values. */
 class AnyScenario
 {
 public:
@@ -68,7 +68,9 @@ public:
 private:
     bool often() { return m_random.below(2) == 0; }
 
-    /** Within the range; at times an end of it, a round number or one that needs 17 digits. */
+    /**
+     * Returns a number in the range: sometimes a limit, a round number or one that needs 17 digits.
+     */
     double number(double low, double high)
     {
         switch (m_random.below(6)) {
@@ -97,7 +99,7 @@ private:
             "{\"not\": [\"json\"]}"};
         return kTexts[m_random.below(kTexts.size())];
     }
-    /** Members of a newer version, as compact text. */
+    /** Returns members of a newer version, as compact text. */
     std::string extra()
     {
         static const std::array<std::string, 4> kExtras = {
@@ -109,7 +111,7 @@ private:
     {
         return prefix + std::to_string(++m_lastId) + (often() ? "" : text());
     }
-    /** A polygon round its centre, corner by corner, so it cannot cross itself. */
+    /** Returns a polygon around its centre, corner by corner, so that it cannot cross itself. */
     std::vector<Point> star()
     {
         std::vector<Point> corners_m;

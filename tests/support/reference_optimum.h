@@ -10,7 +10,7 @@
 
 namespace berg::test {
 
-/** Least cost by subsets, and an order that has it. Cost is objective + `objectiveShift`. */
+/** Least cost by subsets, and an order with this cost. Cost is objective + `objectiveShift`. */
 struct ReferenceOptimum
 {
     long double cost = 0;
@@ -18,7 +18,7 @@ struct ReferenceOptimum
 };
 
 /**
- * Dynamic programming over subsets in 64 bits of mantissa, deliberately written otherwise than
+ * Dynamic programming over subsets with 64 bits of mantissa, deliberately different from
  * `SubsetSolver`: from the start, and with the costs of Eq. (1) by position. For a dozen icebergs.
  */
 class ReferenceTable
@@ -27,8 +27,10 @@ public:
     using Set = std::uint32_t; ///< bit i - 1 is iceberg i
     static constexpr long double kInfinity = std::numeric_limits<long double>::infinity();
 
-    /** Latency as in `FleetProblem`, where a leg weighs what is ahead of it in the order: a set has
-     * the cost that it has as the whole order. */
+    /**
+     * Latency as in `FleetProblem`, where a leg weighs the icebergs still ahead: a set has the cost
+     * that it has as the whole order.
+     */
     explicit ReferenceTable(const TvpProblem& problem)
         : m_problem(problem)
         , m_n(problem.icebergCount())
@@ -41,7 +43,7 @@ public:
                     least(set, i) = cheapest(set, i).cost;
     }
 
-    /** Of all orders of exactly these icebergs. */
+    /** Returns the optimum of all orders of exactly these icebergs. */
     [[nodiscard]] ReferenceOptimum optimum(Set set) const
     {
         ReferenceOptimum best;
@@ -90,8 +92,8 @@ private:
         return sum;
     }
     /**
-     * Visitation: the set is what has been visited, `i` the last of it. Latency: the set is what is
-     * still to be visited, `i` the first of it; the leg to `i` is not in yet.
+     * Visitation: the set is visited and `i` is its last iceberg. Latency: the set is still to
+     * visit and `i` is its first iceberg; the leg to `i` is not included yet.
      */
     [[nodiscard]] Step cheapest(Set set, int i) const
     {
@@ -112,7 +114,7 @@ private:
         }
         return best;
     }
-    /** What the outer end of an order of the set adds. */
+    /** Returns the cost of the outer end of an order of the set. */
     [[nodiscard]] long double end(Set set, int i) const
     {
         if (m_backwards)
@@ -138,7 +140,7 @@ private:
     return table.optimum(table.all());
 }
 
-/** Least cost of all plans: objective + `objectiveShift`. */
+/** Returns the least cost of all plans: objective + `objectiveShift`. */
 [[nodiscard]] inline long double referenceFleetCost(const FleetProblem& problem)
 {
     using Set = ReferenceTable::Set;

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-// The random generators once more, written from the published algorithms and apart from the code
-// under test; tst_random checks them in turn against the authors' test vectors.
+// The random generators again, written from the published algorithms and independent of the code
+// under test; tst_random checks them against the authors' test vectors.
 
 namespace berg::test {
 

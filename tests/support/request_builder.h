@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-// Small pictures for the tests of policies and planner.
+// Small requests for the tests of policies and planner.
 
 namespace berg::test {
 
@@ -37,7 +37,7 @@ inline PlanRequest requestOf(const Point& uav_m, const std::vector<Place>& place
     return request;
 }
 
-/** Ids in no order, so that an id taken for a node number shows. */
+/** Ids without any order, so that an id used as a node number is noticed. */
 inline const std::vector<Place> kFive{{10, {1000, 0}, 2},
                                       {7, {0, 1500}, 9},
                                       {42, {3000, 500}, 5},
@@ -59,7 +59,7 @@ inline std::vector<Place> randomPlaces(Random& random, int count)
     return places;
 }
 
-/** The same request with these ids alone available. */
+/** Returns the request with only these ids available. */
 inline PlanRequest withAvailable(PlanRequest request, const std::set<int>& available)
 {
     for (std::size_t k = 0; k < request.ids.size(); ++k)
@@ -67,7 +67,7 @@ inline PlanRequest withAvailable(PlanRequest request, const std::set<int>& avail
     return request;
 }
 
-/** The same request with these ids in view, all others available. */
+/** Returns the request with these ids in view and all others available. */
 inline PlanRequest without(PlanRequest request, const std::set<int>& inView)
 {
     for (std::size_t k = 0; k < request.ids.size(); ++k)
@@ -75,7 +75,7 @@ inline PlanRequest without(PlanRequest request, const std::set<int>& inView)
     return request;
 }
 
-/** Row and column of an id in the distance matrix. */
+/** Returns the row and column of an id in the distance matrix. */
 inline Eigen::Index nodeOf(const PlanRequest& request, int id)
 {
     return std::find(request.ids.begin(), request.ids.end(), id) - request.ids.begin() + 1;

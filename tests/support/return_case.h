@@ -12,11 +12,11 @@
 namespace berg::test {
 
 /**
- * A flight that has to come home inside a fence: convex or with corners that point inwards, wind up
- * to 0.7 of the airspeed, icebergs anywhere. Its endurance is what a path home from the start
- * takes, with the reserve and up to five minutes more; `isSafe` is whether there is such a path.
- * `WithAreas`: with no-fly areas of any shape and a stand-off ring, some of them above each other
- * or across the fence, some at other heights, and now and then with no fence at all.
+ * A flight that must return home inside a fence: convex or with corners that point inwards, wind up
+ * to 0.7 of the airspeed, icebergs anywhere. Its endurance is that of a path home from the start,
+ * plus the reserve and up to five minutes; `isSafe` states whether there is such a path.
+ * `WithAreas` adds no-fly areas of any shape and a stand-off ring, some above each other or across
+ * the fence, some at other heights, and sometimes no fence.
  */
 class ReturnCase
 {

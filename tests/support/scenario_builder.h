@@ -4,7 +4,7 @@
 
 namespace berg::test {
 
-/** Scenario without noise and icebergs: one UAV at the origin, flying east. */
+/** Returns a scenario without noise and icebergs: one UAV at the origin, flying east. */
 inline Scenario emptySea(double duration_s = 1000)
 {
     Scenario scenario;
@@ -18,7 +18,7 @@ inline Scenario emptySea(double duration_s = 1000)
     return scenario;
 }
 
-/** Adds a standing iceberg and returns it for changes. */
+/** Adds a stationary iceberg and returns it for changes. */
 inline Iceberg& addIceberg(Scenario& scenario, double east_m, double north_m, double sigma0_m2 = 5)
 {
     Iceberg iceberg;
@@ -29,7 +29,7 @@ inline Iceberg& addIceberg(Scenario& scenario, double east_m, double north_m, do
     return scenario.icebergs.back();
 }
 
-/** Measured icebergs whose velocities change within the hour. */
+/** Makes icebergs measured, with velocities that change within the hour. */
 inline void letVelocitiesChange(Scenario& scenario)
 {
     scenario.observer.model = ObserverModel::Kalman;

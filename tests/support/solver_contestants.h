@@ -12,15 +12,15 @@
 
 namespace berg::test {
 
-// The back ends that the conformance suite holds to their promises. The tests that use this are
-// told by BERG_EXPECT_CBC whether this build has CBC.
+// Back ends and their promises for the conformance suite. BERG_EXPECT_CBC states whether this build
+// has CBC.
 
-/** The engine of `ExactSolver` at sizes where that uses dynamic programming. */
+/** The engine of `ExactSolver` at sizes at which that solver uses dynamic programming. */
 class BareEngine final : public TvpSolver
 {
 public:
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
-    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
+    [[nodiscard]] std::optional<IssueReason> unsupportedReason(const TvpProblem&) const override
     {
         return std::nullopt;
     }
@@ -33,34 +33,34 @@ protected:
     }
 };
 
-/** One back end as `makeSolver` gives it (none: the bare engine), and what it promises. */
-struct Contestant
+/** A back end of `makeSolver` (nullopt for the bare engine) and its promises. */
+struct BenchmarkEntry
 {
     const char* name = "";
     std::optional<Backend> backend;
-    bool proves = false;     ///< answers small problems with status Optimal, always
-    double tolerance = 2e-9; ///< of its proofs, relative to F + N sum(sigma)
+    bool proves = false;     ///< whether small problems always get status Optimal
+    double tolerance = 2e-9; ///< tolerance of its proofs, relative to F + N sum(sigma)
 };
 
 #if BERG_EXPECT_CBC
-inline constexpr std::size_t kContestants = 5;
+inline constexpr std::size_t kBenchmarkEntries = 5;
 #else
-inline constexpr std::size_t kContestants = 4;
+inline constexpr std::size_t kBenchmarkEntries = 4;
 #endif
 
-inline constexpr std::array<Contestant, kContestants> kAll{{
+inline constexpr std::array<BenchmarkEntry, kBenchmarkEntries> kAll{{
     {.name = "exact", .backend = Backend::Exact, .proves = true},
     {.name = "heuristic", .backend = Backend::Heuristic, .proves = true},
     {.name = "engine", .proves = true},
     {.name = "auto", .backend = Backend::Auto, .proves = true},
 #if BERG_EXPECT_CBC
-    // The linear programmes inside are solved to about 1e-7.
+    // its linear programmes are solved to about 1e-7
     {.name = "cbc", .backend = Backend::Cbc, .proves = true, .tolerance = 1e-6},
 #endif
 }};
 
-/** What must hold of any answer to a problem whose optimum is known; empty when it does. */
-inline QString faultOf(const Contestant& contestant, const TvpProblem& problem,
+/** Checks an answer to a problem with known optimum; returns the fault, or an empty text. */
+inline QString faultOf(const BenchmarkEntry& contestant, const TvpProblem& problem,
                        const SolveOutcome& outcome, double optimum)
 {
     const double scale = optimum + objectiveShift(problem);
@@ -120,13 +120,13 @@ inline void solvers_data()
     forEach([](int index, const char* name) { QTest::newRow(name) << index; });
 }
 
-inline const Contestant& contestant()
+inline const BenchmarkEntry& contestant()
 {
     QFETCH(int, contestant);
     return kAll.at(static_cast<std::size_t>(contestant));
 }
 
-inline std::unique_ptr<TvpSolver> made(const Contestant& contestant)
+inline std::unique_ptr<TvpSolver> made(const BenchmarkEntry& contestant)
 {
     if (contestant.backend)
         return makeSolver(*contestant.backend);

@@ -4,7 +4,7 @@
 
 namespace berg::test {
 
-/** A scenario of a few missions a millisecond. */
+/** Returns a scenario of which a few missions take a millisecond. */
 inline Scenario quickScenario(int seed = 3)
 {
     Scenario scenario = randomScenario(seed, {.icebergs = 5});
@@ -13,7 +13,7 @@ inline Scenario quickScenario(int seed = 3)
     return scenario;
 }
 
-/** Cases of a scenario with three values of tau and the shortest path. */
+/** Returns cases of a scenario with three values of tau and the shortest path. */
 inline StudySpec quickStudy(int runs = 4)
 {
     return {.name = "Quick study",
@@ -23,7 +23,7 @@ inline StudySpec quickStudy(int runs = 4)
             .runs = runs};
 }
 
-/** Would take hours. */
+/** Returns a study that would take hours. */
 inline StudySpec endlessStudy()
 {
     return {.name = "Endless study",
@@ -32,7 +32,7 @@ inline StudySpec endlessStudy()
             .policies = {PolicyKind::Visitation}};
 }
 
-/** zeta of each case by setting, as a study that was flown. */
+/** Returns a flown study with these values of zeta for each case and setting. */
 inline StudyPointer studyOf(StudySpec spec, const std::vector<std::vector<double>>& zeta_m2s)
 {
     spec.scenarios = {quickScenario()};
@@ -45,7 +45,7 @@ inline StudyPointer studyOf(StudySpec spec, const std::vector<std::vector<double
     return std::make_shared<const StudyResult>(resultOf(std::move(study), usualReference(spec)));
 }
 
-/** Four cases of tau 0, 1, 2 and the shortest path; the reference is tau 1. */
+/** Returns four cases of tau 0, 1, 2 and the shortest path; the reference is tau 1. */
 inline StudyPointer fourCases()
 {
     return studyOf(
@@ -53,7 +53,7 @@ inline StudyPointer fourCases()
         {{100, 80, 90, 110}, {200, 160, 150, 190}, {120, 100, 104, 100}, {90, 95, 99, 70}});
 }
 
-/** tau = 2 is lowest in each of four cases, tau = 1 the next. */
+/** Returns a study in which tau = 2 is lowest in each of four cases and tau = 1 second. */
 inline StudyPointer clearWinner()
 {
     return studyOf(

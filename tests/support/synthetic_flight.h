@@ -7,13 +7,13 @@
 
 namespace berg::test {
 
-/** A flight made up for charts. */
+/** Parameters of an artificial flight for charts. */
 struct SyntheticFlight
 {
     int icebergs = 12;
     double duration_s = 1000;
     double interval_s = 1; ///< between samples
-    int uavs = 1;          ///< each turns and errs as the one before, a quarter of a minute later
+    int uavs = 1;          ///< each has the course of the one before, a quarter of a minute later
 };
 
 inline std::vector<UavSample> syntheticUavs(const SyntheticFlight& flight, double time_s)
@@ -31,7 +31,7 @@ inline std::vector<UavSample> syntheticUavs(const SyntheticFlight& flight, doubl
 
 /**
  * Adds the samples in (from, until]: sigma of each iceberg grows and is 0 for 25 s once in a round
- * of all of them, as it is when they are visited one after the other.
+ * of all of them, as with visits one after the other.
  */
 inline void extend(FlightRecord& record, const SyntheticFlight& flight, double until_s)
 {
@@ -67,7 +67,7 @@ inline void extend(FlightRecord& record, const SyntheticFlight& flight, double u
     }
 }
 
-/** The record of such a flight until `until_s`. */
+/** Returns the record of such a flight until `until_s`. */
 inline FlightRecord syntheticRecord(const SyntheticFlight& flight, double until_s)
 {
     FlightRecord record;

@@ -21,7 +21,7 @@ inline const std::vector<int> kEditorColumns{
     col(IcebergColumn::Growth),   col(IcebergColumn::Observed),  col(IcebergColumn::Appears),
     col(IcebergColumn::Latitude), col(IcebergColumn::Longitude)};
 
-/** The model of a document, as the panel keeps it. */
+/** The table model of a document, as in the panel. */
 struct TableFixture
 {
     ScenarioDocument document;

@@ -1,4 +1,4 @@
-// A program of many tests: the first argument names the one to run, the rest is QtTest's.
+// A program of many tests: the first argument selects the test, the rest is passed to QtTest.
 #include "tests/support/test_list.h"
 
 #include <cstdio>

@@ -1,6 +1,6 @@
-// Read before every test of a program that holds several (BERGWATCH_UNITY): what makes a program of
-// a test puts it on the list of test_room.cpp instead. No include guard: each test sees the macro
-// anew.
+// Included before every test of a program that holds several (BERGWATCH_UNITY): the macro that
+// makes a test a program registers it in the list of test_room.cpp instead. No include guard: each
+// test needs the macro anew.
 #include "tests/support/test_list.h"
 
 #include <QtTest>

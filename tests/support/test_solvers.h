@@ -9,22 +9,22 @@
 
 namespace berg::test {
 
-/** What a `ScriptedSolver` answers, and what it was asked. */
+/** Answers of a `ScriptedSolver`, and the problems it was given. */
 struct SolverScript
 {
-    /** Default: the order of the node numbers. */
+    /** Returns an answer; the default is the order of the node numbers. */
     std::function<SolveOutcome(const TvpProblem&)> answer;
     std::vector<TvpProblem> problems;
     std::vector<SolveOptions> options;
 };
 
-/** Answers by a script that the test keeps. */
+/** Answers by a script that belongs to the test. */
 class ScriptedSolver final : public TvpSolver
 {
 public:
     explicit ScriptedSolver(SolverScript& script) : m_script(script) {}
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
-    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
+    [[nodiscard]] std::optional<IssueReason> unsupportedReason(const TvpProblem&) const override
     {
         return std::nullopt;
     }
@@ -47,13 +47,13 @@ private:
     SolverScript& m_script;
 };
 
-/** An optimum by trying every order; for at most 7 icebergs. */
+/** Returns an optimum found by trying every order, for at most 7 icebergs. */
 inline SolveOutcome triedAll(const TvpProblem& problem)
 {
     return {.status = SolveStatus::Optimal, .plan = {bruteForce(problem).order}};
 }
 
-/** No order: a limit or a cancellation came first. */
+/** Returns no order, because of a limit or a cancellation. */
 inline SolveOutcome noOrder(StopReason reason)
 {
     return {.status = SolveStatus::None, .reason = reason};

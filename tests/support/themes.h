@@ -12,7 +12,7 @@ struct NamedTheme
     Theme theme;
 };
 
-/** The themes that are no high contrast, by name. */
+/** Returns the themes without high contrast, by name. */
 inline const std::vector<NamedTheme>& themes()
 {
     static const std::vector<NamedTheme> all = {

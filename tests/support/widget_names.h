@@ -10,12 +10,12 @@ inline QList<QWidget*> visibleWidgets(const QWidget& window)
 {
     QList<QWidget*> visible;
     for (QWidget* widget : window.findChildren<QWidget*>())
-        if (!widget->visibleRegion().isEmpty()) // docks behind a tab are visible for Qt
+        if (!widget->visibleRegion().isEmpty()) // Qt considers docks behind a tab visible
             visible << widget;
     return visible;
 }
 
-/** "QLabel planState in PlanReadoutView": enough to find it. */
+/** Returns "QLabel planState in PlanReadoutView", which is enough to find the widget. */
 inline QString nameOf(const QWidget& widget)
 {
     const QWidget* parent = widget.parentWidget();

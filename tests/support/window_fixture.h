@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/window_holder.h"
+#include "app/window/main_window_host.h"
 #include "core/base/solving_guard.h"
 #include "tests/support/fake_interaction.h"
 #include "tests/support/panel_test.h"
@@ -18,7 +18,7 @@
 
 namespace berg::test {
 
-/** A call on another thread, for what the thread of the window is not to do. */
+/** Calls a function on another thread, for work that the window's thread must not do. */
 template <class Call>
 auto elsewhere(const Call& call)
 {
@@ -26,8 +26,8 @@ auto elsewhere(const Call& call)
 }
 
 /**
- * The real window with fake dialogs and settings of its own, shown at the design size. Whoever
- * plans or flies on the thread of the window meanwhile, ends the test.
+ * The real window with fake dialogs and its own settings, shown at the design size. Planning or
+ * flying on the window's thread ends the test.
  */
 class WindowFixture
 {
@@ -35,7 +35,7 @@ public:
     explicit WindowFixture(const Scenario& scenario)
     {
         workspace.document().reset(scenario);
-        m_holder = std::make_unique<WindowHolder>(workspace, interaction, settings);
+        m_holder = std::make_unique<MainWindowHost>(workspace, interaction, settings);
         window().resize(1280, 800);
         window().show();
         window().activateWindow();
@@ -58,7 +58,7 @@ public:
     [[nodiscard]] QAction& action(const QString& name) { return child<QAction>(window(), name); }
     void trigger(const QString& name) { action(name).trigger(); }
 
-    /** Whether it comes true within a time that only a slow machine needs. */
+    /** Waits until the condition holds, for a time that only a slow machine needs. */
     template <class Condition>
     [[nodiscard]] bool until(const Condition& condition)
     {
@@ -71,7 +71,7 @@ public:
                    record().now.generation == workspace.runner().generation();
         });
     }
-    /** The plan shown is that of the scenario as it is now. */
+    /** Waits until the plan of the present scenario is shown. */
     [[nodiscard]] bool untilReady() { return until(RunPhase::Ready); }
 
     [[nodiscard]] QPoint pixelOf(const Point& p_m) { return map().toScreen(p_m).toPoint(); }
@@ -85,7 +85,10 @@ public:
     void click(const QPoint& at) { QTest::mouseClick(&map(), Qt::LeftButton, {}, at); }
     void drag(const QPoint& from, const QPoint& to) { dragOn(map(), from, to, 4); }
 
-    /** Presses at `from`, moves in steps and lets go at `to`, shares of the slider's width. */
+    /**
+     * Presses at `from`, moves in steps and releases at `to`; both are shares of the slider's
+     * width.
+     */
     void dragTau(double from, double to, int steps = 20)
     {
         auto& slider = child<QSlider>(window(), QStringLiteral("tauSlider"));
@@ -104,11 +107,11 @@ private:
         QTest::mouseRelease(&widget, Qt::LeftButton, {}, to);
     }
 
-    std::unique_ptr<WindowHolder> m_holder;
-    ForbidSolving m_guard;
+    std::unique_ptr<MainWindowHost> m_holder;
+    NoBlockingScope m_guard;
 };
 
-/** The run so far, as it would be saved. */
+/** Returns the run so far, as it would be saved. */
 inline std::shared_ptr<const RunFile> flownRun(WindowFixture& w)
 {
     std::shared_ptr<const RunFile> taken;

@@ -8,9 +8,8 @@
 #include <array>
 #include <vector>
 
-// Models of four readers of `QGC WPL` text, after their sources: QGroundControl
-// (MissionController, MissionItem), pymavlink (mavwp.py), Mission Planner (WaypointFile), MAVSDK
-// (mission_import.cpp).
+// Models of four readers of `QGC WPL` text, after their sources: QGroundControl (MissionController,
+// MissionItem), pymavlink (mavwp.py), Mission Planner (WaypointFile), MAVSDK (mission_import.cpp).
 
 namespace berg::test {
 
@@ -20,15 +19,15 @@ struct WplRow
     int current = 0;
     int frame = 0;
     int command = 0;
-    std::array<double, 7> numbers{}; ///< p1 .. p4, latitude, longitude, altitude
+    std::array<double, 7> numbers{}; ///< p1 to p4, latitude, longitude, altitude
     int autocontinue = 0;
     bool operator==(const WplRow&) const = default;
 };
 
-/** Row 0 is home. */
+/** A mission whose row 0 is home. */
 struct WplMission
 {
-    QString fault; ///< empty: read
+    QString fault; ///< empty if it was read
     std::vector<WplRow> rows;
 };
 
@@ -48,7 +47,7 @@ inline QList<QByteArray> lines(const QByteArray& text)
     return lines;
 }
 
-/** All twelve columns as numbers of the C locale. */
+/** Reads all twelve columns as numbers of the C locale. */
 inline QString readRow(const QList<QByteArray>& columns, WplRow& row)
 {
     if (columns.size() != 12)
@@ -82,7 +81,7 @@ inline QList<QByteArray> splitAt(const QByteArray& line, const char* separators)
     return columns;
 }
 
-/** Tabs only; anything that is not twelve columns is "corrupted". Renumbers the rows. */
+/** Accepts tabs only; rows without twelve columns are "corrupted". Renumbers the rows. */
 inline WplMission readQgroundcontrol(const QByteArray& text)
 {
     const QList<QByteArray> rows = lines(text);
@@ -97,7 +96,7 @@ inline WplMission readQgroundcontrol(const QByteArray& text)
     return mission;
 }
 
-/** Any white space, comments and blank lines; versions 100 and 110. */
+/** Accepts any white space, comments and blank lines; versions 100 and 110. */
 inline WplMission readPymavlink(const QByteArray& text)
 {
     const QList<QByteArray> rows = lines(text);
@@ -118,8 +117,8 @@ inline WplMission readPymavlink(const QByteArray& text)
 }
 
 /**
- * Tabs, spaces and commas; short lines are skipped; a first index that is not 0 gets a blank home
- * put before it. Does not read the current and autocontinue columns; set here as it would write.
+ * Accepts tabs, spaces and commas; skips short lines; inserts a blank home if the first index is
+ * not 0. Ignores the current and autocontinue columns, which are set here as it would write them.
  */
 inline WplMission readMissionPlanner(const QByteArray& text)
 {
@@ -146,7 +145,7 @@ inline WplMission readMissionPlanner(const QByteArray& text)
     return mission;
 }
 
-/** Tabs only, twelve columns; comments and blank lines are skipped. Renumbers the rows. */
+/** Accepts tabs only and twelve columns; skips comments and blank lines. Renumbers the rows. */
 inline WplMission readMavsdk(const QByteArray& text)
 {
     const QList<QByteArray> rows = lines(text);

@@ -10,7 +10,7 @@ namespace berg {
 
 namespace {
 
-/** Rows: UAVs, then icebergs. */
+/** Makes one row for each UAV, then one for each iceberg. */
 CbcPartition partitionOf(const FleetOrders& orders, double slack)
 {
     CbcPartition partition{.rows = orders.uavs() + orders.icebergs(), .slack = slack};
@@ -24,7 +24,7 @@ CbcPartition partitionOf(const FleetOrders& orders, double slack)
     return partition;
 }
 
-/** The plan of a choice, when it is one of less than the slack. */
+/** Returns the plan of a choice, or nullopt if it is not one with less than the slack. */
 std::optional<FleetPlan> planOf(const FleetOrders& orders, double slack,
                                 const std::vector<int>& chosen)
 {
@@ -48,26 +48,26 @@ std::optional<FleetPlan> planOf(const FleetOrders& orders, double slack,
 } // namespace
 
 FleetCover bestCoverByCbc(const FleetOrders& orders, double slack, std::int64_t workLimit,
-                          const CutQuestion& cut)
+                          const StopCheck& isStopped)
 {
     const auto columns = static_cast<std::int64_t>(orders.all().size());
     if (orders.all().size() > kMostCoverColumns || columns > workLimit || slack <= 0)
         return {};
     FleetCover cover{.work = columns};
-    const CbcCut isCut = [&cut] { return cut && cut(); };
+    const CbcStopCheck stopCheck = [&isStopped] { return isStopped && isStopped(); };
     try {
         const CbcPartition partition = partitionOf(orders, slack);
         CbcHelper helper;
-        if (!helper.ask(cbcFrame(partition), isCut))
+        if (!helper.sendRequest(cbcFrame(partition), stopCheck))
             return cover;
-        const std::optional<CbcFrame> answer = helper.answer(isCut);
+        const std::optional<CbcFrame> answer = helper.answer(stopCheck);
         if (!answer)
             return cover;
         if (answer->kind == CbcFrameKind::Failure)
             throw Error(ErrorCode::SolverFailed, "cbc", cbcFailureOf(*answer).words);
         const CbcChoice choice = cbcChoiceOf(*answer, partition);
         cover.plan = planOf(orders, slack, choice.columns);
-        // A choice that is no plan would prove nothing.
+        // A choice that is not a plan would prove nothing.
         cover.complete = choice.complete && (cover.plan || choice.columns.empty());
     } catch (const CbcWireFault& fault) {
         throw Error(ErrorCode::SolverFailed, "cbc", std::string("bergwatch-cbc: ") + fault.what());

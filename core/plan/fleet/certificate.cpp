@@ -16,9 +16,12 @@ namespace {
 
 constexpr int kMostEnumerated = 14;
 constexpr double kCertifiedGap = 0.001;
-/** Room for the rounding of whoever checks: he may round every number down. */
-constexpr double kRoom = 2e-9;
-/** Some minutes: whoever wants a certificate waits for it. */
+/**
+ * Allowance for the rounding of the checker, which may round every number down; relative to the
+ * cost.
+ */
+constexpr double kRoundingAllowance = 2e-9;
+/** Some minutes: a certificate is worth the wait. */
 constexpr std::int64_t kMostWork = 100'000'000'000;
 
 template <class Costs>
@@ -29,11 +32,11 @@ void certifyByRelaxation(const TvpProblem& problem, const VisitOrder& order,
     LayeredBoundOptions options;
     options.gap = costs.icebergs > kMostCertifiedExactly ? kCertifiedGap : 0.0;
     options.workLimit = kMostWork;
-    options.cut = [&stop] { return stop.stop_requested(); };
+    options.isStopped = [&stop] { return stop.stop_requested(); };
     options.onStep = [&proof](const ProofStep& step) { proof.steps.push_back(step); };
     const BoundResult result = improveBound(costs, order, options);
     proof.bound = result.bound;
-    if (!result.reached) { // the steps prove nothing: without memory then
+    if (!result.reached) { // the steps prove nothing, so the bound without memory is used
         proof.steps = {{.lambda = result.lambda}};
         LayeredPaths<Costs> paths(costs);
         const Multipliers multipliers = certifiedMultipliers(result.lambda, proof.cost);
@@ -63,7 +66,7 @@ Proof certify(const TvpProblem& problem, const VisitOrder& order, const std::sto
         else
             certifyByRelaxation<VisitCosts>(problem, order, stop, proof);
     }
-    proof.bound = std::max(0.0, proof.bound - kRoom * proof.cost);
+    proof.bound = std::max(0.0, proof.bound - kRoundingAllowance * proof.cost);
     return proof;
 }
 
@@ -75,9 +78,9 @@ Proof certify(const FleetProblem& problem, const FleetPlan& plan, const std::sto
                 .orders = plan,
                 .cost = fleetObjective(problem, plan) + objectiveShift(problem)};
     const FleetCosts costs(problem);
-    const auto cut = [&stop] { return stop.stop_requested(); };
+    const auto isStopped = [&stop] { return stop.stop_requested(); };
     if (costs.icebergs() <= kMostEnumerated) {
-        if (const std::optional<FleetPlan> best = bestFleetPlan(costs, cut))
+        if (const std::optional<FleetPlan> best = bestFleetPlan(costs, isStopped))
             proof.bound = costs.total(*best);
     } else {
         proof.method = ProofMethod::Relaxation;
@@ -85,13 +88,13 @@ Proof certify(const FleetProblem& problem, const FleetPlan& plan, const std::sto
             const FleetBoundResult result = improveFleetBound(costs, plan,
                                                               {.workLimit = kMostWork,
                                                                .memoryLimit_bytes = 1'500'000'000,
-                                                               .cut = cut,
+                                                               .isStopped = isStopped,
                                                                .relaxationOnly = true});
             proof.bound = result.bound;
             proof.steps.push_back(result.step);
         }
     }
-    proof.bound = std::max(0.0, proof.bound - kRoom * proof.cost);
+    proof.bound = std::max(0.0, proof.bound - kRoundingAllowance * proof.cost);
     return proof;
 }
 

@@ -17,30 +17,34 @@ namespace berg {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/** Steps of the multipliers: before the first suggestion, without memory, on the first graphs with
- * it, on later ones. */
+/**
+ * Steps of the multipliers: before the first suggestion, without memory, on the first graphs with
+ * memory, on later ones.
+ */
 constexpr int kFirstSteps = 10;
 constexpr int kPlainSteps = 120;
 constexpr int kFirstGraphSteps = 150;
 constexpr int kLaterSteps = 100;
-/** Of the bound, as a share of the cost, that is worth another memory. */
+/** Least rise of the bound, as a fraction of the cost, that is worth more memory. */
 constexpr double kLeastRise = 1e-4;
-/** Work counts the arcs of a sweep as 1; the rest by measurement. */
+/** Work counts the arcs of a sweep as 1; the other weights were measured. */
 constexpr std::int64_t kWorkOfNode = 3;
 constexpr std::int64_t kWorkOfRefining = 10;
 constexpr std::int64_t kWorkOfState = 500;
 constexpr std::int64_t kWorkOfCandidate = 3;
-/** Relaxed paths whose cycles make the memory grow: those of the last steps. */
+/** Number of last steps whose relaxed paths make the memory grow where they have cycles. */
 constexpr std::size_t kRecentSteps = 20;
 constexpr int kNearest = 3;
-/** States of the first attempt to put a plan together, and in all; an attempt doubles them. */
+/** States of the first attempt to combine orders, and the maximum; each attempt doubles them. */
 constexpr std::size_t kFirstStates = 50'000;
 constexpr std::size_t kMostStates = 200'000;
-/** Larger graphs are not made: sweeps would take too long between two looks at the clock, and
- * memory of tens of megabytes as long to come. */
+/**
+ * Larger graphs are not built: sweeps would take too long between two checks for a stop, and memory
+ * of tens of megabytes takes as long to allocate.
+ */
 constexpr std::int64_t kMostArcs = 4'000'000;
 constexpr std::int64_t kBytesOfState = 400; // with tables, and an order that ends there
-/** Gaps certified on the way. */
+/** Gaps certified before the final one. */
 constexpr std::array kStages{0.02, 0.01, 0.005, 0.002};
 
 struct FleetGraphs
@@ -56,7 +60,7 @@ struct FleetGraphs
     std::vector<FleetGraph> all;
 };
 
-/** The run of `improveFleetBound`. */
+/** Runs `improveFleetBound`. */
 class FleetBoundSearch
 {
 public:
@@ -66,7 +70,7 @@ public:
         , m_options(options)
         , m_cost(costs.total(plan))
         , m_ascent(savings(costs, plan))
-        , m_cutQuestion([this] { return cut(); })
+        , m_stopCheck([this] { return isStopped(); })
     {
         m_result.plan = plan;
     }
@@ -83,13 +87,13 @@ public:
         for (const std::vector<int>& uavs : groups)
             all_bytes += FleetGraph::bytesOfComplete(m_costs, uavs);
         if (all_bytes > m_options.memoryLimit_bytes) {
-            acceptSuggestion(); // a good plan without a bound
+            acceptSuggestion(); // the result is a good plan without a bound
             m_result.memoryOut = true;
             return std::move(m_result);
         }
         for (std::vector<int>& uavs : groups)
-            if (!cut())
-                m_graphs->all.emplace_back(m_costs, std::move(uavs), m_cutQuestion);
+            if (!isStopped())
+                m_graphs->all.emplace_back(m_costs, std::move(uavs), m_stopCheck);
         m_sets = nearestSets(m_costs.of(0).shared(), kNearest);
         if (m_options.relaxationOnly) {
             relax();
@@ -107,7 +111,7 @@ public:
             if (finished())
                 break;
             ascend(cap == kNearest ? kFirstGraphSteps : kLaterSteps);
-            putTogether();
+            combineOrders();
             acceptSuggestion();
             report();
             // A memory that holds all icebergs cannot grow.
@@ -135,22 +139,22 @@ private:
         m_result.step.lambda = m_ascent.best();
     }
 
-    /** Plans of at least this cost are of no interest. */
+    /** Returns the cost from which plans are of no interest. */
     [[nodiscard]] double cutoff() const
     {
         return cutoffBelow(m_cost, m_suggested ? m_options.gap : 0.0);
     }
-    bool cut()
+    bool isStopped()
     {
-        m_cut = m_cut || (m_options.cut && m_options.cut());
-        return m_cut;
+        m_stopped = m_stopped || (m_options.isStopped && m_options.isStopped());
+        return m_stopped;
     }
     bool finished()
     {
         return m_result.reached || m_result.memoryOut || m_result.work >= m_options.workLimit ||
-               cut();
+               isStopped();
     }
-    /** Takes a certified bound. */
+    /** Accepts a certified bound. */
     void acceptBound(double bound)
     {
         bound = std::max(bound, 0.0); // no cost is negative
@@ -171,7 +175,7 @@ private:
         report();
         return true;
     }
-    /** The work of it. */
+    /** Returns the work of the suggestion. */
     std::int64_t acceptSuggestion()
     {
         if (!m_options.suggest || finished())
@@ -188,21 +192,21 @@ private:
             m_options.onImproved(m_result.plan, m_result.bound);
     }
 
-    /** What multipliers gave. */
+    /** Result of a sweep. */
     struct Sweep
     {
         double bound = 0;  ///< sum of the multipliers and of the shortest paths
-        double margin = 0; ///< of that, and of the excess of paths
+        double margin = 0; ///< rounding margin of the bound and of the excess of paths
 
         /** Orders whose computed excess is at least this are in no plan of less than the cost. */
         [[nodiscard]] double slackBelow(double cost) const { return cost - bound + margin; }
     };
-    /** None when cut. */
+    /** Returns nullopt if stopped. */
     std::optional<Sweep> sweep(const Eigen::VectorXd& lambda)
     {
         Sweep result{.bound = lambda.sum()};
         for (FleetGraph& graph : m_graphs->all) {
-            if (!graph.sweep(lambda, m_cutQuestion))
+            if (!graph.sweep(lambda, m_stopCheck))
                 return std::nullopt;
             m_result.work += workOfSweep(graph);
             result.bound += graph.shortestSum();
@@ -210,7 +214,7 @@ private:
         result.margin = marginOf(lambda, lambda.sum() - result.bound);
         return result;
     }
-    /** `lengths`: of the shortest paths in all, without their sign. */
+    /** `lengths` is the sum of the shortest paths without its sign. */
     [[nodiscard]] double marginOf(const Eigen::VectorXd& lambda, double lengths) const
     {
         return roundingMargin(m_costs.icebergs() + m_costs.uavs(),
@@ -221,7 +225,10 @@ private:
         return graph.arcCount() + kWorkOfNode * graph.nodeCount();
     }
 
-    /** The visits of the shortest paths of the last sweep. Paths that are a plan are taken. */
+    /**
+     * Returns the visits of the shortest paths of the last sweep. Accepts the paths if they form a
+     * plan.
+     */
     std::vector<int> acceptPaths()
     {
         std::vector<int> visits;
@@ -241,7 +248,7 @@ private:
         return visits;
     }
 
-    /** After a poor plan multipliers may be so large that rounding leaves nothing of the cost. */
+    /** After a poor plan the multipliers may be so large that rounding hides the cost. */
     void renewMultipliers()
     {
         if (!allowsProof(marginOf(m_ascent.best(), 0), m_cost))
@@ -277,27 +284,30 @@ private:
             return;
         for (FleetGraph& graph : m_graphs->all) {
             m_result.work += 3 * workOfSweep(graph);
-            if (!graph.trim(m_ascent.best(), swept->slackBelow(cutoff()), m_cutQuestion))
-                return; // cut, so finished
+            if (!graph.trim(m_ascent.best(), swept->slackBelow(cutoff()), m_stopCheck))
+                return; // stopped, so finished
         }
     }
 
-    /** Keeps what is less than `room` above the cutoff, too. False when cut, or when the refined
-     * graphs would be larger than the limits allow. */
-    bool refine(double room)
+    /**
+     * Refines the graphs; parts less than `allowance` above the cutoff stay too. Returns false if
+     * stopped, or if the refined graphs would exceed the limits.
+     */
+    bool refine(double allowance)
     {
         const std::optional<Sweep> swept = sweep(m_ascent.best());
         if (!swept)
             return false;
         for (FleetGraph& graph : m_graphs->all) {
-            constexpr std::int64_t kGrowth = 3; // of vectors and labels
+            constexpr std::int64_t kGrowth = 3; // growth of vectors and labels
             const GraphLimits limits{.arcs = std::min((m_options.workLimit - m_result.work) /
                                                           (kWorkOfRefining + kLaterSteps),
                                                       kMostArcs),
                                      .bytes = (m_options.memoryLimit_bytes - m_graphs->bytes()) /
                                               kGrowth};
-            FleetRefinement refined = graph.refined(
-                m_sets, m_ascent.best(), swept->slackBelow(cutoff()) + room, limits, m_cutQuestion);
+            FleetRefinement refined =
+                graph.refined(m_sets, m_ascent.best(), swept->slackBelow(cutoff()) + allowance,
+                              limits, m_stopCheck);
             m_result.memoryOut = refined.memoryOut;
             if (!refined.graph)
                 return false;
@@ -307,8 +317,11 @@ private:
         return true;
     }
 
-    /** The best plan of what is left: of what beats the plan by much first, which is little. */
-    void putTogether()
+    /**
+     * Combines the remaining orders into the best plan, beginning with the few that beat the plan
+     * by much.
+     */
+    void combineOrders()
     {
         const std::optional<Sweep> swept = finished() ? std::nullopt : sweep(m_ascent.best());
         if (!swept)
@@ -321,8 +334,10 @@ private:
             isBestWithin(*swept, cutoff());
     }
 
-    /** Whether it is proven now that no plan costs less than `cost`. Takes the best one that does.
-     * `swept` is the last sweep, at the best multipliers. */
+    /**
+     * Returns whether it is now proven that no plan costs less than `cost`; accepts the best plan
+     * that does. `swept` must be the last sweep, at the best multipliers.
+     */
     bool isBestWithin(const Sweep& swept, double cost)
     {
         const double slack = swept.slackBelow(cost);
@@ -333,18 +348,18 @@ private:
         bool all = true;
         for (const FleetGraph& graph : m_graphs->all)
             all = all && orders.add(graph, m_ascent.best(), slack, std::min(m_states, mostByMemory),
-                                    m_cutQuestion);
+                                    m_stopCheck);
         m_result.work += kWorkOfState * static_cast<std::int64_t>(orders.stateCount());
-        if (!all || cut()) {
+        if (!all || isStopped()) {
             m_statesOut = m_states >= std::min(kMostStates, mostByMemory);
             m_states = std::min(2 * m_states, kMostStates);
             return false;
         }
         const std::int64_t left = (m_options.workLimit - m_result.work) / kWorkOfCandidate;
         const FleetCover found =
-            m_options.cover(orders, slack, std::min(left, m_coverWork), m_cutQuestion);
+            m_options.cover(orders, slack, std::min(left, m_coverWork), m_stopCheck);
         m_result.work += kWorkOfCandidate * found.work;
-        // None is cheaper than the one found, as far as rounding lets both be known.
+        // No plan is cheaper than the one found, as far as rounding lets both be known.
         const double least = found.plan ? m_costs.total(*found.plan) - 2 * swept.margin : kInfinity;
         const bool better = found.plan && acceptPlan(*found.plan);
         if (!found.complete) {
@@ -358,17 +373,17 @@ private:
     const FleetCosts& m_costs;
     const FleetBoundOptions& m_options;
     FleetBoundResult m_result;
-    double m_cost; ///< of m_result.plan
+    double m_cost; ///< cost of `m_result.plan`
     MultiplierAscent m_ascent;
     NgSets m_sets{0};
-    CutQuestion m_cutQuestion;
-    std::unique_ptr<FleetGraphs, FreeElsewhere> m_graphs{new FleetGraphs};
+    StopCheck m_stopCheck;
+    std::unique_ptr<FleetGraphs, DeferredDeleter> m_graphs{new FleetGraphs};
     std::vector<std::vector<int>> m_recent; ///< relaxed paths of the last steps
     std::size_t m_states = kFirstStates;
     std::int64_t m_coverWork = 20'000'000;
-    bool m_suggested = false; ///< the gap is not looked at before the first suggestion
-    bool m_statesOut = false; ///< there are more than may be looked at
-    bool m_cut = false;
+    bool m_suggested = false; ///< the gap is not checked before the first suggestion
+    bool m_statesOut = false; ///< whether there are more states than allowed
+    bool m_stopped = false;
 };
 
 } // namespace

@@ -7,7 +7,7 @@ namespace berg {
 
 namespace {
 
-/** Whether both UAVs fly the same distances between icebergs. */
+/** Returns whether both UAVs fly the same distances between icebergs. */
 bool sameBetween(const Eigen::MatrixXd& a_m, const Eigen::MatrixXd& b_m)
 {
     for (Eigen::Index j = 1; j < a_m.cols(); ++j)
@@ -17,7 +17,7 @@ bool sameBetween(const Eigen::MatrixXd& a_m, const Eigen::MatrixXd& b_m)
     return true;
 }
 
-/** By UAV: the first one that flies the same distances between icebergs. */
+/** Returns by UAV the first UAV that flies the same distances between icebergs. */
 std::vector<std::size_t> representatives(const FleetProblem& problem)
 {
     std::vector<std::size_t> first(problem.distance_m.size());
@@ -44,7 +44,7 @@ std::int64_t matrixCount(const std::vector<std::size_t>& first)
 std::int64_t bytesOf(const FleetProblem& problem, std::int64_t matrices)
 {
     const std::int64_t n = problem.nodeCount();
-    // One more on the way.
+    // One more matrix is needed temporarily.
     return std::int64_t{sizeof(double)} * n *
            ((matrices + 1) * n + std::int64_t{2} * problem.uavCount());
 }
@@ -121,7 +121,8 @@ Eigen::VectorXd savings(const FleetCosts& costs, const FleetPlan& plan)
         for (std::size_t k = 0; k < order.size(); ++k) {
             VisitOrder others = order;
             others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-            // No less, or a long leg that nobody flies would drown all the others.
+            // The saving is limited from below, else a long leg that no UAV flies would dominate
+            // all the others.
             lambda(order[k]) = std::max(cost - costs.total(uav, others), -cost);
         }
     }

@@ -11,84 +11,96 @@
 namespace berg {
 
 /**
- * Costs of one UAV as if it were alone. Those between icebergs are shared with the UAVs that fly
- * the same distances there: a matrix for each of many UAVs would be most of the memory of a solve.
+ * Costs of one UAV as if it were alone. UAVs that fly the same distances between icebergs share
+ * those costs: a matrix for each of many UAVs would be most of the memory of a solve.
  */
 class UavCosts
 {
 public:
-    /** Keeps `shared`, whose own start and way back are not read. */
+    /** Keeps `shared`, whose legs from and to the start are not read. */
     UavCosts(std::shared_ptr<const VisitCosts> shared, const FleetProblem& problem, int uav);
 
     [[nodiscard]] int icebergs() const { return m_shared->icebergs; }
+    /** Returns the cost of a leg; `from` 0 is the start, `to` 0 the end of the route. */
     [[nodiscard]] double leg(int from, int to) const
     {
         return to == 0 ? end(from) : legsFrom(from)[to];
     }
-    /** Legs to each iceberg; [0] is not that to the end. */
+    /** Returns the legs to each iceberg; [0] is not the leg to the end. */
     [[nodiscard]] const double* legsFrom(int from) const
     {
         return from == 0 ? m_start.data() : m_between + std::ptrdiff_t{from} * m_start.size();
     }
-    /** The way back from there: 0 on open routes, and from the start. */
+    /** Returns the cost of the return leg from `from`; 0 on open routes and from the start. */
     [[nodiscard]] double end(int from) const { return m_end(from); }
     [[nodiscard]] double sigmaOf(int iceberg) const { return m_sigma[iceberg]; }
+    /** Returns the cost of visiting an iceberg at a position, counted from 1. */
     [[nodiscard]] double visit(int iceberg, int position) const
     {
         return sigmaOf(iceberg) * (position + 1);
     }
+    /** Returns the cost of an order by Eq. (1), plus the shift. */
     [[nodiscard]] double total(std::span<const int> order) const
     {
         return costOfVisits(*this, order);
     }
+    /** Returns the cost of an order by latency. */
     [[nodiscard]] double latency(std::span<const int> order) const
     {
         return weightedLength(*this, order);
     }
+    /** Returns the costs that may be shared with other UAVs. */
     [[nodiscard]] const VisitCosts& shared() const { return *m_shared; }
 
 private:
     std::shared_ptr<const VisitCosts> m_shared;
-    const double* m_between; ///< its legs
-    const double* m_sigma;   ///< its sigmas
+    const double* m_between; ///< legs of `m_shared`
+    const double* m_sigma;   ///< sigmas of `m_shared`
     Eigen::VectorXd m_start; ///< N, legs from the start; [0] is 0
     Eigen::VectorXd m_end;   ///< N, return legs; 0 on open routes
 };
 
 /**
- * `FleetProblem` laid out for inner loops. The sum over the orders of a plan is `fleetObjective` +
- * `objectiveShift`, which is never negative.
+ * `FleetProblem` in a layout for inner loops. The sum over the orders of a plan is `fleetObjective`
+ * + `objectiveShift`, which is never negative.
  */
 class FleetCosts
 {
 public:
-    /** Keeps a reference to `problem`. */
+    /** Keeps a reference to `problem`, which must outlive the costs. */
     explicit FleetCosts(const FleetProblem& problem);
 
-    /** Memory of the costs of a problem; finding out takes as long as `FleetCosts` itself. */
+    /**
+     * Returns the memory, bytes, of the costs of a problem; takes as long as `FleetCosts` itself.
+     */
     [[nodiscard]] static std::int64_t bytesFor(const FleetProblem& problem);
-    /** The same if no UAV shared anything. */
+    /** Returns an upper bound of `bytesFor`: the memory if no UAVs share costs. It is quick. */
     [[nodiscard]] static std::int64_t mostBytesFor(const FleetProblem& problem);
     [[nodiscard]] std::int64_t bytes() const { return m_bytes; }
 
     [[nodiscard]] int uavs() const { return static_cast<int>(m_uavs.size()); }
     [[nodiscard]] int icebergs() const { return m_problem->icebergCount(); }
+    /** Returns the costs of one UAV. */
     [[nodiscard]] const UavCosts& of(int uav) const
     {
         return m_uavs[static_cast<std::size_t>(uav)];
     }
-    /** Criterion latency: a leg counts as many times as there is sigma ahead of it in its order.
-     * The legs are those of `of`, the rest of which is Eq. (1)'s. */
+    /**
+     * Returns whether the criterion is latency: a leg is then multiplied by the sigma not yet
+     * visited in its order. The legs are those of `of`, whose other members apply to Eq. (1).
+     */
     [[nodiscard]] bool weighted() const { return m_problem->criterion == Criterion::Latency; }
     [[nodiscard]] bool isPlan(const FleetPlan& plan) const { return isFleetPlan(*m_problem, plan); }
     [[nodiscard]] bool allows(int uav, int iceberg) const
     {
         return m_problem->allows(uav, iceberg);
     }
+    /** Returns the cost of an order of one UAV by the criterion of the problem. */
     [[nodiscard]] double total(int uav, std::span<const int> order) const
     {
         return weighted() ? of(uav).latency(order) : of(uav).total(order);
     }
+    /** Returns the cost of a plan: `fleetObjective` + `objectiveShift`, up to rounding. */
     [[nodiscard]] double total(const FleetPlan& plan) const
     {
         double sum = 0;
@@ -98,8 +110,8 @@ public:
     }
 
     /**
-     * UAVs between which only the start differs, in lists: they may visit the same icebergs, at the
-     * same distances, on open routes.
+     * Returns groups of UAVs that differ only in their start: they may visit the same icebergs, at
+     * the same distances, on open routes.
      */
     [[nodiscard]] std::vector<std::vector<int>> alike() const;
 
@@ -111,8 +123,11 @@ private:
     std::int64_t m_bytes = 0;
 };
 
-/** What the plan saves when an iceberg is left out, one per node: about the price at which it is
- * worth while. */
+/**
+ * Returns, by node, the saving if an iceberg is left out of the plan: about the multiplier at which
+ * its visit pays. It is negative if the order without the iceberg costs more, but at least minus
+ * the cost of the order; [0] is 0.
+ */
 [[nodiscard]] Eigen::VectorXd savings(const FleetCosts& costs, const FleetPlan& plan);
 
 } // namespace berg

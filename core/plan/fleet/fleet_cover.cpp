@@ -16,10 +16,10 @@ using Order = FleetOrders::Order;
 using Candidates = std::vector<const Order*>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/** Between two looks at the clock. */
+/** Orders between two checks for a stop. */
 constexpr std::size_t kOrdersPerCheck = 16'384;
 
-/** A part of the plan: orders of some UAVs. */
+/** A partial plan: orders of some UAVs. */
 struct Choice
 {
     NodeSet visited;
@@ -27,12 +27,12 @@ struct Choice
     Candidates orders;
 };
 
-template <class Take>
-void forEach(const NodeSet& set, const Take& take)
+template <class Visitor>
+void forEach(const NodeSet& set, const Visitor& visitor)
 {
     for (std::size_t word = 0; word < set.words.size(); ++word)
         for (std::uint64_t left = set.words[word]; left != 0; left &= left - 1)
-            take(static_cast<int>(64 * word) + std::countr_zero(left));
+            visitor(static_cast<int>(64 * word) + std::countr_zero(left));
 }
 
 bool disjoint(const NodeSet& a, const NodeSet& b)
@@ -40,16 +40,16 @@ bool disjoint(const NodeSet& a, const NodeSet& b)
     return (a & b) == NodeSet{};
 }
 
-/** Depth first: the row (iceberg or UAV) that the fewest orders satisfy is branched on. */
+/** Depth-first search that branches on the row (iceberg or UAV) with the fewest orders. */
 class SetPartitioningSearch
 {
 public:
     SetPartitioningSearch(const FleetOrders& orders, double slack, std::int64_t workLimit,
-                          const CutQuestion& cut)
+                          const StopCheck& isStopped)
         : m_orders(orders)
         , m_slack(slack)
         , m_workLimit(workLimit)
-        , m_cut(cut)
+        , m_isStopped(isStopped)
         , m_byUav(static_cast<std::size_t>(orders.uavs()))
     {
         for (int i = 1; i <= orders.icebergs(); ++i)
@@ -68,28 +68,30 @@ public:
     [[nodiscard]] const std::optional<Choice>& best() const { return m_best; }
 
 private:
-    /** UAV by UAV, because sorting all at once would take too long between two looks at the clock.
+    /**
+     * Adds the orders UAV by UAV, because sorting all at once would visitor too long between two
+     * checks for a stop.
      */
     void acceptOrders(int uav)
     {
-        Candidates own;
+        Candidates ordersOfUav;
         for (std::size_t k = 0; k < m_orders.all().size(); ++k) {
             const Order& order = m_orders.all()[k];
-            if (cutShort(1))
+            if (checkStop(1))
                 return;
             if (order.uav != uav)
                 continue;
-            own.push_back(&order);
+            ordersOfUav.push_back(&order);
             m_byUav[static_cast<std::size_t>(uav)].entry(order.visited.hash(), [&](int other) {
                 return m_orders.all()[static_cast<std::size_t>(other)].visited == order.visited;
             }) = static_cast<int>(k);
         }
-        if (stopped(own.size()))
+        if (countWork(ordersOfUav.size()))
             return;
-        sortByExcess(own);
-        if (stopped(own.size()))
+        sortByExcess(ordersOfUav);
+        if (countWork(ordersOfUav.size()))
             return;
-        m_candidates = merged(m_candidates, own);
+        m_candidates = merged(m_candidates, ordersOfUav);
     }
 
     [[nodiscard]] static bool isLess(const Order* a, const Order* b)
@@ -104,33 +106,33 @@ private:
         std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all), isLess);
         return all;
     }
-    /** Stable; pieces first, then pairs of them, so that the clock is looked at between. */
+    /** Sorts stably: pieces first, then pairs of them, with checks for a stop in between. */
     void sortByExcess(Candidates& orders)
     {
         constexpr std::size_t kPiece = kOrdersPerCheck / 4;
         const auto part = [&orders](std::size_t begin, std::size_t end) {
             return std::span(orders).subspan(begin, std::min(end, orders.size()) - begin);
         };
-        for (std::size_t k = 0; k < orders.size() && !cutShort(kOrdersPerCheck); k += kPiece)
+        for (std::size_t k = 0; k < orders.size() && !checkStop(kOrdersPerCheck); k += kPiece)
             std::ranges::stable_sort(part(k, k + kPiece), isLess);
         for (std::size_t width = kPiece; width < orders.size(); width *= 2)
-            for (std::size_t k = 0; k + width < orders.size() && !cutShort(width); k += 2 * width)
+            for (std::size_t k = 0; k + width < orders.size() && !checkStop(width); k += 2 * width)
                 std::ranges::copy(merged(part(k, k + width), part(k + width, k + 2 * width)),
                                   orders.begin() + static_cast<std::ptrdiff_t>(k));
     }
 
-    bool stopped(std::size_t looked)
+    bool countWork(std::size_t examined)
     {
-        m_work += static_cast<std::int64_t>(looked) + 1;
-        return cutShort(looked);
+        m_work += static_cast<std::int64_t>(examined) + 1;
+        return checkStop(examined);
     }
-    /** The same for what does not count as work. */
-    bool cutShort(std::size_t looked)
+    /** Checks for a stop without counting work. */
+    bool checkStop(std::size_t examined)
     {
-        m_sinceCheck += looked + 1;
+        m_sinceCheck += examined + 1;
         if (m_sinceCheck > kOrdersPerCheck) {
             m_sinceCheck = 0;
-            m_stopped = m_stopped || m_work >= m_workLimit || (m_cut && m_cut());
+            m_stopped = m_stopped || m_work >= m_workLimit || (m_isStopped && m_isStopped());
         }
         return m_stopped;
     }
@@ -149,7 +151,7 @@ private:
             finish(choice);
             return;
         }
-        if (stopped(candidates.size()))
+        if (countWork(candidates.size()))
             return;
         const Row row = fewest(choice, candidates);
         Candidates left;
@@ -157,9 +159,9 @@ private:
             if (!row.has(*order))
                 continue;
             if (choice.excess + order->excess >= m_slack)
-                break; // sorted by excess
+                break; // the candidates are sorted by excess
             const Choice next = with(choice, *order);
-            if (stopped(candidates.size()))
+            if (countWork(candidates.size()))
                 return;
             if (compatible(next, candidates, left))
                 branch(next, left);
@@ -169,7 +171,7 @@ private:
     struct Row
     {
         int uav = -1;
-        int iceberg = 0; ///< where there is no uav
+        int iceberg = 0; ///< valid if `uav` is -1
         [[nodiscard]] bool has(const Order& order) const
         {
             return uav >= 0 ? order.uav == uav : order.visited.contains(iceberg);
@@ -190,7 +192,7 @@ private:
                            [uav](const Order* order) { return order->uav == uav; });
     }
 
-    /** The last UAV takes what is left, if it can. */
+    /** Gives the remaining icebergs to the last UAV if it can visit them. */
     void finish(const Choice& choice)
     {
         int uav = 0;
@@ -208,8 +210,10 @@ private:
             branch(with(choice, at(number)), {});
     }
 
-    /** Those that can be flown beside the choice in a plan below the slack; false when it is
-     * hopeless. */
+    /**
+     * Collects in `left` the candidates that fit the choice in a plan below the slack. Returns
+     * false if no such plan is possible.
+     */
     bool compatible(const Choice& choice, const Candidates& candidates, Candidates& left) const
     {
         left.clear();
@@ -265,10 +269,10 @@ private:
     const FleetOrders& m_orders;
     double m_slack;
     std::int64_t m_workLimit;
-    const CutQuestion& m_cut;
+    const StopCheck& m_isStopped;
     NodeSet m_all;
     Candidates m_candidates;
-    std::vector<NumberTable> m_byUav; ///< numbers of orders by what they visit
+    std::vector<NumberTable> m_byUav; ///< numbers of orders by the set they visit
     std::optional<Choice> m_best;
     std::int64_t m_work = 0;
     std::size_t m_sinceCheck = 0;
@@ -278,9 +282,9 @@ private:
 } // namespace
 
 FleetCover bestCover(const FleetOrders& orders, double slack, std::int64_t workLimit,
-                     const CutQuestion& cut)
+                     const StopCheck& isStopped)
 {
-    SetPartitioningSearch search(orders, slack, workLimit, cut);
+    SetPartitioningSearch search(orders, slack, workLimit, isStopped);
     search.run();
     FleetCover cover{.complete = search.complete(), .plan = {}, .work = search.work()};
     if (search.best()) {

@@ -7,23 +7,25 @@
 
 namespace berg {
 
-/** What `bestCover` found. */
+/** Result of `bestCover`. */
 struct FleetCover
 {
-    bool complete = false;         ///< there is no better plan than the one found, or none
-    std::optional<FleetPlan> plan; ///< of less than the slack in all
-    std::int64_t work = 0;         ///< orders looked at
+    bool complete = false; ///< whether no better plan exists than the one found, or none at all
+    std::optional<FleetPlan> plan; ///< total excess below the slack; nullopt if none was found
+    std::int64_t work = 0;         ///< number of orders examined
 };
 
 /**
- * The best plan put together from the orders, one for each UAV, whose excess is less than `slack`
- * in all: set partitioning by branching on the iceberg or UAV with the fewest orders.
+ * Returns the best plan, one order for each UAV, whose total excess is less than `slack`: set
+ * partitioning by branching on the iceberg or UAV with the fewest orders. Ends early after
+ * `workLimit` orders, or when stopped: the result is then the best plan found so far, and not
+ * complete.
  */
 [[nodiscard]] FleetCover bestCover(const FleetOrders& orders, double slack, std::int64_t workLimit,
-                                   const CutQuestion& cut);
+                                   const StopCheck& isStopped);
 
-/** `bestCover`, or another way to find it. */
+/** Type of `bestCover` and of functions that do the same. */
 using CoverFunction = FleetCover (*)(const FleetOrders&, double slack, std::int64_t workLimit,
-                                     const CutQuestion&);
+                                     const StopCheck&);
 
 } // namespace berg

@@ -11,7 +11,7 @@ namespace berg {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/** Nodes between two looks at the clock. */
+/** Nodes between two checks for a stop. */
 constexpr int kNodesPerCheck = 4096;
 
 std::vector<int> allowedOf(const FleetCosts& costs, int uav)
@@ -23,13 +23,15 @@ std::vector<int> allowedOf(const FleetCosts& costs, int uav)
     return allowed;
 }
 
-/** Of a swept graph; while it is trimmed a node needs `kNodeOnTheWay` more. */
+/**
+ * Memory of a node of a swept graph; while it is trimmed a node needs `kNodeWhileTrimming` more.
+ */
 constexpr std::size_t kNode = sizeof(int) + sizeof(std::size_t) + 2 * sizeof(double);
-constexpr std::size_t kNodeOnTheWay = sizeof(int) + sizeof(double);
+constexpr std::size_t kNodeWhileTrimming = sizeof(int) + sizeof(double);
 
 } // namespace
 
-FleetGraph::FleetGraph(const FleetCosts& costs, std::vector<int> uavs, const CutQuestion& cut)
+FleetGraph::FleetGraph(const FleetCosts& costs, std::vector<int> uavs, const StopCheck& isStopped)
     : m_costs(&costs), m_uavs(std::move(uavs))
 {
     const std::vector<int> allowed = allowedOf(costs, m_uavs.front());
@@ -43,7 +45,7 @@ FleetGraph::FleetGraph(const FleetCosts& costs, std::vector<int> uavs, const Cut
     m_arcs.reserve(at(width) * m_iceberg.size());
     m_firstArc.reserve(m_iceberg.size() + 1);
     for (int layer = 0; layer <= width; ++layer) {
-        if (cut && cut())
+        if (isStopped && isStopped())
             return;
         for (int v = m_firstNode[at(layer)]; v < m_firstNode[at(layer) + 1]; ++v) {
             m_firstArc.push_back(m_arcs.size());
@@ -60,7 +62,7 @@ std::int64_t FleetGraph::bytesOfComplete(const FleetCosts& costs, const std::vec
 {
     const std::size_t width = allowedOf(costs, uavs.front()).size();
     const std::size_t nodes = width * width + uavs.size();
-    return static_cast<std::int64_t>(nodes * (width * sizeof(int) + kNode + kNodeOnTheWay));
+    return static_cast<std::int64_t>(nodes * (width * sizeof(int) + kNode + kNodeWhileTrimming));
 }
 
 std::int64_t FleetGraph::bytes() const
@@ -68,27 +70,27 @@ std::int64_t FleetGraph::bytes() const
     return static_cast<std::int64_t>(m_arcs.capacity() * sizeof(int) + m_iceberg.size() * kNode);
 }
 
-template <class Look>
-bool FleetGraph::forNodes(bool backwards, const CutQuestion& cut, const Look& look) const
+template <class Visitor>
+bool FleetGraph::forNodes(bool backwards, const StopCheck& isStopped, const Visitor& visitor) const
 {
     for (int k = 0; k < layers(); ++k) {
         const int layer = backwards ? layers() - 1 - k : k;
         const int begin = m_firstNode[at(layer)];
         const int end = m_firstNode[at(layer) + 1];
         for (int v = begin; v < end; ++v) {
-            if ((v - begin) % kNodesPerCheck == 0 && cut && cut())
+            if ((v - begin) % kNodesPerCheck == 0 && isStopped && isStopped())
                 return false;
-            look(v, layer);
+            visitor(v, layer);
         }
     }
     return true;
 }
 
-bool FleetGraph::sweep(const Eigen::VectorXd& lambda, const CutQuestion& cut)
+bool FleetGraph::sweep(const Eigen::VectorXd& lambda, const StopCheck& isStopped)
 {
     m_completion.resize(m_iceberg.size());
     m_entry.resize(m_iceberg.size());
-    return forNodes(true, cut, [&](int v, int layer) {
+    return forNodes(true, isStopped, [&](int v, int layer) {
         const double* const legs = costs(v).legsFrom(iceberg(v));
         double least = ending(v); // 0 at a root
         for (const int to : successors(v))
@@ -125,12 +127,12 @@ std::vector<int> FleetGraph::shortestPath(int root) const
 }
 
 std::optional<std::vector<double>> FleetGraph::lengths(const Eigen::VectorXd& lambda,
-                                                       const CutQuestion& cut) const
+                                                       const StopCheck& isStopped) const
 {
     std::vector<double> length(m_iceberg.size(), kInfinity);
     for (int root = 0; root < rootCount(); ++root)
         length[at(root)] = -shortest(root);
-    const bool done = forNodes(false, cut, [&](int v, int layer) {
+    const bool done = forNodes(false, isStopped, [&](int v, int layer) {
         double& here = length[at(v)];
         if (layer > 0)
             here += visit(v, layer, lambda);
@@ -140,9 +142,9 @@ std::optional<std::vector<double>> FleetGraph::lengths(const Eigen::VectorXd& la
     return done ? std::optional(std::move(length)) : std::nullopt;
 }
 
-bool FleetGraph::trim(const Eigen::VectorXd& lambda, double slack, const CutQuestion& cut)
+bool FleetGraph::trim(const Eigen::VectorXd& lambda, double slack, const StopCheck& isStopped)
 {
-    const std::optional<std::vector<double>> length = lengths(lambda, cut);
+    const std::optional<std::vector<double>> length = lengths(lambda, isStopped);
     if (!length)
         return false;
     std::vector<int> id(m_iceberg.size(), -1);
@@ -157,7 +159,7 @@ bool FleetGraph::trim(const Eigen::VectorXd& lambda, double slack, const CutQues
         firstNode.push_back(kept);
     }
     std::size_t arcs = 0;
-    const bool done = forNodes(false, cut, [&](int v, int) {
+    const bool done = forNodes(false, isStopped, [&](int v, int) {
         if (id[at(v)] < 0)
             return;
         const std::size_t begin = m_firstArc[at(v)];
@@ -172,7 +174,7 @@ bool FleetGraph::trim(const Eigen::VectorXd& lambda, double slack, const CutQues
     });
     if (!done)
         return false;
-    // The new numbers never overtake the old ones, which `leg` has been reading so far.
+    // The new numbers never overtake the old ones, which `leg` has read so far.
     for (std::size_t v = 0; v < id.size(); ++v)
         if (id[v] >= 0) {
             m_iceberg[at(id[v])] = m_iceberg[v];
@@ -181,7 +183,7 @@ bool FleetGraph::trim(const Eigen::VectorXd& lambda, double slack, const CutQues
     m_firstNode = std::move(firstNode);
     m_arcs.resize(arcs);
     if (m_arcs.capacity() > 2 * arcs)
-        m_arcs.shrink_to_fit(); // the graphs of many UAVs share the memory there is
+        m_arcs.shrink_to_fit(); // the graphs of many UAVs share the memory
     m_iceberg.resize(at(kept));
     m_firstArc.resize(at(kept) + 1);
     m_firstArc[at(kept)] = arcs;
@@ -189,7 +191,7 @@ bool FleetGraph::trim(const Eigen::VectorXd& lambda, double slack, const CutQues
 }
 
 FleetRefinement FleetGraph::refined(const NgSets& sets, const Eigen::VectorXd& lambda, double slack,
-                                    const GraphLimits& limits, const CutQuestion& cut) const
+                                    const GraphLimits& limits, const StopCheck& isStopped) const
 {
     FleetGraph result(*m_costs);
     result.m_uavs = m_uavs;
@@ -198,9 +200,9 @@ FleetRefinement FleetGraph::refined(const NgSets& sets, const Eigen::VectorXd& l
     for (int root = 0; root < rootCount(); ++root)
         tables.offer(0, {.memory = {}, .length = -shortest(root), .node = root});
     for (int layer = 0; layer < layers(); ++layer) {
-        int looked = 0;
+        int examined = 0;
         for (const LabelTable::Label& label : tables.at(layer).labels()) {
-            if (looked++ % kNodesPerCheck == 0 && cut && cut())
+            if (examined++ % kNodesPerCheck == 0 && isStopped && isStopped())
                 return {};
             const int v = label.node;
             const double length = label.length + (layer > 0 ? visit(v, layer, lambda) : 0.0);

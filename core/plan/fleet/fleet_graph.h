@@ -13,7 +13,7 @@ namespace berg {
 struct FleetRefinement;
 
 /**
- * `LayeredGraph` for UAVs that are alike: a root for each of them, and orders that end at any
+ * `LayeredGraph` for UAVs that are alike: it has a root for each of them, and orders may end at any
  * iceberg, or before the first one. The length of a path is the cost of its order - sum lambda over
  * its visits; sum(lambda) + the shortest lengths of all roots of all graphs is a lower bound on the
  * best plan.
@@ -21,97 +21,113 @@ struct FleetRefinement;
 class FleetGraph
 {
 public:
-    /** Complete, without memory: O(n^3) arcs. Keeps a reference to `costs`. At most 127 icebergs.
-     * Of no use when cut. */
-    FleetGraph(const FleetCosts& costs, std::vector<int> uavs, const CutQuestion& cut = {});
+    /**
+     * Builds the complete graph without memory: O(n^3) arcs, at most 127 icebergs. `uavs` must be
+     * one of the groups of `FleetCosts::alike`. Keeps a reference to `costs`. The graph is unusable
+     * if stopped.
+     */
+    FleetGraph(const FleetCosts& costs, std::vector<int> uavs, const StopCheck& isStopped = {});
 
-    /** Memory of the complete graph, swept and trimmed. */
+    /** Returns the memory, bytes, of the complete graph while it is swept and trimmed. */
     [[nodiscard]] static std::int64_t bytesOfComplete(const FleetCosts& costs,
                                                       const std::vector<int>& uavs);
 
-    /** Finds all shortest lengths to an end. False when cut. */
-    [[nodiscard]] bool sweep(const Eigen::VectorXd& lambda, const CutQuestion& cut);
-    /** Shortest length from a root at the last sweep, at most 0. */
+    /** Finds all shortest lengths to an end. Returns false if stopped. */
+    [[nodiscard]] bool sweep(const Eigen::VectorXd& lambda, const StopCheck& isStopped);
+    /** Returns the shortest length from a root at the last sweep, at most 0. */
     [[nodiscard]] double shortest(int root) const
     {
         return std::min(0.0, m_completion[static_cast<std::size_t>(root)]);
     }
-    /** Of all roots. */
+    /** Returns the sum of the shortest lengths of all roots. */
     [[nodiscard]] double shortestSum() const;
-    /** That path of the last sweep: icebergs in turn. */
+    /** Returns the shortest path from a root at the last sweep: icebergs in visiting order. */
     [[nodiscard]] std::vector<int> shortestPath(int root) const;
 
     /**
-     * Deletes what is on no path that is less than `slack` longer than the shortest of its root.
-     * Sweep at the same multipliers first, and again afterwards. False when cut: the graph is of no
-     * use any more then.
+     * Deletes everything that is on no path less than `slack` longer than the shortest of its root.
+     * Sweep at the same multipliers before, and again afterwards. Returns false if stopped: the
+     * graph is then unusable.
      */
-    [[nodiscard]] bool trim(const Eigen::VectorXd& lambda, double slack, const CutQuestion& cut);
+    [[nodiscard]] bool trim(const Eigen::VectorXd& lambda, double slack,
+                            const StopCheck& isStopped);
 
     /**
-     * The product of this graph with the memory that `sets` prescribe, less what `trim` would
-     * delete. Sweep at the same multipliers first. No graph when it exceeds the limits or when cut.
+     * Returns the product of this graph with the memory that `sets` prescribe, without the parts
+     * that `trim` would delete. Sweep at the same multipliers first. Returns no graph if it would
+     * exceed the limits, or if stopped.
      */
     [[nodiscard]] FleetRefinement refined(const NgSets& sets, const Eigen::VectorXd& lambda,
                                           double slack, const GraphLimits& limits,
-                                          const CutQuestion& cut) const;
+                                          const StopCheck& isStopped) const;
 
+    /** Returns the UAVs by root. */
     [[nodiscard]] const std::vector<int>& uavs() const { return m_uavs; }
     [[nodiscard]] int rootCount() const { return static_cast<int>(m_uavs.size()); }
+    /** Returns the iceberg of a node; 0 for a root. */
     [[nodiscard]] int iceberg(int node) const { return m_iceberg[at(node)]; }
     [[nodiscard]] int nodeCount() const { return static_cast<int>(m_iceberg.size()); }
     [[nodiscard]] std::int64_t arcCount() const { return static_cast<std::int64_t>(m_arcs.size()); }
+    /** Returns the memory in use, bytes. */
     [[nodiscard]] std::int64_t bytes() const;
+    /** Returns the nodes that may follow `node`. */
     [[nodiscard]] std::span<const int> successors(int node) const
     {
         return std::span(m_arcs).subspan(m_firstArc[at(node)],
                                          m_firstArc[at(node) + 1] - m_firstArc[at(node)]);
     }
+    /** Returns the cost of the leg between two nodes. */
     [[nodiscard]] double leg(int node, int to) const
     {
         return costs(node).leg(iceberg(node), iceberg(to));
     }
-    /** From the node before `to`, its visit included, to an end, at the last sweep. */
+    /** Returns the length from `to`, its visit included, to an end, at the last sweep. */
     [[nodiscard]] double entry(int to) const { return m_entry[at(to)]; }
-    /** Cost of the visit of a node in `layer`, less its multiplier. */
+    /** Returns the cost of the visit of a node in `layer`, less its multiplier. */
     [[nodiscard]] double visit(int node, int layer, const Eigen::VectorXd& lambda) const
     {
         return costs(node).visit(iceberg(node), layer) - lambda(iceberg(node));
     }
-    /** What ending at the node costs. */
+    /** Returns the cost of ending at the node. */
     [[nodiscard]] double ending(int node) const { return costs(node).leg(iceberg(node), 0); }
 
 private:
     explicit FleetGraph(const FleetCosts& costs) : m_costs(&costs) {}
     [[nodiscard]] static std::size_t at(int k) { return static_cast<std::size_t>(k); }
-    /** Of a root's own UAV; beyond the roots all are alike. */
+    /** Returns the costs of a root's own UAV; beyond the roots all UAVs are alike. */
     [[nodiscard]] const UavCosts& costs(int node) const
     {
         return m_costs->of(m_uavs[node < rootCount() ? at(node) : 0]);
     }
     [[nodiscard]] int layers() const { return static_cast<int>(m_firstNode.size()) - 1; }
-    /** Calls `look(node, layer)` for each in turn, backwards or not; false when cut. */
-    template <class Look>
-    bool forNodes(bool backwards, const CutQuestion& cut, const Look& look) const;
-    /** By node from its root, less the root's shortest length, its own visit included. */
+    /**
+     * Calls `visitor(node, layer)` for each node in order, backwards or not. Returns false if
+     * stopped.
+     */
+    template <class Visitor>
+    bool forNodes(bool backwards, const StopCheck& isStopped, const Visitor& visitor) const;
+    /**
+     * Returns by node the length from its root, less the root's shortest length, its own visit
+     * included. Returns nullopt if stopped.
+     */
     [[nodiscard]] std::optional<std::vector<double>> lengths(const Eigen::VectorXd& lambda,
-                                                             const CutQuestion& cut) const;
+                                                             const StopCheck& isStopped) const;
 
     const FleetCosts* m_costs;
-    std::vector<int> m_uavs;             ///< by root; nodes 0 .. are the roots
-    std::vector<int> m_firstNode;        ///< layers + 1, layer 0 are the roots
-    LargeVector<int> m_iceberg;          ///< by node, 0 for roots
+    std::vector<int> m_uavs;             ///< by root; the first nodes are the roots
+    std::vector<int> m_firstNode;        ///< layers + 1; layer 0 holds the roots
+    LargeVector<int> m_iceberg;          ///< by node; 0 for roots
     LargeVector<std::size_t> m_firstArc; ///< nodes + 1
     LargeVector<int> m_arcs;             ///< node each arc leads to
-    LargeVector<double> m_completion;    ///< by node, of the last sweep
+    LargeVector<double> m_completion;    ///< by node, at the last sweep
     LargeVector<double> m_entry;         ///< completion + visit
 };
 
-/** What `FleetGraph::refined` made. */
+/** Result of `FleetGraph::refined`. */
 struct FleetRefinement
 {
     std::optional<FleetGraph> graph;
-    bool memoryOut = false; ///< no graph because of `GraphLimits::bytes`
+    bool memoryOut = false; ///< whether there is no graph because of `GraphLimits::bytes`
 };
 
 } // namespace berg

@@ -11,33 +11,34 @@ namespace {
 
 constexpr std::int64_t kWorkOfOrder = 20;
 
-/** Keeps the best of the moves offered. */
+/** Stores the best of the moves offered. */
 class Chooser
 {
 public:
     Chooser(const FleetRoutes& routes, SearchEffort& effort) : m_routes(routes), m_effort(effort) {}
 
-    /** Asked once for each place of an order. */
+    /** Returns whether the effort lasts; called once for each position of an order. */
     [[nodiscard]] bool continues() const { return !m_effort.spent(); }
 
     void offer(const FleetMove::Part& part)
     {
         m_effort.work += kWorkOfOrder;
         const double before = m_routes.cost(part.uav);
-        take(before - m_routes.cost(part.uav, part.pieces), before, {part, {}}, 1);
+        storeIfBetter(before - m_routes.cost(part.uav, part.pieces), before, {part, {}}, 1);
     }
     void offer(const FleetMove::Part& a, const FleetMove::Part& b)
     {
         m_effort.work += 2 * kWorkOfOrder;
         const double before = m_routes.cost(a.uav) + m_routes.cost(b.uav);
         const double after = m_routes.cost(a.uav, a.pieces) + m_routes.cost(b.uav, b.pieces);
-        take(before - after, before, {a, b}, 2);
+        storeIfBetter(before - after, before, {a, b}, 2);
     }
 
     FleetMove best;
 
 private:
-    void take(double gain, double before, const std::array<FleetMove::Part, 2>& parts, int count)
+    void storeIfBetter(double gain, double before, const std::array<FleetMove::Part, 2>& parts,
+                       int count)
     {
         if (gain > best.gain && gain > kLeastGain * before)
             best = {.gain = gain, .parts = parts, .partCount = count};
@@ -142,7 +143,7 @@ bool apply(FleetRoutes& routes, const FleetMove& move)
     double before = 0;
     for (std::size_t k = 0; k < count; ++k)
         before += routes.cost(move.parts[k].uav);
-    // The sums that moves are valued by may be far larger than the cost.
+    // The sums from which moves are evaluated may be far larger than the cost.
     const bool gains = exchangeOrders() < before;
     if (!gains)
         exchangeOrders();

@@ -6,26 +6,26 @@ namespace berg {
 
 namespace {
 
-/** Between two looks at the clock. */
+/** States between two checks for a stop. */
 constexpr std::size_t kStatesPerCheck = 64;
 
 } // namespace
 
 bool FleetOrders::add(const FleetGraph& graph, const Eigen::VectorXd& lambda, double slack,
-                      std::size_t mostStates, const CutQuestion& cut)
+                      std::size_t mostStates, const StopCheck& isStopped)
 {
     for (int root = 0; root < graph.rootCount(); ++root) {
         const int uav = graph.uavs()[static_cast<std::size_t>(root)];
         if (-graph.shortest(root) < slack)
             m_orders.push_back({.uav = uav, .visited = {}, .excess = -graph.shortest(root)});
-        if (!addPaths(graph, root, lambda, slack, mostStates, cut))
+        if (!addPaths(graph, root, lambda, slack, mostStates, isStopped))
             return false;
     }
     return true;
 }
 
 bool FleetOrders::addPaths(const FleetGraph& graph, int root, const Eigen::VectorXd& lambda,
-                           double slack, std::size_t mostStates, const CutQuestion& cut)
+                           double slack, std::size_t mostStates, const StopCheck& isStopped)
 {
     const int uav = graph.uavs()[static_cast<std::size_t>(root)];
     NumberTable next;
@@ -35,7 +35,7 @@ bool FleetOrders::addPaths(const FleetGraph& graph, int root, const Eigen::Vecto
         const std::size_t end = m_states.size();
         next.clear();
         for (std::size_t k = begin; k < end; ++k) {
-            if (k % kStatesPerCheck == 0 && cut && cut())
+            if (k % kStatesPerCheck == 0 && isStopped && isStopped())
                 return false;
             const State from = m_states[k];
             for (const int to : graph.successors(from.node)) {
@@ -53,7 +53,7 @@ bool FleetOrders::addPaths(const FleetGraph& graph, int root, const Eigen::Vecto
             if (m_states.size() > mostStates)
                 return false;
         }
-        if (!addOrders(graph, uav, end, slack, cut))
+        if (!addOrders(graph, uav, end, slack, isStopped))
             return false;
         begin = end;
     }
@@ -78,11 +78,11 @@ void FleetOrders::offer(const State& state, NumberTable& states)
 }
 
 bool FleetOrders::addOrders(const FleetGraph& graph, int uav, std::size_t begin, double slack,
-                            const CutQuestion& cut)
+                            const StopCheck& isStopped)
 {
     NumberTable best;
     for (std::size_t k = begin; k < m_states.size(); ++k) {
-        if (k % (64 * kStatesPerCheck) == 0 && cut && cut())
+        if (k % (64 * kStatesPerCheck) == 0 && isStopped && isStopped())
             return false;
         const State& state = m_states[k];
         const Order order{.uav = uav,

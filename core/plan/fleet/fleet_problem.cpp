@@ -106,7 +106,7 @@ TuningWeight fleetTuningWeight(const FleetProblem& problem, const Eigen::MatrixX
         sum_m += (between_m.sum() - between_m.diagonal().sum()) / static_cast<double>(uavs);
     }
     const auto places = static_cast<double>(uavs + n);
-    // The rule for one UAV, on a matrix that has this average everywhere.
+    // This applies the rule for one UAV to a matrix that has this average everywhere.
     TuningWeight weight = tuningWeight(
         {.distance_m = Eigen::MatrixXd::Constant(n + 1, n + 1, sum_m / (places * (places - 1))),
          .sigma_m2 = problem.sigma_m2},
@@ -148,7 +148,8 @@ std::vector<Issue> validate(const FleetProblem& problem)
         for (Issue& issue : validate(problemOfUav(problem, uav))) {
             if (issue.field.starts_with("distance_m"))
                 issue.field = "uavs[" + std::to_string(uav) + "]." + issue.field;
-            if (std::ranges::find(issues, issue) == issues.end()) // what all UAVs share, once
+            // Faults that all UAVs share are reported once.
+            if (std::ranges::find(issues, issue) == issues.end())
                 issues.push_back(std::move(issue));
         }
     validateAllowed(problem, issues);

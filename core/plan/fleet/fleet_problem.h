@@ -12,27 +12,31 @@ namespace berg {
 /**
  * The problem of Eq. (1) for several UAVs: each has a start and flies an order of its own, every
  * iceberg is visited by one of them, and positions count within the order of its UAV. N is the
- * number of icebergs and 1, the same for all. Nodes 1 .. N-1 are icebergs as in `TvpProblem`; node
- * 0 is the start of the UAV in question.
+ * number of icebergs plus 1, the same for all. Nodes 1 .. N-1 are icebergs as in `TvpProblem`; node
+ * 0 is the start of the respective UAV.
  */
 struct FleetProblem
 {
-    /** One N x N for each UAV, as `TvpProblem::distance_m`. They differ in row and column 0, and
-     * elsewhere when airspeeds or winds do: then in one unit for all, such as flight time times a
-     * speed common to the fleet. */
+    /**
+     * One N x N matrix for each UAV, as `TvpProblem::distance_m`. They differ in row and column 0,
+     * and elsewhere if airspeeds or winds differ: the unit is then the same for all, such as flight
+     * time times a speed common to the fleet.
+     */
     std::vector<Eigen::MatrixXd> distance_m;
-    std::vector<double> sigma_m2; ///< N; [0] is 0
-    double mu = 0;                ///< weight of distance, >= 0: `fleetTuningWeight`
+    std::vector<double> sigma_m2; ///< N values; [0] is 0
+    double mu = 0;                ///< weight of distance, >= 0; see `fleetTuningWeight`
     Route route = Route::Open;
-    /** Which UAV may visit which iceberg: empty when each may visit all, or N entries for each of
-     * them, [0] ignored. Every iceberg may be visited by one at least. */
+    /**
+     * Which UAV may visit which iceberg: N entries for each UAV, [0] ignored, or empty if each may
+     * visit all. At least one UAV may visit each iceberg.
+     */
     std::vector<std::vector<bool>> allowed = {};
     Criterion criterion = Criterion::Visitation;
 
     [[nodiscard]] int uavCount() const { return static_cast<int>(distance_m.size()); }
     [[nodiscard]] int nodeCount() const { return static_cast<int>(sigma_m2.size()); }
     [[nodiscard]] int icebergCount() const { return nodeCount() - 1; }
-    /** Whether the UAV may visit the iceberg node. */
+    /** Returns whether the UAV may visit the iceberg node. */
     [[nodiscard]] bool allows(int uav, int node) const
     {
         return allowed.empty() ||
@@ -40,45 +44,54 @@ struct FleetProblem
     }
 };
 
-/** True when every iceberg is in one of the orders, once, and each may visit what it visits. */
+/**
+ * Returns whether there is one order for each UAV, every iceberg is in one of them, once, and each
+ * UAV may visit its icebergs.
+ */
 [[nodiscard]] bool isFleetPlan(const FleetProblem& problem, const FleetPlan& plan);
 
-/** The plan without what is in no plan: unknown nodes, second visits, visits that are not allowed.
- * `plan` holds one order for each UAV. */
+/**
+ * Returns the plan without invalid visits: unknown nodes, second visits, visits that are not
+ * allowed. `plan` must hold one order for each UAV.
+ */
 [[nodiscard]] FleetPlan validPart(const FleetProblem& problem, FleetPlan plan);
 
-/** The same problem of one UAV. */
+/** Returns a problem of one UAV as a fleet problem. */
 [[nodiscard]] FleetProblem problemOf(const TvpProblem& alone);
 
-/** The problem as the UAV would have it alone, with all icebergs. */
+/** Returns the problem of one UAV alone, with all icebergs. */
 [[nodiscard]] TvpProblem problemOfUav(const FleetProblem& problem, int uav);
 
-/** Sum of the distances flown, m; return legs of the UAVs that fly included on closed routes. */
+/** Returns the sum of the distances flown, m, with the return legs of closed routes. */
 [[nodiscard]] double fleetDistance(const FleetProblem& problem, const FleetPlan& plan);
 
 /**
- * The only judge of fleet plans: F = -sum sigma_i (N - t_i) + mu D with t = 2, 3, ... along each
- * order, or the sum of the orders' latencies. With one UAV that is `objective`. `plan` must satisfy
- * `isFleetPlan`.
+ * Returns the objective, by which all fleet plans are compared: F = -sum sigma_i (N - t_i) + mu D
+ * with t = 2, 3, ... along each order, or the sum of the orders' latencies. With one UAV it equals
+ * `objective`. Throws `std::logic_error` unless `isFleetPlan`.
  */
 [[nodiscard]] double fleetObjective(const FleetProblem& problem, const FleetPlan& plan);
 
-/** As `uncertaintyReward`, over all orders. */
+/** Returns the sum of `uncertaintyReward` over all orders, m^2; N is that of the whole problem. */
 [[nodiscard]] double fleetReward(const FleetProblem& problem, const FleetPlan& plan);
 
 /**
- * mu(tau) of Eq. (10)-(14) for the fleet: the average distance is that over all ordered pairs of
- * starts and icebergs (between icebergs the mean over the UAVs), N is the common one. Then divided
- * by sqrt(m) for m UAVs, so that tau means the same for any number of them: each has 1/m of the
- * icebergs, by which the reward of a visit grows, in 1/m of the area, where legs are shorter by
- * sqrt(m). Measured: tests/bench/RESULTS.md. With one UAV that is `tuningWeight`.
- * `betweenStarts_m`: one row and column for each UAV, diagonal ignored.
+ * Returns mu(tau) of Eq. (10)-(14) for the fleet: the average distance is that over all ordered
+ * pairs of starts and icebergs (between icebergs the mean over the UAVs), N is the common one. The
+ * result is divided by sqrt(m) for m UAVs, so that tau means the same for any number of them: each
+ * has 1/m of the icebergs, by which the reward of a visit grows, in 1/m of the area, where legs are
+ * shorter by sqrt(m). Measured: tests/bench/RESULTS.md. With one UAV it equals `tuningWeight`. If
+ * all sigma are 0, mu is 1 for any number of UAVs; without icebergs it is 0. `betweenStarts_m` has
+ * one row and column for each UAV (else `std::logic_error`); its diagonal is ignored. It is not
+ * read for one UAV.
  */
 [[nodiscard]] TuningWeight fleetTuningWeight(const FleetProblem& problem,
                                              const Eigen::MatrixXd& betweenStarts_m, double tau);
 
-/** All faults of a problem: no UAV, sizes, signs, numbers that are not finite, icebergs
- * that no UAV may visit. */
+/**
+ * Returns all faults of a problem: no UAV, the faults of `problemOfUav` of each UAV, wrong size of
+ * `allowed`, icebergs that no UAV may visit.
+ */
 [[nodiscard]] std::vector<Issue> validate(const FleetProblem& problem);
 
 } // namespace berg

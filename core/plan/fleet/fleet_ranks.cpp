@@ -12,17 +12,17 @@ namespace berg {
 
 namespace {
 
-/** Empty when cut. */
-FleetPlan byAssignment(const FleetProblem& problem, const std::function<bool()>& cut)
+/** Returns an empty plan if stopped. */
+FleetPlan byAssignment(const FleetProblem& problem, const std::function<bool()>& isStopped)
 {
     const Eigen::Index n = problem.icebergCount();
     const Eigen::Index uavs = problem.uavCount();
     const double sum_m2 = std::accumulate(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
-    // More than all the rest together.
+    // This exceeds the sum of all other costs.
     const double barred = static_cast<double>(2 * (n + 1)) * (sum_m2 + 1);
     Eigen::MatrixXd cost(uavs * n, n); // row: place * uavs + uav
     for (Eigen::Index i = 0; i < n; ++i) {
-        if (cut && cut())
+        if (isStopped && isStopped())
             return {};
         for (Eigen::Index place = 0; place < n; ++place)
             for (Eigen::Index uav = 0; uav < uavs; ++uav)
@@ -32,7 +32,7 @@ FleetPlan byAssignment(const FleetProblem& problem, const std::function<bool()>&
                               static_cast<double>(place + 2)
                         : barred;
     }
-    const std::vector<int> places = cheapestAssignment(cost, cut);
+    const std::vector<int> places = cheapestAssignment(cost, isStopped);
     if (places.empty())
         return {};
     std::vector<int> icebergAt(static_cast<std::size_t>(uavs * n), 0);
@@ -47,7 +47,7 @@ FleetPlan byAssignment(const FleetProblem& problem, const std::function<bool()>&
 
 } // namespace
 
-FleetPlan inTurn(const FleetProblem& problem)
+FleetPlan roundRobinPlan(const FleetProblem& problem)
 {
     std::vector<int> icebergs(static_cast<std::size_t>(problem.icebergCount()));
     std::iota(icebergs.begin(), icebergs.end(), 1);
@@ -66,24 +66,24 @@ FleetPlan inTurn(const FleetProblem& problem)
     return plan;
 }
 
-FleetRanks bestRanks(const FleetProblem& problem, const std::function<bool()>& cut)
+FleetRanks bestRanks(const FleetProblem& problem, const std::function<bool()>& isStopped)
 {
-    FleetPlan plan = byAssignment(problem, cut);
+    FleetPlan plan = byAssignment(problem, isStopped);
     if (plan.empty())
-        return {.plan = inTurn(problem)};
+        return {.plan = roundRobinPlan(problem)};
     const double distance_m = fleetDistance(problem, plan);
     const double value = fleetObjective(problem, plan);
     const double scale = value + objectiveShift(problem);
     if (distance_m <= 0)
         return {.plan = plan, .isBest = true};
-    // So little that it settles nothing but ties.
+    // The weight is so small that it only breaks ties.
     constexpr double kWeight = 1e-7;
     FleetProblem tied = problem;
     tied.mu = scale > 0 ? kWeight * scale / distance_m : 1;
     const FleetCosts costs(tied);
-    SearchEffort effort{.cut = cut};
+    SearchEffort effort{.isStopped = isStopped};
     FleetSearch search(costs, effort);
-    search.take(plan);
+    search.accept(plan);
     search.descend();
     constexpr double kRounding = 1e-12;
     if (fleetObjective(problem, search.best()) <= value + kRounding * scale)

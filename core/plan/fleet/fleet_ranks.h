@@ -6,23 +6,28 @@
 
 namespace berg {
 
-/** A plan made at once: the most uncertain icebergs first, each to the UAV with the fewest so far.
+/**
+ * Returns a quick plan: the most uncertain icebergs first, each to the UAV with the fewest so far
+ * among those that may visit it, which must exist.
  */
-[[nodiscard]] FleetPlan inTurn(const FleetProblem& problem);
+[[nodiscard]] FleetPlan roundRobinPlan(const FleetProblem& problem);
 
-/** What `bestRanks` found. */
+/** Result of `bestRanks`. */
 struct FleetRanks
 {
     FleetPlan plan;
-    bool isBest = false; ///< else cut before: a plan that is good
+    /** Whether the plan is proven; otherwise it was stopped, and the plan is only good. */
+    bool isBest = false;
 };
 
 /**
- * The best plan when distance does not count (mu = 0, visitation): the most uncertain icebergs at
- * the first places of all UAVs, and so on, by assignment of icebergs to places. Of equally good
- * plans one that no move of the local search makes shorter. `cut`, asked at least every 10 ms, ends
- * the assignment or the looking for shorter ones.
+ * Returns the best plan if distance has no weight (mu = 0, visitation): the most uncertain icebergs
+ * at the first positions of all UAVs, and so on, by assignment of icebergs to positions. Among
+ * equally good plans it is one that no move of the local search makes shorter. `isStopped`, called
+ * at least every 10 ms, ends the assignment, which leaves `roundRobinPlan`, or the search for
+ * shorter plans. There must be at least one iceberg.
  */
-[[nodiscard]] FleetRanks bestRanks(const FleetProblem& problem, const std::function<bool()>& cut);
+[[nodiscard]] FleetRanks bestRanks(const FleetProblem& problem,
+                                   const std::function<bool()>& isStopped);
 
 } // namespace berg

@@ -66,7 +66,7 @@ double FleetRoutes::cost(int uav, std::span<const RoutePiece> pieces) const
         return latency(uav, pieces);
     const UavCosts& costs = m_costs->of(uav);
     double sum = 0;
-    int place = 0; // of the last iceberg so far
+    int place = 0; // position of the last iceberg so far
     int last = 0;
     for (const RoutePiece& piece : pieces) {
         if (piece.begin == piece.end)
@@ -83,7 +83,7 @@ double FleetRoutes::cost(int uav, std::span<const RoutePiece> pieces) const
         const double wait = table.wait[end] - table.wait[begin];
         sum += costs.leg(last, piece.backwards ? from[end - 1] : from[begin]) + legs[end - 1] -
                legs[begin];
-        // t is the place and 1.
+        // t is the position plus 1.
         sum += piece.backwards ? (piece.end + place + 2) * sigma - wait
                                : (place - piece.begin + 1) * sigma + wait;
         place += piece.end - piece.begin;
@@ -96,7 +96,7 @@ double FleetRoutes::latency(int uav, std::span<const RoutePiece> pieces) const
 {
     const UavCosts& costs = m_costs->of(uav);
     double sum = 0;
-    double length = 0; // flown so far
+    double length = 0; // length flown so far
     int last = 0;
     for (const RoutePiece& piece : pieces) {
         if (piece.begin == piece.end)

@@ -10,12 +10,14 @@ namespace berg {
 
 namespace {
 
-/** No more strings are taken out at so many icebergs; the longest string. */
+/**
+ * No more strings are removed once this many icebergs are out; the length of the longest string.
+ */
 constexpr std::size_t kEnoughOut = 16;
 constexpr int kLongestString = 10;
-/** Chance that a place is overlooked when an iceberg is put back. */
+/** Probability of skipping a position when an iceberg is inserted. */
 constexpr double kBlink = 0.01;
-/** Temperatures of the annealing, of the mean cost of an iceberg; by measurement. */
+/** Temperatures of the annealing, relative to the mean cost of an iceberg; measured. */
 constexpr double kFirstHeat = 1;
 constexpr double kLastHeat = 0.01;
 
@@ -46,9 +48,9 @@ std::int64_t FleetSearch::random(std::int64_t count)
     return static_cast<std::int64_t>(m_random.below(static_cast<std::uint64_t>(count)));
 }
 
-void FleetSearch::keep(const FleetPlan& plan, double cost)
+void FleetSearch::storeIfBetter(const FleetPlan& plan, double cost)
 {
-    constexpr double kBetter = 1 - 1e-12; // less may be rounding
+    constexpr double kBetter = 1 - 1e-12; // a smaller change may be rounding
     if (!m_best.empty() && cost >= m_bestCost * kBetter)
         return;
     m_best = plan;
@@ -57,9 +59,9 @@ void FleetSearch::keep(const FleetPlan& plan, double cost)
         onImproved(m_best);
 }
 
-void FleetSearch::take(const FleetPlan& plan)
+void FleetSearch::accept(const FleetPlan& plan)
 {
-    keep(plan, m_costs.total(plan));
+    storeIfBetter(plan, m_costs.total(plan));
 }
 
 void FleetSearch::complete(FleetPlan plan)
@@ -76,24 +78,24 @@ void FleetSearch::complete(FleetPlan plan)
         return m_costs.of(0).sigmaOf(a) > m_costs.of(0).sigmaOf(b);
     });
     for (const int iceberg : icebergs)
-        put(plan, iceberg, false);
-    take(plan);
+        insert(plan, iceberg, false);
+    accept(plan);
 }
 
 void FleetSearch::descend()
 {
     FleetRoutes routes(m_costs, m_best);
     const int uavs = m_costs.uavs();
-    // A pair of orders is looked at again when one of them has changed since.
+    // A pair of orders is examined again when one of them has changed since.
     std::vector<int> changed(static_cast<std::size_t>(uavs), 0);
-    std::vector<int> looked(static_cast<std::size_t>(uavs) * static_cast<std::size_t>(uavs), -1);
+    std::vector<int> examined(static_cast<std::size_t>(uavs) * static_cast<std::size_t>(uavs), -1);
     int time = 0;
     for (bool moved = true; moved;) {
         moved = false;
         for (int a = 0; a < uavs; ++a)
             for (int b = 0; b < uavs; ++b) {
-                int& last = looked[static_cast<std::size_t>(a) * static_cast<std::size_t>(uavs) +
-                                   static_cast<std::size_t>(b)];
+                int& last = examined[static_cast<std::size_t>(a) * static_cast<std::size_t>(uavs) +
+                                     static_cast<std::size_t>(b)];
                 while (!m_effort.spent() && last < std::max(changed[static_cast<std::size_t>(a)],
                                                             changed[static_cast<std::size_t>(b)])) {
                     const FleetMove move = a == b ? bestMoveWithin(routes, a, m_effort)
@@ -107,7 +109,7 @@ void FleetSearch::descend()
                 }
             }
     }
-    take(routes.plan());
+    accept(routes.plan());
 }
 
 void FleetSearch::disturb(std::int64_t times)
@@ -119,10 +121,10 @@ void FleetSearch::disturb(std::int64_t times)
     const double cooling = std::log(kLastHeat / kFirstHeat) / static_cast<double>(times);
     for (std::int64_t k = 0; k < times && !m_effort.spent(); ++k) {
         FleetPlan next = plan;
-        std::vector<int> out = takeOut(next);
-        sortForPuttingBack(out);
+        std::vector<int> out = removeStrings(next);
+        shuffleForInsertion(out);
         for (const int iceberg : out)
-            put(next, iceberg, true);
+            insert(next, iceberg, true);
         const double nextCost = m_costs.total(next);
         m_effort.work += std::int64_t{4} * m_costs.icebergs();
         const double heat = first * std::exp(cooling * static_cast<double>(k));
@@ -130,13 +132,13 @@ void FleetSearch::disturb(std::int64_t times)
             continue;
         plan = std::move(next);
         cost = nextCost;
-        keep(plan, cost);
+        storeIfBetter(plan, cost);
     }
     if (m_bestCost < before)
         descend();
 }
 
-std::vector<int> FleetSearch::takeOut(FleetPlan& plan)
+std::vector<int> FleetSearch::removeStrings(FleetPlan& plan)
 {
     const auto seed = static_cast<std::size_t>(1 + random(m_costs.icebergs()));
     const auto mostStrings = static_cast<std::int64_t>(m_costs.uavs());
@@ -151,14 +153,14 @@ std::vector<int> FleetSearch::takeOut(FleetPlan& plan)
         if (order == plan.end() || ruined[static_cast<std::size_t>(order - plan.begin())])
             continue;
         ruined[static_cast<std::size_t>(order - plan.begin())] = true;
-        takeString(*order, iceberg, out);
+        removeString(*order, iceberg, out);
         if (++done == strings || out.size() >= kEnoughOut)
             break;
     }
     return out;
 }
 
-void FleetSearch::takeString(VisitOrder& order, int iceberg, std::vector<int>& out)
+void FleetSearch::removeString(VisitOrder& order, int iceberg, std::vector<int>& out)
 {
     const auto size = static_cast<std::int64_t>(order.size());
     const std::int64_t length = 1 + random(std::min<std::int64_t>(size, kLongestString));
@@ -170,7 +172,7 @@ void FleetSearch::takeString(VisitOrder& order, int iceberg, std::vector<int>& o
     order.erase(begin, begin + length);
 }
 
-void FleetSearch::sortForPuttingBack(std::vector<int>& icebergs)
+void FleetSearch::shuffleForInsertion(std::vector<int>& icebergs)
 {
     for (std::size_t k = icebergs.size(); k > 1; --k)
         std::swap(icebergs[k - 1],
@@ -181,7 +183,7 @@ void FleetSearch::sortForPuttingBack(std::vector<int>& icebergs)
         });
 }
 
-void FleetSearch::put(FleetPlan& plan, int iceberg, bool blink)
+void FleetSearch::insert(FleetPlan& plan, int iceberg, bool blink)
 {
     Place best{.cost = std::numeric_limits<double>::infinity()};
     for (int uav = 0; uav < m_costs.uavs(); ++uav) {
@@ -204,7 +206,7 @@ void FleetSearch::offerPlaces(const VisitOrder& order, int uav, int iceberg, boo
 {
     const UavCosts& costs = m_costs.of(uav);
     double sigmaBehind = 0;
-    double flown = 0; // until `last`
+    double flown = 0; // length flown until `last`
     if constexpr (kWeighted)
         for (std::size_t k = 0; k < order.size(); ++k)
             flown += costs.leg(k > 0 ? order[k - 1] : 0, order[k]);

@@ -10,15 +10,15 @@
 namespace berg {
 
 /**
- * Local search over fleet plans. Descents by the moves of `fleet_moves.h`, and between them
- * simulated annealing by taking neighbouring strings of icebergs out of the orders and putting each
- * back where it costs least (Christiaens and Vanden Berghe 2020, slack induction by string
- * removals). Deterministic; the best plan is kept throughout, whenever the effort is spent.
+ * Local search over fleet plans: descents by the moves of `fleet_moves.h`, and between them
+ * simulated annealing that removes neighbouring strings of icebergs from the orders and inserts
+ * each iceberg where it costs least (Christiaens and Vanden Berghe 2020, slack induction by string
+ * removals). Deterministic; the best plan is available whenever the effort is spent.
  */
 class FleetSearch
 {
 public:
-    /** Keeps references to `costs` and `effort`. */
+    /** Keeps references to `costs` and `effort`, which must outlive the search. */
     FleetSearch(const FleetCosts& costs, SearchEffort& effort);
 
     /** Called with each new best plan; may be empty. */
@@ -27,16 +27,23 @@ public:
     /** Best plan so far; empty before the first one. */
     [[nodiscard]] const FleetPlan& best() const { return m_best; }
 
-    /** Takes a plan from elsewhere, if it is a better one. */
-    void take(const FleetPlan& plan);
-    /** Takes the part of a plan (`validPart`) after each iceberg that it lacks was put where it
-     * costs least, the most uncertain first: at once, whatever the effort. */
+    /** Accepts a plan from another search if it is better than the best one. */
+    void accept(const FleetPlan& plan);
+    /**
+     * Inserts each iceberg that the plan lacks where it costs least, the most uncertain first, and
+     * accepts the result, even if the effort is spent. The plan must be a `validPart`.
+     */
     void complete(FleetPlan plan);
-    /** `complete` from nothing. */
+    /** Makes a greedy plan: `complete` of empty orders. */
     void startGreedily() { complete(FleetPlan(static_cast<std::size_t>(m_costs.uavs()))); }
-    /** Goes down from the best plan to a local optimum. */
+    /**
+     * Descends from the best plan, which must exist, until a local optimum or until the effort is
+     * spent.
+     */
     void descend();
-    /** Annealing from the best plan, so many times out and back, and a descent from what it finds.
+    /**
+     * Anneals from the best plan, with `times` removals and insertions or until the effort is
+     * spent, and descends if that found a better plan. There must be a best plan and an iceberg.
      */
     void disturb(std::int64_t times);
 
@@ -49,19 +56,20 @@ private:
     };
 
     [[nodiscard]] std::int64_t random(std::int64_t count);
-    void keep(const FleetPlan& plan, double cost);
-    /** Takes strings out of the plan, near a random iceberg. */
-    [[nodiscard]] std::vector<int> takeOut(FleetPlan& plan);
-    void takeString(VisitOrder& order, int iceberg, std::vector<int>& out);
-    void sortForPuttingBack(std::vector<int>& icebergs);
-    void put(FleetPlan& plan, int iceberg, bool blink);
+    void storeIfBetter(const FleetPlan& plan, double cost);
+    /** Removes strings of icebergs near a random one from the plan and returns them. */
+    [[nodiscard]] std::vector<int> removeStrings(FleetPlan& plan);
+    void removeString(VisitOrder& order, int iceberg, std::vector<int>& out);
+    void shuffleForInsertion(std::vector<int>& icebergs);
+    void insert(FleetPlan& plan, int iceberg, bool blink);
     template <bool kWeighted>
     void offerPlaces(const VisitOrder& order, int uav, int iceberg, bool blink, Place& best);
 
     const FleetCosts& m_costs;
     SearchEffort& m_effort;
     Random m_random;
-    std::vector<std::vector<int>> m_near; ///< by iceberg: all, the nearest first, itself included
+    /** By iceberg: all icebergs, the nearest first, itself included. */
+    std::vector<std::vector<int>> m_near;
     FleetPlan m_best;
     double m_bestCost = 0;
 };

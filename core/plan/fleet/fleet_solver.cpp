@@ -22,13 +22,15 @@ namespace berg {
 
 namespace {
 
-/** Share of all work that goes into more local search while the proof is under way: 1 / this. */
+/**
+ * Fraction (1 / this) of all work that goes into more local search while the proof is in progress.
+ */
 constexpr std::int64_t kSearchShare = 4;
-/** Annealings are at least so long. */
+/** Least length of an annealing. */
 constexpr std::int64_t kLeastTimes = 2000;
-/** Work of taking out and putting back, per iceberg. */
+/** Work of a removal and insertion, per iceberg. */
 constexpr std::int64_t kWorkOfTime = 50;
-/** Length of the first annealing, per iceberg, without a hint and with one; by measurement. */
+/** Length of the first annealing, per iceberg, without a hint and with one; measured. */
 constexpr std::int64_t kFirstTimes = 600;
 constexpr std::int64_t kFirstTimesFromHint = 100;
 
@@ -39,7 +41,7 @@ std::int64_t firstTimes(const SolveOptions& options)
     return options.hint.empty() ? kFirstTimes : kFirstTimesFromHint;
 }
 
-/** One solve: local search and bound take turns. */
+/** Runs one solve, in which local search and bound alternate. */
 class FleetEngine
 {
 public:
@@ -49,18 +51,18 @@ public:
         , m_options(options)
         , m_account(options, objectiveShift(problem), problem.icebergCount())
         , m_costs(problem)
-        , m_own(effort.value_or(kNoLimit))
-        , m_limit(std::min(m_own, options.workLimit.value_or(kNoLimit)))
+        , m_backendLimit(effort.value_or(kNoLimit))
+        , m_limit(std::min(m_backendLimit, options.workLimit.value_or(kNoLimit)))
         , m_search(m_costs, m_effort)
     {
-        m_effort.cut = [this] { return m_account.cut(); };
+        m_effort.isStopped = [this] { return m_account.isStopped(); };
         m_effort.limit = m_limit;
         m_search.onImproved = [this](const FleetPlan& plan) {
             m_account.acceptPlan(plan, fleetObjective(m_problem, plan));
         };
     }
 
-    /** Dynamic programming is faster, and keeps to the limits. */
+    /** Returns whether dynamic programming is faster and keeps to the limits. */
     [[nodiscard]] bool subsetsSuffice() const
     {
         const int n = m_costs.icebergs();
@@ -72,10 +74,10 @@ public:
 
     SolveOutcome bySubsets()
     {
-        const std::optional<FleetPlan> plan = bestFleetPlan(m_costs, m_effort.cut);
+        const std::optional<FleetPlan> plan = bestFleetPlan(m_costs, m_effort.isStopped);
         if (!plan)
             return {.reason = *m_account.reason(), .plan = {}};
-        m_search.take(*plan);
+        m_search.accept(*plan);
         return {.status = SolveStatus::Optimal,
                 .plan = *plan,
                 .work = fleetSubsetWork(m_costs.uavs(), m_costs.icebergs()),
@@ -94,9 +96,9 @@ public:
         FleetBoundResult result;
         try {
             result = bound(cover, before);
-            m_search.take(result.plan);
+            m_search.accept(result.plan);
             m_account.acceptBound(result.bound);
-        } catch (const Error& error) { // of a cover by another program: plan and bound stay
+        } catch (const Error& error) { // the program of the cover failed: plan and bound stay
             if (error.code() != ErrorCode::SolverFailed)
                 throw;
             m_failure = error.what();
@@ -113,10 +115,10 @@ private:
              .workLimit = m_limit - before,
              .memoryLimit_bytes = m_options.memoryLimit_bytes.value_or(kNoLimit) - m_costs.bytes(),
              .cover = cover,
-             .cut = m_effort.cut,
+             .isStopped = m_effort.isStopped,
              .onImproved =
                  [this](const FleetPlan& plan, double bound) {
-                     m_search.take(plan);
+                     m_search.accept(plan);
                      m_account.acceptBound(bound);
                  },
              .suggest = [this](std::int64_t work,
@@ -131,10 +133,10 @@ private:
         std::int64_t times = firstTimes(m_options) * n;
         if (m_searched) {
             times = (work / kSearchShare - (before - *m_searched)) / (kWorkOfTime * n);
-            // Without a bound the search is all there is.
+            // Without a bound, only the search can improve the plan.
             if (!isBounded(m_costs))
                 times = firstTimes(m_options) * n;
-        } else if (m_options.inFlight) { // cooled down before the work is used up
+        } else if (m_options.inFlight) { // so that it has cooled down before the work is used up
             times = std::min(times, (m_limit - before) / 2 / (kWorkOfTime * n));
         }
         if (times >= kLeastTimes || !m_searched)
@@ -163,7 +165,7 @@ private:
             outcome.reason = StopReason::Unable;
         else if (result.memoryOut)
             outcome.reason = StopReason::MemoryLimit;
-        else if (m_options.workLimit && *m_options.workLimit <= m_own)
+        else if (m_options.workLimit && *m_options.workLimit <= m_backendLimit)
             outcome.reason = StopReason::WorkLimit;
         return outcome;
     }
@@ -172,16 +174,18 @@ private:
     const SolveOptions& m_options;
     SolveAccount m_account;
     FleetCosts m_costs;
-    std::int64_t m_own;   ///< the back end's own limit of work
-    std::int64_t m_limit; ///< that and the caller's
+    std::int64_t m_backendLimit; ///< work limit of the back end itself
+    std::int64_t m_limit;        ///< the smaller of that and the caller's limit
     SearchEffort m_effort;
     FleetSearch m_search;
     std::optional<std::int64_t> m_searched; ///< work of the first annealing, once it is done
-    std::string m_failure;                  ///< of the cover
+    std::string m_failure;                  ///< message of a failed cover
 };
 
-/** Of the back ends that must answer while someone waits. Without a proof to come, that of a few
- * annealings. */
+/**
+ * Returns the work limit of the back ends that must answer quickly; without a proof in prospect,
+ * the work of a few annealings.
+ */
 std::int64_t ownEffort(const FleetProblem& problem, const SolveOptions& options)
 {
     constexpr std::int64_t kAnnealings = 3;
@@ -192,30 +196,30 @@ std::int64_t ownEffort(const FleetProblem& problem, const SolveOptions& options)
                : responsive;
 }
 
-/** Distance does not count. */
+/** Solves a problem in which distance has no weight. */
 SolveOutcome byRanks(const FleetProblem& problem, const SolveOptions& options)
 {
     const SolveWatch watch(options);
     const std::int64_t n = problem.icebergCount();
-    FleetRanks ranks = bestRanks(problem, [&] { return watch.cut().has_value(); });
+    FleetRanks ranks = bestRanks(problem, [&] { return watch.stopReason().has_value(); });
     SolveOutcome outcome{.status = ranks.isBest ? SolveStatus::Optimal : SolveStatus::Feasible,
                          .plan = std::move(ranks.plan),
                          .work = n * n * n * problem.uavCount(),
                          .source = AnswerSource::Assignment};
     if (!ranks.isBest)
-        outcome.reason = watch.cut().value_or(StopReason::Finished);
+        outcome.reason = watch.stopReason().value_or(StopReason::Finished);
     const double value = fleetObjective(problem, outcome.plan);
     watch.report(outcome.plan, value, ranks.isBest ? std::optional(value) : std::nullopt);
     return outcome;
 }
 
-/** The costs alone are too much: the hint, or a plan made without any. */
+/** The costs alone exceed the memory limit: the answer is the hint, or a quick plan. */
 SolveOutcome withoutMemory(const FleetProblem& problem, const SolveOptions& options)
 {
     const bool isPlan = isFleetPlan(problem, options.hint);
     return {.status = SolveStatus::Feasible,
             .reason = StopReason::MemoryLimit,
-            .plan = isPlan ? options.hint : inTurn(problem),
+            .plan = isPlan ? options.hint : roundRobinPlan(problem),
             .hintUsed = isPlan};
 }
 
@@ -263,7 +267,7 @@ SolveOutcome solveValid(const FleetProblem& problem, Backend backend, const Solv
     return engine.byEngine(coverOf(backend));
 }
 
-/** Of a hint; empty when there is none. */
+/** Returns the valid part of a hint; empty if it has none. */
 FleetPlan usablePart(const FleetProblem& problem, FleetPlan hint)
 {
     if (static_cast<int>(hint.size()) != problem.uavCount())
@@ -303,14 +307,14 @@ SolveOutcome solve(const FleetProblem& problem, Backend backend, const TvpSolver
         return {.status = SolveStatus::Optimal, .bound = 0.0, .source = sourceOf(backend)};
     if (problem.uavCount() > 1)
         return solveFleet(problem, backend, options);
-    SolveOptions own = options;
-    own.hint = usablePart(problem, std::move(own.hint));
-    // Icebergs the last plan did not hold (new, or in view then) go to the end of the hint.
-    for (VisitOrder& order : own.hint)
+    SolveOptions withHint = options;
+    withHint.hint = usablePart(problem, std::move(withHint.hint));
+    // Icebergs that the last plan did not hold (new, or then in view) go to the end of the hint.
+    for (VisitOrder& order : withHint.hint)
         for (int node = 1; node <= problem.icebergCount(); ++node)
             if (std::ranges::find(order, node) == order.end())
                 order.push_back(node);
-    return alone.solve(problemOfUav(problem, 0), own);
+    return alone.solve(problemOfUav(problem, 0), withHint);
 }
 
 } // namespace berg

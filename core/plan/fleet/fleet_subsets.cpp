@@ -25,14 +25,14 @@ Set without(Set set, int iceberg)
 }
 
 /**
- * Orders of one UAV. Every leg is charged for the sigma still ahead of it in the order, once more
- * for the first one: that makes sigma t, and what remains to be flown independent of the position.
- * For latency that sigma is the leg's weight.
+ * Orders of one UAV. Every leg is charged for the sigma still ahead of it in the order, and the
+ * first one once more: this sums to sigma t and makes the cost of the rest independent of the
+ * position. For latency that sigma is the leg's weight.
  */
 class SubsetOrders
 {
 public:
-    /** Of icebergs in `among` alone. */
+    /** Considers the icebergs in `among` only. */
     SubsetOrders(const FleetCosts& costs, int uav, Set among)
         : m_costs(costs.of(uav))
         , m_weighted(costs.weighted())
@@ -46,11 +46,11 @@ public:
         m_allowed &= among;
     }
 
-    [[nodiscard]] bool compute(const std::function<bool()>& cut)
+    [[nodiscard]] bool compute(const std::function<bool()>& isStopped)
     {
-        int looked = 0;
+        int examined = 0;
         for (Set set = 0;; set = (set - m_allowed) & m_allowed) { // the next subset
-            if (looked++ % 256 == 0 && cut && cut())
+            if (examined++ % 256 == 0 && isStopped && isStopped())
                 return false;
             if (set != 0)
                 m_sigma[set] = m_sigma[without(set, firstOf(set))] + m_costs.sigmaOf(firstOf(set));
@@ -62,7 +62,7 @@ public:
         }
     }
 
-    /** Of all orders of the set; infinite when the UAV may not visit it. */
+    /** Returns the least cost of all orders of the set; infinity if the UAV may not visit it. */
     [[nodiscard]] double cost(Set set) const
     {
         if ((set & ~m_allowed) != 0)
@@ -113,7 +113,7 @@ private:
     std::vector<double> m_onwards; ///< by set still to be visited and iceberg before it
 };
 
-/** What `last` visits of the set when the UAVs before it visit the rest. */
+/** Icebergs of a set that the last UAV visits, while the UAVs before it visit the rest. */
 struct Share
 {
     double cost = kInfinity;
@@ -134,7 +134,8 @@ Share bestShare(const std::vector<double>& before, const std::vector<double>& la
 
 } // namespace
 
-std::optional<FleetPlan> bestFleetPlan(const FleetCosts& costs, const std::function<bool()>& cut)
+std::optional<FleetPlan> bestFleetPlan(const FleetCosts& costs,
+                                       const std::function<bool()>& isStopped)
 {
     const int n = costs.icebergs();
     require(n <= kMostFleetSubsets, "bestFleetPlan: too many icebergs");
@@ -144,14 +145,14 @@ std::optional<FleetPlan> bestFleetPlan(const FleetCosts& costs, const std::funct
     std::vector<std::vector<double>> first(uavs); ///< cost of a set for the UAVs up to this one
     for (std::size_t uav = 0; uav < uavs; ++uav) {
         SubsetOrders orders(costs, static_cast<int>(uav), all);
-        if (!orders.compute(cut))
+        if (!orders.compute(isStopped))
             return std::nullopt;
         alone[uav].resize(std::size_t{all} + 1);
         for (Set set = 0; set <= all; ++set)
             alone[uav][set] = orders.cost(set);
         first[uav] = alone[uav];
         for (Set set = 0; uav > 0 && set <= all; ++set) {
-            if (set % 64 == 0 && cut && cut())
+            if (set % 64 == 0 && isStopped && isStopped())
                 return std::nullopt;
             first[uav][set] = bestShare(first[uav - 1], alone[uav], set).cost;
         }
@@ -163,9 +164,9 @@ std::optional<FleetPlan> bestFleetPlan(const FleetCosts& costs, const std::funct
         left &= ~part;
         if (part == 0)
             continue;
-        // Anew: the tables of all UAVs would be most of the memory.
+        // The orders are computed again: the tables of all UAVs would need most of the memory.
         SubsetOrders orders(costs, static_cast<int>(uav), part);
-        if (!orders.compute(cut))
+        if (!orders.compute(isStopped))
             return std::nullopt;
         plan[uav] = orders.order(part);
     }

@@ -9,18 +9,20 @@
 namespace berg {
 
 /**
- * The best plan by dynamic programming: for each UAV the cheapest order of every set of icebergs,
- * then the cheapest way to share out every set among the first UAVs. Up to `kMostFleetSubsets`
- * icebergs; time O(uavs (2^n n^2 + 3^n)). `cut` is asked at least every 10 ms; none when it says
- * yes.
+ * Returns the best plan by dynamic programming: the cheapest order of every set of icebergs for
+ * each UAV, then the cheapest partition of every set among the first UAVs. Up to
+ * `kMostFleetSubsets` icebergs (else `std::logic_error`); time O(uavs (2^n n^2 + 3^n)). `isStopped`
+ * is called at least every 10 ms; returns nullopt once it returns true.
  */
 [[nodiscard]] std::optional<FleetPlan> bestFleetPlan(const FleetCosts& costs,
-                                                     const std::function<bool()>& cut);
+                                                     const std::function<bool()>& isStopped);
 
+/** Largest number of icebergs for `bestFleetPlan`. */
 inline constexpr int kMostFleetSubsets = 14;
 
-/** Work of it, in the unit of `SolveOptions::workLimit`, and memory. */
+/** Returns the work of `bestFleetPlan` in the unit of `SolveOptions::workLimit`. */
 [[nodiscard]] std::int64_t fleetSubsetWork(int uavs, int icebergs);
+/** Returns the memory of `bestFleetPlan`, bytes. */
 [[nodiscard]] std::int64_t fleetSubsetBytes(int uavs, int icebergs);
 
 } // namespace berg

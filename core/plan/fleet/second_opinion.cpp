@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kLargestByPosition = 16;
 
-/** The MILPs are of one UAV. */
+/** Returns the MILP to use; nullopt for several UAVs, for which there is none. */
 std::optional<Formulation> formulationFor(const FleetProblem& problem)
 {
     if (problem.uavCount() > 1)

@@ -52,7 +52,8 @@ FleetTask fleetTask(const PlanRequest& request)
     std::vector<bool> wanted(request.ids.size(), false);
     for (std::size_t uav = 0; uav < request.uavs.size(); ++uav) {
         const std::vector<bool>& available = request.uavs[uav].available;
-        require(available.size() == request.ids.size(), "fleetTask: an entry for each iceberg");
+        require(available.size() == request.ids.size(),
+                "fleetTask: needs an entry for each iceberg");
         if (std::ranges::find(available, true) != available.end())
             task.uavs.push_back(static_cast<int>(uav));
         for (std::size_t k = 0; k < wanted.size(); ++k)

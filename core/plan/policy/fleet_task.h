@@ -7,43 +7,65 @@
 
 namespace berg {
 
-/** What of a request there is to plan: the UAVs that have an iceberg to visit, and the icebergs
- * that one of them may visit. */
+/**
+ * The plannable part of a request: the UAVs that have an iceberg to visit, and the icebergs that at
+ * least one of them may visit.
+ */
 struct FleetTask
 {
-    FleetProblem problem;            ///< `mu` is 0
-    std::vector<int> uavs;           ///< index in `PlanRequest::uavs` of UAV k of `problem`
-    std::vector<int> ids;            ///< id of iceberg node k + 1
-    Eigen::MatrixXd betweenStarts_m; ///< of these UAVs, for Eq. (14); empty when nothing says it
+    FleetProblem problem;  ///< `mu` is 0
+    std::vector<int> uavs; ///< by UAV of `problem`: its index in `PlanRequest::uavs`
+    std::vector<int> ids;  ///< id of iceberg node k + 1
+    /** Distances between these UAVs for Eq. (14), m; empty if the request has none. */
+    Eigen::MatrixXd betweenStarts_m;
 };
 
+/**
+ * Returns the plannable part of a request, with mu = 0. Throws `std::logic_error` unless each UAV's
+ * `available` has one entry for each iceberg.
+ */
 [[nodiscard]] FleetTask fleetTask(const PlanRequest& request);
 
 /**
- * What the policy `visitation` solves but for mu; with nothing to visit the first UAV alone. A leg
- * costs the mean of both directions: in a uniform wind what differs between them adds up to what
- * depends on the ends of an order alone, and would only reward orders that end down wind
- * (tests/bench/RESULTS.md).
+ * Returns the task that the policy `visitation` solves, without mu. If there is nothing to visit it
+ * holds the first UAV alone. A leg costs the mean of both directions: in a uniform wind the
+ * differences add up to a sum that depends on the ends of an order alone, and would only reward
+ * orders that end downwind (tests/bench/RESULTS.md). Throws as `fleetTask` does.
  */
 [[nodiscard]] FleetTask visitationTask(const PlanRequest& request, Route route);
 
-/** Orders in ids for each UAV of the request, from a plan of the task's problem or an empty one. */
+/**
+ * Returns for each UAV of the request the order in ids, from a plan of the task's problem; empty
+ * orders for an empty plan.
+ */
 [[nodiscard]] std::vector<std::vector<int>>
 ordersInIds(const PlanRequest& request, const FleetTask& task, const FleetPlan& plan);
 
-/** `UavRequest::lastRest` in nodes of the task's problem, less what it does not hold. */
+/**
+ * Returns `UavRequest::lastRest` of each UAV in nodes of the task's problem, without icebergs that
+ * the problem does not hold and without invalid visits (`validPart`).
+ */
 [[nodiscard]] FleetPlan lastRests(const PlanRequest& request, const FleetTask& task);
 
-/** An answer of these orders, one for each UAV of the request, with its distance as flown: those
- * of the request, return legs of closed routes included. */
+/**
+ * Returns an answer with these orders, one for each UAV of the request, and their distance by the
+ * legs of the request, with the return legs of closed routes. Throws `std::logic_error` if the
+ * request does not hold one of the ids.
+ */
 [[nodiscard]] PlanAnswer answerOf(const PlanRequest& request,
                                   const std::vector<std::vector<int>>& orders,
                                   Route route = Route::Open);
 
-/** Whether the UAV may visit the iceberg of that id now. */
+/**
+ * Returns whether the UAV may visit the iceberg with this id now; throws `std::logic_error` if the
+ * request does not hold it.
+ */
 [[nodiscard]] bool isAvailable(const PlanRequest& request, const UavRequest& uav, int id);
 
-/** Node number (1 ..) of an id of the request. */
+/**
+ * Returns the node number (1 ..) of an id; throws `std::logic_error` if the request does not hold
+ * it.
+ */
 [[nodiscard]] int nodeOfId(const PlanRequest& request, int id);
 
 } // namespace berg

@@ -14,7 +14,7 @@ bool contains(std::span<const int> ids, int id)
     return std::ranges::find(ids, id) != ids.end();
 }
 
-/** Members of `order` that may be planned now. */
+/** Returns the members of `order` that may be planned now. */
 std::vector<int> stillAvailable(const std::vector<int>& order, const PlanRequest& request,
                                 const std::vector<bool>& available)
 {
@@ -29,7 +29,7 @@ std::vector<int> stillAvailable(const std::vector<int>& order, const PlanRequest
     return rest;
 }
 
-/** Each first one of a cluster with the others behind it. */
+/** Inserts after the first member of each cluster its other members. */
 std::vector<int> withMembers(std::span<const int> order, std::span<const std::vector<int>> clusters)
 {
     std::vector<int> ids;
@@ -44,7 +44,7 @@ std::vector<int> withMembers(std::span<const int> order, std::span<const std::ve
     return ids;
 }
 
-/** The clusters flown to. */
+/** Returns the clusters whose first member is in the order. */
 std::vector<std::vector<int>> clustersIn(std::span<const int> order,
                                          std::vector<std::vector<int>> clusters)
 {
@@ -54,7 +54,10 @@ std::vector<std::vector<int>> clustersIn(std::span<const int> order,
     return clusters;
 }
 
-/** With no plan in hand at all: the nearest available iceberg, the smallest node among equals. */
+/**
+ * Returns the nearest available iceberg, the smallest node among equals: the fallback without a
+ * plan.
+ */
 std::vector<int> nearestAvailable(const std::vector<int>& ids, const std::vector<bool>& available,
                                   const Eigen::MatrixXd& distance_m)
 {
@@ -66,9 +69,11 @@ std::vector<int> nearestAvailable(const std::vector<int>& ids, const std::vector
     return best < 0 ? std::vector<int>{} : std::vector<int>{ids[static_cast<std::size_t>(best)]};
 }
 
-/** Whatever the policy says: no order begins with what is not available to its UAV, or with what
- * another one begins with. */
-void keepFirstsApart(const PlanRequest& request, std::vector<UavAnswer>& answers)
+/**
+ * Ensures, for any policy, that no order begins with an iceberg that is not available to its UAV,
+ * or with one that another order begins with.
+ */
+void separateFirsts(const PlanRequest& request, std::vector<UavAnswer>& answers)
 {
     std::vector<int> firsts;
     for (std::size_t k = 0; k < answers.size(); ++k) {
@@ -78,7 +83,7 @@ void keepFirstsApart(const PlanRequest& request, std::vector<UavAnswer>& answers
                    !stillAvailable({id}, request, request.uavs[k].available).empty();
         });
         if (first != order.begin())
-            answers[k].legs.clear(); // they lead to the one that goes
+            answers[k].legs.clear(); // they lead to the iceberg that is removed
         order.erase(order.begin(), first);
         if (!order.empty())
             firsts.push_back(order.front());
@@ -91,7 +96,7 @@ Planner::Planner(const PlannerSettings& settings, std::unique_ptr<TvpSolver> sol
                  PolicyMaker maker)
     : m_settings(settings)
     , m_maker(maker)
-    , m_ownSolver(solver != nullptr)
+    , m_hasGivenSolver(solver != nullptr)
     , m_solver(solver ? std::move(solver) : makeSolver(settings.backend, settings.formulation))
     , m_policy(m_maker(settings, *m_solver))
 {
@@ -102,7 +107,7 @@ void Planner::setSettings(const PlannerSettings& settings)
     if (settings == m_settings)
         return;
     std::unique_ptr<TvpSolver> solver;
-    if (!m_ownSolver)
+    if (!m_hasGivenSolver)
         solver = makeSolver(settings.backend, settings.formulation);
     std::unique_ptr<Policy> policy = m_maker(settings, solver ? *solver : *m_solver);
     m_policy = std::move(policy);
@@ -113,29 +118,29 @@ void Planner::setSettings(const PlannerSettings& settings)
 
 PlanAnswer Planner::plan(const PlanRequest& request, const SolveOptions& options, bool warmStart)
 {
-    requireSolvingAllowed(); // not one of the failures that are flown over
-    SolveOptions telling = options;
+    requireSolvingAllowed(); // its error must not count as a failure of the policy
+    SolveOptions solveOptions = options;
     if (options.onProgress && !request.clusters.empty())
-        telling.onProgress = [&](SolveProgress progress) {
+        solveOptions.onProgress = [&](SolveProgress progress) {
             for (std::vector<int>& order : progress.plan)
                 order = withMembers(order, request.clusters);
             options.onProgress(progress);
         };
-    PlanRequest asked = request;
-    for (UavRequest& uav : asked.uavs)
+    PlanRequest withRests = request;
+    for (UavRequest& uav : withRests.uavs)
         uav.lastRest = warmStart ? stillAvailable(m_lastOrders[uav.uav], request, uav.available)
                                  : std::vector<int>{};
     PlanAnswer answer;
     try {
-        answer = m_policy->plan(asked, telling);
+        answer = m_policy->plan(withRests, solveOptions);
     } catch (const std::exception& failure) {
-        // The autopilot always has a next iceberg, whatever becomes of the planner.
+        // The autopilot needs a next iceberg even if the planner fails.
         answer = {.failure = failure.what()};
     }
     if (answer.outcome.reason == StopReason::Cancelled)
-        return answer; // nothing is remembered: the same call will be made again
+        return answer; // nothing is stored: the caller repeats the request
     answer.uavs.resize(request.uavs.size());
-    keepFirstsApart(request, answer.uavs);
+    separateFirsts(request, answer.uavs);
     if (std::ranges::all_of(answer.uavs, [](const UavAnswer& uav) { return uav.order.empty(); }))
         answer.fellBack = fallBack(request, answer.uavs);
     std::vector<int> flown;

@@ -7,45 +7,55 @@
 namespace berg {
 
 /**
- * The paper's strategy around a policy: remembers the last orders, gives their rests as warm start,
- * and falls back to that rest when a limit leaves the solver without an order (section 4 of the
- * paper, its second advantage). The autopilot therefore always has a next iceberg.
+ * The paper's strategy around a policy: stores the last orders, passes what is left of them to the
+ * solver as warm start, and falls back to it when a limit leaves the solver without an order
+ * (section 4 of the paper, its second advantage). So the autopilot always has a next iceberg. Not
+ * thread-safe.
  */
 class Planner
 {
 public:
     /**
-     * `solver` replaces the back end of the settings when given (tests, fault injection);
-     * `maker` makes the policy.
+     * Makes the policy of the settings with `maker`. A `solver` that is not null replaces the back
+     * end of the settings (tests, fault injection). Throws `Error{Unsupported}` as `makePolicy` and
+     * `makeSolver` do.
      */
     explicit Planner(const PlannerSettings& settings, std::unique_ptr<TvpSolver> solver = nullptr,
                      PolicyMaker maker = makePolicy);
 
     [[nodiscard]] const PlannerSettings& settings() const { return m_settings; }
 
-    /** Changes tau, policy or back end in flight; the last order stays as warm start. */
+    /**
+     * Changes the settings in flight and makes a new policy, unless they are equal; the last orders
+     * stay as warm start. A solver given to the constructor stays in use. Throws
+     * `Error{Unsupported}` as `makePolicy` and `makeSolver` do; the settings are then unchanged.
+     */
     void setSettings(const PlannerSettings& settings);
 
     /**
-     * The orders to fly now; all are empty only when no iceberg is available, or when cancelled. A
-     * policy that throws is as one that finds no order, with `failure` saying why. Of several UAVs
-     * some may have nothing to fly; when none has, each falls back, and no two fly to one iceberg.
-     * `warmStart` off keeps the last order from the solver (the fall-back still uses it).
+     * Returns the orders to fly now. All are empty only if no iceberg is available, or if the
+     * request was cancelled; cancelled requests leave no trace. A policy that throws counts as one
+     * that finds no order, and `failure` holds the reason. Among several UAVs some may have nothing
+     * to fly; if none has an order, each falls back, and no two fly to the same iceberg. Without
+     * `warmStart` the solver does not get the last orders (the fallback still uses them). Throws
+     * `std::logic_error` inside a `NoBlockingScope`.
      */
     [[nodiscard]] PlanAnswer plan(const PlanRequest& request, const SolveOptions& options,
                                   bool warmStart = true);
 
 private:
-    /** Each UAV flies the rest of its last order, else to the nearest that no other one flies to.
-     * False when there is nothing to fly to. */
+    /**
+     * Gives each UAV the rest of its last order, else the nearest iceberg that no other UAV flies
+     * to. Returns false if there is nothing to fly to.
+     */
     [[nodiscard]] bool fallBack(const PlanRequest& request, std::vector<UavAnswer>& answers) const;
 
     PlannerSettings m_settings;
     PolicyMaker m_maker;
-    bool m_ownSolver = false;
+    bool m_hasGivenSolver = false;
     std::unique_ptr<TvpSolver> m_solver;
     std::unique_ptr<Policy> m_policy;
-    std::map<int, std::vector<int>> m_lastOrders; ///< by number of the UAV
+    std::map<int, std::vector<int>> m_lastOrders; ///< by `UavRequest::uav`
 };
 
 } // namespace berg

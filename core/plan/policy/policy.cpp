@@ -13,7 +13,7 @@ namespace berg {
 
 namespace {
 
-/** Sigma set aside: least distance in all. */
+/** Returns the problem of least total distance, without sigma. */
 FleetProblem distanceOnly(FleetProblem problem)
 {
     std::ranges::fill(problem.sigma_m2, 0.0);
@@ -27,7 +27,7 @@ bool nothingUncertain(const FleetProblem& problem)
     return std::ranges::max(problem.sigma_m2) == 0;
 }
 
-/** Solves tasks with what the settings ask for. */
+/** Solves tasks with the back end of the settings and stores the multipliers of the last solves. */
 class TaskSolver
 {
 public:
@@ -40,9 +40,9 @@ public:
         if (options.inFlight && !options.hint.empty())
             options.multipliers = multipliersOf(task.ids);
         if (options.onProgress)
-            options.onProgress = [&, told = options.onProgress](SolveProgress progress) {
+            options.onProgress = [&, report = options.onProgress](SolveProgress progress) {
                 progress.plan = ordersInIds(request, task, progress.plan);
-                told(progress);
+                report(progress);
             };
         SolveOutcome outcome = berg::solve(task.problem, m_backend, m_alone, options);
         PlanAnswer answer =
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    /** By node, 0 of icebergs that were not solved for before. */
+    /** Returns multipliers by node; 0 for icebergs that have not been solved for before. */
     [[nodiscard]] std::vector<double> multipliersOf(const std::vector<int>& ids) const
     {
         std::vector<double> multipliers(ids.size() + 1, 0.0);
@@ -66,21 +66,24 @@ private:
                 multipliers[k + 1] = known->second;
         return multipliers;
     }
-    /** Those of icebergs not in this solve are kept: they come back after a while in view. */
+    /**
+     * Stores the multipliers. Those of icebergs not in this solve stay: icebergs return after a
+     * time in view.
+     */
     void remember(const std::vector<int>& ids, const SolveOutcome& outcome)
     {
         if (outcome.reason == StopReason::Cancelled)
-            return; // the same call will be made again
+            return; // the caller repeats the request
         for (std::size_t k = 1; k < outcome.multipliers.size(); ++k)
             m_multipliers[ids[k - 1]] = outcome.multipliers[k];
     }
 
     Backend m_backend;
     const TvpSolver& m_alone;
-    std::map<int, double> m_multipliers; ///< of the last solves, by id
+    std::map<int, double> m_multipliers; ///< multipliers of the last solves, by id
 };
 
-/** The paper's strategy. */
+/** The paper's policy. */
 class VisitationPolicy final : public Policy
 {
 public:
@@ -92,7 +95,7 @@ public:
     PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override
     {
         FleetTask task = visitationTask(request, m_settings.route);
-        if (task.ids.empty()) // nobody has a part in it
+        if (task.ids.empty()) // no UAV has anything to visit
             task = fleetTask(request);
         else
             task.problem.mu =
@@ -162,11 +165,13 @@ private:
         double distance_m = std::numeric_limits<double>::infinity();
         int uav = -1;
         int node = 0;
-        bool isFirst = false; ///< the UAV has no other yet
+        bool isFirst = false; ///< whether it is the first iceberg of the UAV
     };
 
-    /** Each UAV has somewhere to fly before any has a second iceberg. Ties go to the smallest node,
-     * then to the first UAV. */
+    /**
+     * Returns the best next iceberg. Every UAV gets a first iceberg before any gets a second one.
+     * Ties go to the smallest node, then to the first UAV.
+     */
     [[nodiscard]] Next bestNext(const FleetProblem& problem, const FleetPlan& plan,
                                 const std::vector<bool>& done) const
     {
@@ -199,7 +204,7 @@ private:
     bool m_nearest;
 };
 
-/** The orders are kept and flown iceberg by iceberg; those in view are passed over. */
+/** Keeps the orders and flies them iceberg by iceberg; icebergs in view are passed over. */
 class PathPolicy final : public Policy
 {
 public:
@@ -211,7 +216,7 @@ public:
     PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override
     {
         if (request.ids == m_known) {
-            const std::vector<std::vector<int>> orders = acceptRests(request);
+            const std::vector<std::vector<int>> orders = remainingOrders(request);
             if (!std::ranges::all_of(orders, &std::vector<int>::empty)) {
                 PlanAnswer answer = answerOf(request, orders);
                 answer.outcome = {.status = SolveStatus::Feasible,
@@ -222,10 +227,10 @@ public:
         FleetTask task = fleetTask(request);
         task.problem = distanceOnly(std::move(task.problem));
         SolveOptions whole = options;
-        whole.inFlight = false; // what is made now is kept
+        whole.inFlight = false; // this plan is kept for a long time
         PlanAnswer answer = m_solver.solve(request, std::move(task), false, whole);
         if (answer.outcome.reason == StopReason::Cancelled)
-            return answer; // half-made routes are not kept
+            return answer; // incomplete routes are discarded
         m_known = request.ids;
         m_rests.clear();
         for (std::size_t k = 0; k < request.uavs.size(); ++k)
@@ -234,10 +239,13 @@ public:
     }
 
 private:
-    /** Those available of what is left of each UAV's order, from its first available one; when
-     * nobody else can visit them, those in view now as well. A UAV to which nothing is available
-     * keeps its place; one that has flown its part before others has what only it may visit. */
-    [[nodiscard]] std::vector<std::vector<int>> acceptRests(const PlanRequest& request)
+    /**
+     * Returns for each UAV the rest of its order from the first available iceberg, without icebergs
+     * that are not available; a single UAV keeps those in view. A UAV to which nothing is available
+     * keeps its place; one that has flown its part before others gets the icebergs that only it may
+     * visit.
+     */
+    [[nodiscard]] std::vector<std::vector<int>> remainingOrders(const PlanRequest& request)
     {
         std::vector<std::vector<int>> orders;
         for (const UavRequest& uav : request.uavs) {
@@ -254,16 +262,20 @@ private:
         if (!std::ranges::all_of(orders, &std::vector<int>::empty))
             for (std::size_t k = 0; k < orders.size(); ++k)
                 if (std::vector<int>& rest = m_rests[request.uavs[k].uav]; rest.empty())
-                    rest = orders[k] = keptFor(request, request.uavs[k]);
+                    rest = orders[k] = exclusiveIcebergs(request, request.uavs[k]);
         return orders;
     }
 
-    /** Available to this UAV, to no other one, and not in the order of one that is not asked; of
-     * those that were assigned since, that order is out of date. */
-    [[nodiscard]] std::vector<int> keptFor(const PlanRequest& request, const UavRequest& uav) const
+    /**
+     * Returns the icebergs that are available to this UAV, to no other one, and not in the order of
+     * a UAV that is absent from the request. Icebergs assigned since that order was made are
+     * included, because it is out of date.
+     */
+    [[nodiscard]] std::vector<int> exclusiveIcebergs(const PlanRequest& request,
+                                                     const UavRequest& uav) const
     {
-        std::vector<int> kept;
-        std::ranges::copy_if(request.ids, std::back_inserter(kept), [&](int id) {
+        std::vector<int> exclusive;
+        std::ranges::copy_if(request.ids, std::back_inserter(exclusive), [&](int id) {
             const auto isOthers = [&](const UavRequest& other) {
                 return other.uav != uav.uav && isAvailable(request, other, id);
             };
@@ -277,11 +289,11 @@ private:
                     (std::ranges::none_of(request.uavs, isOthers) &&
                      std::ranges::none_of(m_rests, isInOrderOfAbsent)));
         });
-        return kept;
+        return exclusive;
     }
 
     TaskSolver m_solver;
-    std::map<int, std::vector<int>> m_rests; ///< by number of the UAV
+    std::map<int, std::vector<int>> m_rests; ///< by `UavRequest::uav`
     std::vector<int> m_known;
 };
 

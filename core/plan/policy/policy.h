@@ -11,78 +11,107 @@
 
 namespace berg {
 
-/** The knobs of planning that a scenario stores. */
+/** Planner settings of a scenario. */
 struct PlannerSettings
 {
     PolicyKind policy = PolicyKind::Visitation;
-    double tau = 1; ///< trade-off of Eq. (14); 0 most uncertain first, large shortest path
+    /** Trade-off of Eq. (14): 0 visits by uncertainty, large values take the shortest path. */
+    double tau = 1;
     Route route = Route::Open;
     Backend backend = Backend::Auto;
     Formulation formulation = Formulation::Position;
     bool operator==(const PlannerSettings&) const = default;
 };
 
-struct FlightPicture; // core/coverage
+struct PredictionInput; // core/coverage
 
-/** What a request says of one UAV. */
+/** The part of a request that concerns one UAV. */
 struct UavRequest
 {
-    int uav = 0; ///< the caller's own number of it
-    /** N x N as `TvpProblem::distance_m`, row and column 0 the UAV; in one unit for all UAVs:
-     * flight time times `PlanRequest::speed_mps`. */
+    int uav = 0; ///< the caller's number of the UAV
+    /**
+     * Distances, N x N as in `TvpProblem::distance_m`, row and column 0 for the UAV. The unit is
+     * the same for all UAVs: flight time times `PlanRequest::speed_mps`.
+     */
     Eigen::MatrixXd distance_m;
-    std::vector<bool> available;    ///< N-1: may be planned for this UAV, i.e. neither in view nor
-                                    ///< just reached nor another UAV's
-    std::vector<int> assigned = {}; ///< ids of those that are kept for this UAV alone
-    /** For policies that predict the flight itself; the others do without. */
-    std::shared_ptr<const FlightPicture> picture;
-    /** What remains of its last answer (available ids), the warm start; the planner's part. */
+    /**
+     * N-1: whether the iceberg may be planned for this UAV, i.e. is neither in view nor just
+     * reached nor assigned to another UAV.
+     */
+    std::vector<bool> available;
+    std::vector<int> assigned = {}; ///< ids of the icebergs assigned to this UAV alone
+    /** Input of policies that predict the flight themselves; may be null for the others. */
+    std::shared_ptr<const PredictionInput> prediction;
+    /** Available ids that remain of the last answer: the warm start, set by `Planner`. */
     std::vector<int> lastRest = {};
 };
 
-/** The picture at the instant of planning. Ids are the caller's own numbers of icebergs. */
+/** Input of a plan, at the instant of planning. Ids are the caller's numbers of icebergs. */
 struct PlanRequest
 {
-    std::vector<UavRequest> uavs; ///< planned together, at least one
-    std::vector<int> ids;         ///< N-1: id of iceberg node k+1, of every iceberg there is
-    std::vector<double> sigma_m2; ///< N, as `TvpProblem::sigma_m2`
-    double speed_mps = 0;         ///< airspeed, of the first UAV of the scenario
+    std::vector<UavRequest> uavs; ///< at least one UAV; all are planned together
+    std::vector<int> ids;         ///< N-1: id of node k+1, for all icebergs
+    std::vector<double> sigma_m2; ///< N values, as in `TvpProblem::sigma_m2`
+    double speed_mps = 0;         ///< airspeed of the first UAV of the scenario
     /**
-     * Icebergs that share a node, which is planned as one: two or more ids each, ascending, of
-     * which `ids` holds the first.
+     * Clusters, icebergs that are planned as one node: two or more ascending ids each, of which
+     * `ids` holds the first.
      */
     std::vector<std::vector<int>> clusters;
-    /** Distances between the UAVs, in the unit of `UavRequest::distance_m`; for Eq. (14). Not read
-     * with one UAV. */
+    /**
+     * Distances between the UAVs, in the unit of `UavRequest::distance_m`, for Eq. (14). Not read
+     * for a single UAV.
+     */
     Eigen::MatrixXd betweenUavs_m;
 };
 
-/** What one UAV is to fly. */
-struct UavAnswer
+/** One visit of a patrol, which comes back to icebergs. */
+struct PlannedVisit
 {
-    std::vector<int> order;     ///< ids in visiting order, the first one available; may be empty
-    std::vector<AimedLeg> legs; ///< how to fly it; empty: straight to the first
-    std::optional<AimedOutlook> outlook; ///< of `legs`
+    int iceberg = -1;  ///< id
+    double time_s = 0; ///< predicted, since the start of the mission
+    bool operator==(const PlannedVisit&) const = default;
 };
 
+/** The part of an answer that concerns one UAV. */
+struct UavAnswer
+{
+    std::vector<int> order;     ///< ids in visiting order; the first one is available; may be empty
+    std::vector<AimedLeg> legs; ///< legs of the flight; empty means straight to the first iceberg
+    std::optional<AimedOutlook> outlook; ///< prediction for `legs`
+    /** Visits that the UAV plans after `legs`, or after the first iceberg if there are no legs,
+     * ascending in time; an iceberg may appear several times. Empty unless `coverage` plans a
+     * patrol. */
+    std::vector<PlannedVisit> laterVisits = {};
+};
+
+/** Result of a plan. */
 struct PlanAnswer
 {
-    /** One for each of `PlanRequest::uavs`, no iceberg the first one of two of them. */
+    /** One entry for each of `PlanRequest::uavs`; no two orders begin with the same iceberg. */
     std::vector<UavAnswer> uavs;
-    std::vector<std::vector<int>> clusters; ///< of the request; all in an order, one after another
-    SolveOutcome outcome; ///< of the solve behind it; its nodes are those of `problem`
-    FleetProblem problem; ///< what was solved (`visitationTask`); empty when no solve was needed
+    /** Clusters of the request that an order holds; their members follow one another. */
+    std::vector<std::vector<int>> clusters;
+    SolveOutcome outcome; ///< result of the solver; its nodes are those of `problem`
+    /** Problem that was solved (`visitationTask`); empty if no solve was needed. */
+    FleetProblem problem;
     std::vector<int> solvedIds; ///< id of node k+1 of `problem`
-    bool fellBack = false;      ///< no order from the solver: the rests of the last plan are flown
-    std::string failure;        ///< why, when the policy threw; English
-    std::optional<double> predictedZeta_m2s; ///< what the legs were judged by
-    std::optional<double> gap;               ///< relative, of `outcome`
-    /** Of the plan, in the unit of `UavRequest::distance_m`; return legs of closed routes included.
+    /**
+     * Whether the policy gave no order, so that each UAV flies the rest of its last order, or to
+     * the nearest iceberg if there is no rest.
+     */
+    bool fellBack = false;
+    std::string failure;                     ///< reason, in English, if the policy threw an error
+    std::optional<double> predictedZeta_m2s; ///< predicted zeta, by which the legs were chosen
+    std::optional<double> gap;               ///< relative gap of `outcome`
+    /**
+     * Distance of the plan in the unit of `UavRequest::distance_m`, with the return legs of closed
+     * routes.
      */
     double distance_m = 0;
 };
 
-/** Chooses the orders in which icebergs are flown to. One object serves one mission. */
+/** Chooses the orders in which icebergs are visited. One object serves one mission. */
 class Policy
 {
 public:
@@ -92,35 +121,42 @@ public:
     virtual ~Policy() = default;
 
     /**
-     * The orders to fly now. An answer without any means that a limit came before any plan, or
-     * that there is nothing to plan (no iceberg available). `options.onProgress` is told orders in
-     * ids, one for each UAV of the request.
+     * Returns the orders to fly now. An answer without orders means that a limit was reached before
+     * any plan, that the request was cancelled (`StopReason::Cancelled`), or that no iceberg is
+     * available. `options.onProgress` receives orders in ids, one for each UAV of the request.
+     * Throws as `solveFleet` and `TvpSolver::solve` do, and `std::logic_error` for an invalid
+     * request; the policy latency needs a `speed_mps` above 0.
      */
     [[nodiscard]] virtual PlanAnswer plan(const PlanRequest& request,
                                           const SolveOptions& options) = 0;
 };
 
 /**
- * The policy of the settings, which solves with the back end of the settings, for one UAV alone
- * with `solver` (borrowed, must outlive the policy). UAVs to which no iceberg is available have no
- * part in a plan, and icebergs that none may visit are left out.
+ * Returns the policy of the settings, which solves with their back end; problems of one UAV go to
+ * `solver` (borrowed, must outlive the policy). UAVs to which no iceberg is available are left out
+ * of a plan, as are icebergs that no UAV may visit.
  *
- * - visitation: Eq. (1) with mu of Eq. (14), legs as in `visitationTask`. latency: least sum
- * sigma_i t_i, t_i the predicted arrival times; neither tau nor the route matters, and with all
- * sigma 0 it is by distance alone, as Eq. (14) has it. Both are solved again at every iceberg
- * reached.
- * - path: least distance in all, kept until every UAV has flown its part.
- * - nearest: again and again the least distance from the end of any order. uncertainty: largest
- *   sigma first, to the UAV that has the least way to it from the end of its order. Ties go to the
- *   smallest node, then to the first UAV.
+ * - visitation: Eq. (1) with mu of Eq. (14), legs as in `visitationTask`; solved again at every
+ *   iceberg reached.
+ * - latency: least sum sigma_i t_i, t_i the predicted arrival times; neither tau nor the route has
+ *   an effect, and if all sigma are 0 it plans by distance alone, as does Eq. (14). Solved again at
+ *   every iceberg reached.
+ * - path: least total distance; the plan is kept until every UAV has flown its part or the ids of
+ *   the request change.
+ * - nearest: repeatedly adds the iceberg with the least distance from the end of any order. Ties go
+ *   to the smallest node, then to the first UAV. Each UAV gets a first iceberg before any UAV gets
+ *   a second one.
+ * - uncertainty: largest sigma first, for the UAV whose order ends nearest to it. Ties go to the
+ *   smallest node. Each UAV gets a first iceberg before any UAV gets a second one.
  * - tour: `makeTour`.
  *
- * Throws `Error{Unsupported}` for policies this version does not fly, or not with that back end.
+ * Throws `Error{Unsupported}` for policies that this function does not make, or not with that back
+ * end.
  */
 [[nodiscard]] std::unique_ptr<Policy> makePolicy(const PlannerSettings& settings,
                                                  const TvpSolver& solver);
 
-/** `makePolicy`, or a function of another module that knows more policies. */
+/** Type of `makePolicy`, and of functions of other modules that make more policies. */
 using PolicyMaker = std::unique_ptr<Policy> (*)(const PlannerSettings&, const TvpSolver&);
 
 } // namespace berg

@@ -7,7 +7,7 @@
 
 namespace berg {
 
-/** How the next iceberg is chosen. All that is asked of one is in `kPolicyTable`. */
+/** Rule that chooses the next iceberg. `kPolicyTable` holds its properties. */
 enum class PolicyKind
 {
     Visitation,
@@ -19,42 +19,49 @@ enum class PolicyKind
     Coverage
 };
 
-/** What makes the orders of a policy. */
+/** Method that makes the orders of a policy. */
 enum class PolicyMethod
 {
-    Solver,       ///< a back end, whose orders may be proven
-    OneByOne,     ///< the best next iceberg, again and again
-    PredictedZeta ///< a search over flights, each with the zeta that it is predicted to come to
+    Solver,       ///< a solver back end, whose orders may be proven optimal
+    OneByOne,     ///< repeated choice of the best next iceberg
+    PredictedZeta ///< a search over flights by their predicted zeta
 };
 
-/** How long the orders of a policy are flown. */
-enum class PlanLife
+/** When a policy makes new orders. */
+enum class ReplanRule
 {
-    ToNextIceberg, ///< planned again at every iceberg reached
-    ToItsEnd,      ///< planned again when every UAV has flown its part
-    WholeFlight    ///< flown again and again
+    ToNextIceberg, ///< at every iceberg reached
+    ToItsEnd,      ///< when every UAV has flown its part
+    WholeFlight    ///< never; the orders are repeated
 };
 
-/** One policy. */
+/** Properties of a policy. */
 struct PolicyTraits
 {
     PolicyKind kind = PolicyKind::Visitation;
-    std::string_view name;    ///< in files and on the command line
-    std::string_view meaning; ///< for reports, after the name
+    std::string_view name;    ///< name in files and on the command line
+    std::string_view meaning; ///< description after the name in reports
     PolicyMethod method = PolicyMethod::Solver;
-    Criterion criterion = Criterion::Visitation; ///< of the problem that is solved
-    PlanLife life = PlanLife::ToNextIceberg;
-    bool usesTau = false;     ///< tau of Eq. (14), and the route, matter
-    bool weighsSigma = false; ///< its orders have a reward in the sense of Eq. (1)
-    bool plansClusters =
-        false; ///< orders the nodes of `PlanRequest::clusters`; fixed routes are over
-               ///< single icebergs, and coverage sees several at once by itself
+    Criterion criterion = Criterion::Visitation; ///< criterion of the problem that is solved
+    ReplanRule replanRule = ReplanRule::ToNextIceberg;
+    bool usesTau = false;     ///< whether tau of Eq. (14) and the route have an effect
+    bool weighsSigma = false; ///< whether its orders have a reward in the sense of Eq. (1)
+    /**
+     * Whether the policy orders the nodes of `PlanRequest::clusters`. Fixed routes visit single
+     * icebergs, and coverage itself sees several icebergs at once.
+     */
+    bool plansClusters = false;
 
+    /** Returns whether a solver back end makes the orders. */
     [[nodiscard]] constexpr bool solves() const { return method == PolicyMethod::Solver; }
-    [[nodiscard]] constexpr bool keepsRoute() const { return life != PlanLife::ToNextIceberg; }
+    /** Returns whether the orders outlast the next iceberg. */
+    [[nodiscard]] constexpr bool keepsRoute() const
+    {
+        return replanRule != ReplanRule::ToNextIceberg;
+    }
 };
 
-/** In the order of `PolicyKind`. */
+/** Properties of all policies, in the order of `PolicyKind`. */
 inline constexpr std::array kPolicyTable{
     PolicyTraits{.kind = PolicyKind::Visitation,
                  .name = "visitation",
@@ -71,12 +78,12 @@ inline constexpr std::array kPolicyTable{
                      "Report",
                      "the shortest path through all icebergs, flown to its end, then solved "
                      "again"),
-                 .life = PlanLife::ToItsEnd},
+                 .replanRule = ReplanRule::ToItsEnd},
     PolicyTraits{.kind = PolicyKind::Tour,
                  .name = "tour",
                  .meaning =
                      QT_TRANSLATE_NOOP("Report", "the shortest round tour, flown again and again"),
-                 .life = PlanLife::WholeFlight},
+                 .replanRule = ReplanRule::WholeFlight},
     PolicyTraits{.kind = PolicyKind::Nearest,
                  .name = "nearest",
                  .meaning = QT_TRANSLATE_NOOP("Report", "the nearest iceberg next"),
@@ -105,6 +112,7 @@ inline constexpr std::array kPolicyTable{
                  .method = PolicyMethod::PredictedZeta},
 };
 
+/** Returns the properties of a policy. */
 [[nodiscard]] constexpr const PolicyTraits& traitsOf(PolicyKind policy)
 {
     return kPolicyTable.at(static_cast<std::size_t>(policy));
@@ -113,6 +121,7 @@ static_assert(std::ranges::all_of(kPolicyTable, [](const PolicyTraits& policy) {
     return &traitsOf(policy.kind) == &policy;
 }));
 
+/** Names of the policies in files and on the command line. */
 inline constexpr auto kPolicyNames = [] {
     std::array<Named<PolicyKind>, kPolicyTable.size()> names{};
     std::ranges::transform(kPolicyTable, names.begin(), [](const PolicyTraits& policy) {

@@ -18,41 +18,48 @@ namespace berg {
 
 namespace {
 
-/** Above, the layered bound is faster than dynamic programming. */
+/** With more icebergs the layered bound is faster than dynamic programming. */
 constexpr int kLargestByTable = 13;
-/** Above, `improveBound` proves nothing. */
+/** With more icebergs `improveBound` proves nothing. */
 constexpr int kLargestProven = 127;
-/** Of one proof, so that a single hard one does not use up all. */
+/** Work limit of one proof, so that a single hard one does not use up everything. */
 constexpr std::int64_t kMostWorkOfProof = 900'000'000;
 
-constexpr std::int64_t kMostMemory_bytes = 500'000'000; ///< a curve is made beside other work
+/** Low, because a curve is made alongside other work. */
+constexpr std::int64_t kMostMemory_bytes = 500'000'000;
 
-/** Of one solve for several UAVs, about as long: dynamic programming, or a search that proves
- * little.
+/**
+ * Work limit of one solve for several UAVs, about as long as a proof: dynamic programming, or a
+ * search that proves little.
  */
 constexpr std::int64_t kWorkOfFleet = 60'000'000;
 
-/** Restarts of the local search at one crossing: fewer than usual, a neighbour starts it well. */
+/**
+ * Returns the restarts of the local search at one crossing: fewer than usual, because a neighbour
+ * is a good start.
+ */
 std::int64_t restartsFor(std::int64_t icebergs)
 {
     return std::min<std::int64_t>(icebergs * icebergs / 50, 150);
 }
 
-/** Work of a search for each move: far more where the distances do not fit into the cache. */
+/**
+ * Returns the work of one move of a search: far more if the distances do not fit into the cache.
+ */
 std::int64_t workOfMove(std::int64_t icebergs)
 {
     return 1 + icebergs * icebergs / 500'000;
 }
 
-/** What is known of the optimum at a crossing of two lines. */
+/** State of knowledge of the optimum at a crossing of two lines. */
 enum class Knowledge
 {
-    Searched, ///< the local search found nothing better, or its work is at its end
+    Searched, ///< the local search found nothing better, or used up its work
     Proven,
     GivenUp ///< not proven within the limits
 };
 
-/** A known plan: F = tau k D - R. */
+/** A known plan as a line in tau: F = tau k D - R. */
 struct Line
 {
     FleetPlan plan;
@@ -60,11 +67,11 @@ struct Line
     double reward_m2 = 0;
 };
 
-/** A place where the curve is examined: lines `left` and `right` meet at `tau`. */
+/** A point at which the curve is examined: lines `left` and `right` meet at `tau`. */
 struct Crossing
 {
     int left = 0;
-    int right = -1; ///< -1: the end of the curve
+    int right = -1; ///< -1 at the end of the curve
     double tau = 0;
 };
 
@@ -75,9 +82,9 @@ public:
         : m_problem(problem), m_options(options), m_muPerTau(muPerTau)
     {
         m_problem.mu = 0;
-        // No plan costs less than 2 sum(sigma): a tenth of the tolerance at most.
+        // No plan costs less than 2 sum(sigma), so this is at most a tenth of the tolerance.
         m_same_m2 = 0.1 * kProofTolerance * 2 * objectiveShift(problem) / problem.nodeCount();
-        // The largest reward there is: optimal at tau = 0.
+        // The plan with the largest reward is optimal at tau = 0.
         if (m_isAlone) {
             addLine({sigmaOrder(problemOfUav(m_problem, 0))});
         } else if (SolveOutcome first = solveFleet(m_problem, Backend::Auto, limits());
@@ -107,7 +114,7 @@ public:
     }
 
 private:
-    /** Where two lines of which the first has the larger reward and distance are equal. */
+    /** Returns the tau at which two lines meet; the first has the larger reward and distance. */
     [[nodiscard]] double crossing(int a, int b) const
     {
         const Line& first = line(a);
@@ -128,7 +135,9 @@ private:
         refreshEnvelope();
     }
 
-    /** The lower envelope of the lines over (0, tauMax): what is best, and where it ends. */
+    /**
+     * Updates the lower envelope of the lines over (0, tauMax): the best line and where it ends.
+     */
     void refreshEnvelope()
     {
         std::vector<int> numbers(m_lines.size());
@@ -142,7 +151,7 @@ private:
         for (const int number : numbers) {
             if (!m_envelope.empty() &&
                 line(number).distance_m >= line(m_envelope.back().left).distance_m)
-                continue; // less reward for no less distance
+                continue; // it has less reward for no less distance
             while (!m_envelope.empty()) {
                 Crossing& last = m_envelope.back();
                 last.right = number;
@@ -171,7 +180,10 @@ private:
         return it == m_known.end() ? std::nullopt : std::optional(it->second);
     }
 
-    /** Searches come before proofs: they give the proofs good incumbents, and fewer to prove. */
+    /**
+     * Returns the next crossing to examine. Searches come before proofs: they give the proofs good
+     * incumbents, and fewer crossings to prove.
+     */
     [[nodiscard]] std::optional<Crossing> nextToExamine() const
     {
         std::optional<Crossing> toProve;
@@ -185,7 +197,7 @@ private:
         return toProve;
     }
 
-    /** Leaves the crossing as it was when cancelled. */
+    /** Examines a crossing; if cancelled, leaves its state unchanged. */
     void examine(const Crossing& crossing)
     {
         m_problem.mu = m_muPerTau * crossing.tau;
@@ -237,10 +249,10 @@ private:
             return Knowledge::Searched;
         const VisitCosts costs(problemOfUav(m_problem, 0));
         const std::int64_t moveWork = workOfMove(costs.icebergs);
-        SearchEffort effort{.cut = [this] { return m_options.stop.stop_requested(); },
+        SearchEffort effort{.isStopped = [this] { return m_options.stop.stop_requested(); },
                             .limit = (m_options.workLimit - m_searched) / moveWork + 1};
         OrderSearch search(costs, effort);
-        search.take(line(crossing.left).plan.front());
+        search.accept(line(crossing.left).plan.front());
         search.disturb(restartsFor(costs.icebergs));
         if (m_options.stop.stop_requested())
             return std::nullopt;
@@ -256,7 +268,7 @@ private:
         options.workLimit = std::min(kMostWorkOfProof, m_options.workLimit - m_work);
         if (options.workLimit <= 0 || m_problem.icebergCount() > kLargestProven)
             return Knowledge::GivenUp;
-        options.cut = [this] { return m_options.stop.stop_requested(); };
+        options.isStopped = [this] { return m_options.stop.stop_requested(); };
         options.lambda = multipliersNear(crossing.tau);
         const BoundResult result = improveBound(VisitCosts(problemOfUav(m_problem, 0)),
                                                 line(crossing.left).plan.front(), options);
@@ -268,7 +280,7 @@ private:
         return result.reached ? Knowledge::Proven : Knowledge::GivenUp;
     }
 
-    /** Makes a plan that is better at the crossing a line of its own. */
+    /** Adds a line for the plan if it is better at the crossing. */
     void offer(const FleetPlan& plan, const Crossing& crossing)
     {
         const double shift = objectiveShift(m_problem);
@@ -278,8 +290,9 @@ private:
     }
 
     /**
-     * Multipliers to start a proof with: between those of the nearest crossings examined before.
-     * The bound is concave in multipliers and tau together, so it is as good as there.
+     * Returns multipliers to start a proof with: interpolated between the nearest crossings
+     * examined before. The bound is concave in multipliers and tau together, so it is as good as
+     * there.
      */
     [[nodiscard]] std::optional<Eigen::VectorXd> multipliersNear(double tau) const
     {
@@ -300,7 +313,8 @@ private:
         for (const Crossing& end : m_envelope) {
             const bool toProven = knowledge(end) == Knowledge::Proven;
             const Line& best = line(end.left);
-            // Optimal at both ends is optimal between: the optimum is concave, this line straight.
+            // A plan optimal at both ends is optimal between: the optimum is concave and this line
+            // is straight.
             result.intervals.push_back(
                 {.tauFrom = result.intervals.empty() ? 0 : result.intervals.back().tauTo,
                  .tauTo = end.tau,
@@ -315,19 +329,23 @@ private:
 
     FleetProblem m_problem; ///< its mu is that of the crossing under examination
     bool m_isAlone = m_problem.uavCount() == 1;
-    bool m_isFirstProven = true; ///< at tau = 0
+    bool m_isFirstProven = true; ///< whether the plan at tau = 0 is proven
     const TauCurveOptions& m_options;
     double m_muPerTau;
-    double m_same_m2 = 0; ///< rewards so close are equal: sigmas that differ by rounding are ties
+    /** Rewards closer than this count as equal: sigmas that differ by rounding are ties. */
+    double m_same_m2 = 0;
     std::vector<Line> m_lines;
     std::vector<Crossing> m_envelope; ///< left to right; the last one is the end
     std::map<std::pair<int, int>, Knowledge> m_known;
     std::map<double, Eigen::VectorXd> m_multipliers; ///< by tau of the crossing
-    std::int64_t m_work = 0;                         ///< of proofs
+    std::int64_t m_work = 0;                         ///< work of proofs
     std::int64_t m_searched = 0;                     ///< work of searches
 };
 
-/** One plan for every tau: mu does not depend on it, or there is nothing to visit. */
+/**
+ * Returns a curve with one plan, for problems whose mu does not depend on tau or that have nothing
+ * to visit.
+ */
 TauCurve constantCurve(FleetProblem problem, const TauCurveOptions& options, double mu)
 {
     problem.mu = mu;

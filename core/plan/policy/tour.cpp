@@ -13,10 +13,10 @@ namespace berg {
 
 namespace {
 
-/** Nodes of the request round the cycle. */
+/** Nodes of the request in the order of the cycle. */
 using Cycle = std::vector<int>;
 
-/** Where UAVs enter a cycle: places in it, by UAV, and sum sigma_i t_i. */
+/** Entries of UAVs into a cycle: by UAV the position in the cycle, and sum sigma_i t_i. */
 struct Entries
 {
     Cycle cycle;
@@ -55,7 +55,9 @@ private:
         return m_request.uavs[static_cast<std::size_t>(m_uavs[k])];
     }
 
-    /** From the first place to each, and all the way round. */
+    /**
+     * Returns the lengths along the cycle from its first place to each, and the whole length last.
+     */
     [[nodiscard]] std::vector<double> lengths(const Cycle& cycle) const
     {
         std::vector<double> lengths_m{0};
@@ -65,7 +67,10 @@ private:
         return lengths_m;
     }
 
-    /** Places from `base` on, the first free ones after equal shares of the cycle's length. */
+    /**
+     * Returns one place for each UAV: from `base` on, the first free places after equal shares of
+     * the length of the cycle.
+     */
     [[nodiscard]] std::vector<std::size_t> spread(const std::vector<double>& lengths_m,
                                                   std::size_t base) const
     {
@@ -87,7 +92,7 @@ private:
         return places;
     }
 
-    /** `places` in turn along the cycle, given to the UAVs. */
+    /** Assigns the UAVs to `places` with the least total distance. */
     [[nodiscard]] Entries enter(const Cycle& cycle, const std::vector<std::size_t>& places) const
     {
         const auto count = static_cast<Eigen::Index>(m_uavs.size());
@@ -111,7 +116,7 @@ private:
         return entries;
     }
 
-    /** sum sigma_i t_i over so many places, times the speed. */
+    /** Returns sum sigma_i t_i over `steps` places of the cycle, times the speed. */
     [[nodiscard]] double waiting(const UavRequest& uav, const Cycle& cycle, std::size_t begin,
                                  std::size_t steps) const
     {
@@ -132,12 +137,14 @@ private:
     const std::vector<int>& m_uavs;
 };
 
-/** A cycle over all icebergs of a request, in nodes of it; the first iceberg takes the UAV's place
- * as the node to return to. */
+/**
+ * A cycle over all icebergs, in nodes of the request; the first iceberg takes the UAV's place as
+ * the node to return to.
+ */
 struct MadeCycle
 {
-    Cycle cycle;       ///< empty: none was found, or it was cut short by a cancellation
-    PlanAnswer answer; ///< what was solved, without orders
+    Cycle cycle;       ///< empty if none was found, or if the solve was cancelled
+    PlanAnswer answer; ///< answer about the cycle problem, without orders
 };
 
 MadeCycle makeCycle(const PlanRequest& request, const Eigen::MatrixXd& distance_m,
@@ -164,7 +171,7 @@ MadeCycle makeCycle(const PlanRequest& request, const Eigen::MatrixXd& distance_
     return made;
 }
 
-/** The answer of the cycle with these orders. */
+/** Returns the answer about the cycle with these orders. */
 PlanAnswer withOrders(PlanAnswer answer, std::vector<std::vector<int>> orders)
 {
     answer.uavs.clear();
@@ -173,8 +180,10 @@ PlanAnswer withOrders(PlanAnswer answer, std::vector<std::vector<int>> orders)
     return answer;
 }
 
-/** The rest of the round is kept and flown iceberg by iceberg; those in view are passed over. Only
- * when it is used up, or the set of icebergs has changed, does a new one begin. */
+/**
+ * Keeps the rest of the round and flies it iceberg by iceberg; icebergs in view are passed over. A
+ * new round begins only when this one is used up or the set of icebergs has changed.
+ */
 class TourOfOne
 {
 public:
@@ -205,15 +214,15 @@ public:
     }
 
 private:
-    /** Progress in ids of the cycle that is solved. */
+    /** Returns options that report progress as ids of the cycle. */
     [[nodiscard]] static SolveOptions inIds(const PlanRequest& request, SolveOptions options)
     {
         if (options.onProgress)
-            options.onProgress = [&request, told = options.onProgress](SolveProgress progress) {
+            options.onProgress = [&request, report = options.onProgress](SolveProgress progress) {
                 for (VisitOrder& order : progress.plan)
                     for (int& node : order)
                         node = request.ids[static_cast<std::size_t>(node)];
-                told(progress);
+                report(progress);
             };
         return options;
     }
@@ -237,10 +246,10 @@ private:
         return {first, ids.end()};
     }
 
-    std::vector<int> m_cycle;    ///< ids, from where it is entered
-    std::vector<int> m_cycleIds; ///< of the request that it is for
+    std::vector<int> m_cycle;    ///< ids, from the entry on
+    std::vector<int> m_cycleIds; ///< ids of the request that the cycle was made for
     PlanAnswer m_made;
-    std::vector<int> m_rest; ///< of the round
+    std::vector<int> m_rest; ///< rest of the present round
     std::vector<int> m_known;
 };
 
@@ -258,7 +267,7 @@ public:
                               none);
         const Eigen::MatrixXd distance_m = meanDistances(request, task.uavs);
         if (m_ids != request.ids) {
-            options.onProgress = {}; // the UAVs' parts in it are not known yet
+            options.onProgress = {}; // the parts of the UAVs are not known yet
             MadeCycle made = makeCycle(request, distance_m, solver, options);
             if (made.cycle.empty())
                 return withOrders(std::move(made.answer), none);
@@ -276,7 +285,7 @@ public:
     }
 
 private:
-    /** Between icebergs, of these UAVs. */
+    /** Returns the mean over these UAVs of the distances between icebergs. */
     [[nodiscard]] static Eigen::MatrixXd meanDistances(const PlanRequest& request,
                                                        const std::vector<int>& uavs)
     {
@@ -296,8 +305,10 @@ private:
             m_places[request.uavs[static_cast<std::size_t>(uavs[k])].uav] = entries.places[k];
     }
 
-    /** Once round the cycle for each UAV, from the place where it is. Those whose iceberg is still
-     * to be visited keep it. */
+    /**
+     * Returns for each UAV one round of the cycle from its present place. UAVs whose iceberg has
+     * still to be visited keep that place.
+     */
     [[nodiscard]] std::vector<std::vector<int>> rounds(const PlanRequest& request,
                                                        const std::vector<int>& uavs)
     {
@@ -331,9 +342,10 @@ private:
     }
 
     Cycle m_cycle;
-    std::vector<int> m_ids;              ///< of the request that the cycle is for
-    PlanAnswer m_made;                   ///< of the cycle, without orders
-    std::map<int, std::size_t> m_places; ///< by number of the UAV: where in the cycle its next is
+    std::vector<int> m_ids; ///< ids of the request that the cycle was made for
+    PlanAnswer m_made;      ///< answer about the cycle, without orders
+    /** By `UavRequest::uav`: place of its next iceberg in the cycle. */
+    std::map<int, std::size_t> m_places;
 };
 
 class TourPolicy final : public Policy
@@ -343,13 +355,13 @@ public:
 
     PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override
     {
-        // Those of several may be planned alone later, but keep their places in the cycle.
+        // A UAV of several may be planned alone later, but keeps its place in the cycle.
         m_isOfSeveral = m_isOfSeveral || request.uavs.size() > 1;
-        SolveOptions own = options;
-        own.hint.clear();
-        own.inFlight = false; // the cycle made now is kept
-        return m_isOfSeveral ? m_several.plan(request, m_solver, own)
-                             : m_one.plan(request, m_solver, own);
+        SolveOptions cycleOptions = options;
+        cycleOptions.hint.clear();
+        cycleOptions.inFlight = false; // this cycle is kept for a long time
+        return m_isOfSeveral ? m_several.plan(request, m_solver, cycleOptions)
+                             : m_one.plan(request, m_solver, cycleOptions);
     }
 
 private:

@@ -19,21 +19,24 @@ namespace berg {
 
 namespace {
 
-constexpr int kAskEvery_ms = 10;
+constexpr int kCheckEvery_ms = 10;
 
-/** Waits until the socket is ready for `events`, or the time to ask has come. */
+/** Waits until the socket is ready for `events`, or until the next check for a stop. */
 bool isReady(int socket, short events)
 {
     pollfd wait{.fd = socket, .events = events, .revents = 0};
-    return poll(&wait, 1, kAskEvery_ms) > 0;
+    return poll(&wait, 1, kCheckEvery_ms) > 0;
 }
 
 [[noreturn]] void cannotStart(int error)
 {
-    throw CbcWireFault("it cannot be started: " + std::generic_category().message(error));
+    throw CbcWireFault("it cannot start: " + std::generic_category().message(error));
 }
 
-/** The program with its standard input on the socket; what COIN prints goes nowhere. */
+/**
+ * Starts the program with its standard input on the socket and without output. Returns the process,
+ * or the negative error number.
+ */
 int started(const std::filesystem::path& program, int socket)
 {
     posix_spawn_file_actions_t files;
@@ -78,7 +81,7 @@ CbcHelper::CbcHelper()
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, ends.data()) != 0)
         cannotStart(errno);
-    // The helper's own end blocks: the flag belongs to the end, not to the pair.
+    // The helper's end of the socket blocks: the flag belongs to the end, not to the pair.
     fcntl(ends[1], F_SETFL, fcntl(ends[1], F_GETFL) & ~O_NONBLOCK);
     m_process = started(program, ends[1]);
     close(ends[1]);
@@ -99,14 +102,14 @@ CbcHelper::~CbcHelper()
     }
 }
 
-bool CbcHelper::send(std::string_view bytes, const CbcCut& cut) const
+bool CbcHelper::send(std::string_view bytes, const CbcStopCheck& isStopped) const
 {
     while (!bytes.empty()) {
-        if (cut())
+        if (isStopped())
             return false;
         if (!isReady(m_socket, POLLOUT))
             continue;
-        // No SIGPIPE: an early end is found out by `answer`, with its reason.
+        // Without SIGPIPE, `answer` detects an early end and its reason.
         const ssize_t sent = ::send(m_socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
         if (sent > 0)
             bytes.remove_prefix(static_cast<std::size_t>(sent));
@@ -116,23 +119,23 @@ bool CbcHelper::send(std::string_view bytes, const CbcCut& cut) const
     return true;
 }
 
-bool CbcHelper::ask(const CbcFrame& request, const CbcCut& cut)
+bool CbcHelper::sendRequest(const CbcFrame& request, const CbcStopCheck& isStopped)
 {
-    if (!send(cbcBytes(cbcHello()) + cbcBytes(request), cut))
+    if (!send(cbcBytes(cbcHello()) + cbcBytes(request), isStopped))
         return false;
-    const std::optional<CbcFrame> hello = answer(cut);
+    const std::optional<CbcFrame> hello = answer(isStopped);
     if (hello)
         requireCbcHello(*hello);
     return hello.has_value();
 }
 
-std::optional<CbcFrame> CbcHelper::answer(const CbcCut& cut)
+std::optional<CbcFrame> CbcHelper::answer(const CbcStopCheck& isStopped)
 {
     std::array<char, 65536> bytes; // NOLINT(cppcoreguidelines-pro-type-member-init): written first
     while (true) {
-        if (std::optional<CbcFrame> frame = m_buffer.taken())
+        if (std::optional<CbcFrame> frame = m_buffer.nextFrame())
             return frame;
-        if (cut())
+        if (isStopped())
             return std::nullopt;
         if (!isReady(m_socket, POLLIN))
             continue;
@@ -140,13 +143,13 @@ std::optional<CbcFrame> CbcHelper::answer(const CbcCut& cut)
         if (count > 0)
             m_buffer.add({bytes.data(), static_cast<std::size_t>(count)});
         else if (count == 0 || (errno != EAGAIN && errno != EINTR))
-            throw CbcWireFault(howItEnded());
+            throw CbcWireFault(exitDescription());
     }
 }
 
-std::string CbcHelper::howItEnded()
+std::string CbcHelper::exitDescription()
 {
-    // It has closed its end: it is about to go, or says nothing any more.
+    // The helper has closed its end: it is about to exit, or has stopped answering.
     constexpr int kTries = 100;
     int status = 0;
     for (int i = 0; i < kTries; ++i) {
@@ -159,7 +162,7 @@ std::string CbcHelper::howItEnded()
             }
             return "it ended with exit code " + std::to_string(WEXITSTATUS(status));
         }
-        poll(nullptr, 0, kAskEvery_ms);
+        poll(nullptr, 0, kCheckEvery_ms);
     }
     return "it stopped answering";
 }

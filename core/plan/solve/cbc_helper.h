@@ -8,42 +8,47 @@
 
 namespace berg {
 
-/** Asked about every 10 ms; true once the helper must end. */
-using CbcCut = std::function<bool()>;
+/** Called about every 10 ms; returns true once the helper must end. Must not be empty. */
+using CbcStopCheck = std::function<bool()>;
 
 /**
- * Where `bergwatch-cbc` is: what the environment variable BERGWATCH_CBC names, else
+ * Returns the path of `bergwatch-cbc`: the value of the environment variable BERGWATCH_CBC, else
  * libexec/bergwatch/bergwatch-cbc in a folder above that of this program. Throws
- * `Error{Unsupported}` when no program is there.
+ * `Error{Unsupported}` if there is no program.
  */
 [[nodiscard]] std::filesystem::path cbcHelperPath();
 
 /**
- * The program `bergwatch-cbc` at work on one request. It shares nothing with this process but a
- * socket, so that whatever becomes of it is an outcome here. Ended by force when this object goes.
+ * A process of the program `bergwatch-cbc` for one request. It shares nothing with this process but
+ * a socket, so that its failure is an outcome here. The destructor kills it.
  */
 class CbcHelper
 {
 public:
-    /** Starts it. Throws `Error{Unsupported}` as `cbcHelperPath`, `CbcWireFault` when it does not
-     * start. */
+    /**
+     * Starts the process. Throws `Error{Unsupported}` as `cbcHelperPath` does, and `CbcWireFault`
+     * if it does not start.
+     */
     CbcHelper();
     ~CbcHelper();
     CbcHelper(const CbcHelper&) = delete;
     CbcHelper& operator=(const CbcHelper&) = delete;
 
-    /** Sends it the request; both tell their version first. False when cut. */
-    [[nodiscard]] bool ask(const CbcFrame& request, const CbcCut& cut);
     /**
-     * What it says next; none when cut. Throws `CbcWireFault` when it ended, was killed or says
-     * what is no message; then nothing more comes of it.
+     * Sends the version and the request, and waits for the other side's version. Returns false if
+     * stopped. Throws `CbcWireFault` as `answer` does, and if the versions differ.
      */
-    [[nodiscard]] std::optional<CbcFrame> answer(const CbcCut& cut);
+    [[nodiscard]] bool sendRequest(const CbcFrame& request, const CbcStopCheck& isStopped);
+    /**
+     * Returns the next message, or nullopt if stopped. Throws `CbcWireFault` if the process ended,
+     * was killed or sent something that is not a message; it then sends nothing more.
+     */
+    [[nodiscard]] std::optional<CbcFrame> answer(const CbcStopCheck& isStopped);
 
 private:
-    [[nodiscard]] bool send(std::string_view bytes, const CbcCut& cut) const;
-    /** In words: a signal or an exit code. */
-    [[nodiscard]] std::string howItEnded();
+    [[nodiscard]] bool send(std::string_view bytes, const CbcStopCheck& isStopped) const;
+    /** Describes in words how the process ended: by a signal or with an exit code. */
+    [[nodiscard]] std::string exitDescription();
 
     int m_socket = -1;
     int m_process = -1;

@@ -10,15 +10,17 @@ namespace berg {
 
 namespace {
 
-/** What is known of a solve by the helper, until it has answered. */
+/** Runs a solve by the helper and keeps the best known plan and bound until it has answered. */
 class CbcSolve
 {
 public:
-    explicit CbcSolve(const CbcProblem& asked)
-        : m_asked(asked), m_watch(asked.options), m_known{.status = SolveStatus::None, .plan = {}}
+    explicit CbcSolve(const CbcProblem& request)
+        : m_request(request)
+        , m_watch(request.options)
+        , m_partial{.status = SolveStatus::None, .plan = {}}
     {
-        takePlan(asked.options.hint);
-        m_known.hintUsed = !asked.options.hint.empty();
+        acceptPlan(request.options.hint);
+        m_partial.hintUsed = !request.options.hint.empty();
     }
 
     [[nodiscard]] SolveOutcome outcome()
@@ -33,89 +35,94 @@ public:
 private:
     [[nodiscard]] SolveOutcome answered()
     {
-        const CbcCut cut = [this] { return m_asked.options.stop.stop_requested() || isOverdue(); };
+        const CbcStopCheck isStopped = [this] {
+            return m_request.options.stop.stop_requested() || isOverdue();
+        };
         CbcHelper helper;
-        if (!helper.ask(cbcFrame(m_asked), cut))
+        if (!helper.sendRequest(cbcFrame(m_request), isStopped))
             return stopped();
-        while (const std::optional<CbcFrame> frame = helper.answer(cut)) {
+        while (const std::optional<CbcFrame> frame = helper.answer(isStopped)) {
             if (frame->kind == CbcFrameKind::Failure) {
                 const CbcFailure failure = cbcFailureOf(*frame);
                 return unable(failure.words,
                               failure.isOutOfMemory ? StopReason::MemoryLimit : StopReason::Unable);
             }
             if (frame->kind != CbcFrameKind::Progress)
-                return cbcOutcomeOf(*frame, m_asked.problem);
-            const SolveProgress progress = cbcProgressOf(*frame, m_asked.problem);
-            takePlan(progress.plan);
-            m_known.bound = progress.bound;
+                return cbcOutcomeOf(*frame, m_request.problem);
+            const SolveProgress progress = cbcProgressOf(*frame, m_request.problem);
+            acceptPlan(progress.plan);
+            m_partial.bound = progress.bound;
             if (!progress.plan.empty())
                 m_watch.report(progress.plan, progress.objective, progress.bound);
         }
         return stopped();
     }
 
-    /** It ends at the time limit by itself, unless it is stuck. */
+    /** Returns whether the helper is stuck: normally it ends at the time limit by itself. */
     [[nodiscard]] bool isOverdue() const
     {
         constexpr double kGrace_s = 1;
-        const std::optional<double> limit_s = m_asked.options.timeLimit_s;
+        const std::optional<double> limit_s = m_request.options.timeLimit_s;
         return limit_s && m_clock.elapsed_s() > *limit_s + kGrace_s;
     }
 
     [[nodiscard]] SolveOutcome stopped()
     {
-        const bool isCancelled = m_asked.options.stop.stop_requested();
+        const bool isCancelled = m_request.options.stop.stop_requested();
         return ended(isCancelled ? StopReason::Cancelled : StopReason::TimeLimit, "CBC: stopped");
     }
 
-    void takePlan(const FleetPlan& plan)
+    void acceptPlan(const FleetPlan& plan)
     {
         if (plan.empty())
             return;
-        m_known.plan = plan;
-        m_known.status = SolveStatus::Feasible;
+        m_partial.plan = plan;
+        m_partial.status = SolveStatus::Feasible;
     }
 
     [[nodiscard]] SolveOutcome ended(StopReason reason, const std::string& detail)
     {
-        m_known.reason = reason;
-        m_known.detail = detail;
-        return m_known;
+        m_partial.reason = reason;
+        m_partial.detail = detail;
+        return m_partial;
     }
 
-    /** It ended without an answer: what it told until then, if that is an order. */
+    /**
+     * Returns the best plan reported before the helper ended without an answer. Throws
+     * `Error{SolverFailed}` if there is none.
+     */
     [[nodiscard]] SolveOutcome unable(const std::string& why,
                                       StopReason reason = StopReason::Unable)
     {
-        if (m_known.plan.empty() && reason == StopReason::Unable)
+        if (m_partial.plan.empty() && reason == StopReason::Unable)
             throw Error(ErrorCode::SolverFailed, "cbc", why);
         return ended(reason, why);
     }
 
-    const CbcProblem& m_asked;
+    const CbcProblem& m_request;
     Stopwatch m_clock;
     SolveWatch m_watch;
-    SolveOutcome m_known;
+    SolveOutcome m_partial;
 };
 
-/** Icebergs that it is offered for. */
+/** Returns the largest number of icebergs for which the formulation is used. */
 int largestOf(Formulation formulation)
 {
     switch (formulation) {
     case Formulation::Position: // 80 MB and about ten seconds for the first relaxation
         return 40;
-    case Formulation::Printed: // small (n^2 columns), but beyond 8 its search takes for ever
-    case Formulation::Reduced: // as far as our bound leaves few columns
+    case Formulation::Printed: // small (n^2 columns), but beyond 8 its search takes too long
+    case Formulation::Reduced: // as long as our bound leaves few columns
         return 60;
     }
-    throw std::logic_error("CbcSolver: no such formulation");
+    throw std::logic_error("CbcSolver: unknown formulation");
 }
 
 } // namespace
 
 CbcSolver::CbcSolver(Formulation formulation) : m_formulation(formulation) {}
 
-std::optional<IssueReason> CbcSolver::whyNot(const TvpProblem& problem) const
+std::optional<IssueReason> CbcSolver::unsupportedReason(const TvpProblem& problem) const
 {
     if (problem.criterion != Criterion::Visitation)
         return IssueReason{IssueId::CbcLatency};
@@ -129,8 +136,8 @@ std::optional<IssueReason> CbcSolver::whyNot(const TvpProblem& problem) const
 
 SolveOutcome CbcSolver::doSolve(const TvpProblem& problem, const SolveOptions& options) const
 {
-    const CbcProblem asked{.formulation = m_formulation, .problem = problem, .options = options};
-    return CbcSolve(asked).outcome();
+    const CbcProblem request{.formulation = m_formulation, .problem = problem, .options = options};
+    return CbcSolve(request).outcome();
 }
 
 } // namespace berg

@@ -52,71 +52,75 @@ public:
     PayloadReader(const CbcFrame& frame, CbcFrameKind kind) : m_rest(frame.payload)
     {
         if (frame.kind != kind)
-            throw CbcWireFault("a message of another kind was due");
+            throw CbcWireFault("it sent a message of another kind than expected");
     }
     template <typename Number>
-    void take(Number& value)
+    void read(Number& value)
     {
-        if constexpr (std::is_same_v<Number, bool>) { // any byte but 0 and 1 is no bool
+        // A byte other than 0 and 1 would not be a valid bool.
+        if constexpr (std::is_same_v<Number, bool>) {
             std::uint8_t byte = 0;
-            take(byte);
+            read(byte);
             value = byte != 0;
         } else {
-            need(sizeof(Number));
+            requireBytes(sizeof(Number));
             std::memcpy(&value, m_rest.data(), sizeof(Number));
             m_rest.remove_prefix(sizeof(Number));
         }
     }
     template <typename Number>
-    void take(std::optional<Number>& value)
+    void read(std::optional<Number>& value)
     {
         bool isThere = false;
         Number number{};
-        take(isThere);
-        take(number);
+        read(isThere);
+        read(number);
         value = isThere ? std::optional(number) : std::nullopt;
     }
     template <typename Item>
-    void take(std::vector<Item>& items)
+    void read(std::vector<Item>& items)
     {
         std::uint64_t count = 0;
-        take(count);
+        read(count);
         constexpr std::size_t kLeast = std::is_arithmetic_v<Item> ? sizeof(Item) : sizeof(count);
         if (count > m_rest.size() / kLeast)
-            throw CbcWireFault("a message is cut short");
+            throw CbcWireFault("it sent a message that is too short");
         items.resize(count);
         for (Item& item : items)
-            take(item);
+            read(item);
     }
-    void take(std::string& text)
+    void read(std::string& text)
     {
         std::uint64_t count = 0;
-        take(count);
-        need(count);
+        read(count);
+        requireBytes(count);
         text = m_rest.substr(0, count);
         m_rest.remove_prefix(count);
     }
-    /** `last`: of its enum; one appended to that is named here too. */
+    /**
+     * Reads an enumerator up to `last`, the last one of its enum: update callers when the enum
+     * grows.
+     */
     template <typename Choice>
-    void takeUpTo(Choice last, Choice& value)
+    void readEnum(Choice last, Choice& value)
     {
         std::int32_t number = 0;
-        take(number);
+        read(number);
         if (number < 0 || number > static_cast<std::int32_t>(last))
-            throw CbcWireFault("a message holds a value that there is not");
+            throw CbcWireFault("it sent a message with an unknown value");
         value = static_cast<Choice>(number);
     }
     void end() const
     {
         if (!m_rest.empty())
-            throw CbcWireFault("a message is too long");
+            throw CbcWireFault("it sent a message that is too long");
     }
 
 private:
-    void need(std::uint64_t bytes) const
+    void requireBytes(std::uint64_t bytes) const
     {
         if (bytes > m_rest.size())
-            throw CbcWireFault("a message is cut short");
+            throw CbcWireFault("it sent a message that is too short");
     }
 
     std::string_view m_rest;
@@ -133,13 +137,13 @@ VisitOrder onlyOrder(const FleetPlan& plan)
     return plan.empty() ? VisitOrder{} : plan.front();
 }
 
-/** The plan of one UAV; none of an empty order. */
+/** Returns the plan of one UAV; empty if the order is empty. */
 FleetPlan planOf(const VisitOrder& order, const TvpProblem& problem)
 {
     if (order.empty())
         return {};
     if (!isVisitOrder(problem, order))
-        throw CbcWireFault("an order is none of the problem's");
+        throw CbcWireFault("it sent an order that does not fit the problem");
     return {order};
 }
 
@@ -154,9 +158,9 @@ void requireCbcHello(const CbcFrame& frame)
 {
     PayloadReader reader(frame, CbcFrameKind::Hello);
     std::int32_t version = 0;
-    reader.take(version);
+    reader.read(version);
     if (version != kCbcWireVersion)
-        throw CbcWireFault("it is of another version of Bergwatch");
+        throw CbcWireFault("it belongs to another version of Bergwatch");
     reader.end();
 }
 
@@ -170,8 +174,8 @@ CbcFailure cbcFailureOf(const CbcFrame& frame)
 {
     PayloadReader reader(frame, CbcFrameKind::Failure);
     CbcFailure failure;
-    reader.take(failure.words);
-    reader.take(failure.isOutOfMemory);
+    reader.read(failure.words);
+    reader.read(failure.isOutOfMemory);
     reader.end();
     return failure;
 }
@@ -196,27 +200,27 @@ CbcProblem cbcProblemOf(const CbcFrame& frame)
     CbcProblem problem;
     TvpProblem& tvp = problem.problem;
     SolveOptions& options = problem.options;
-    reader.takeUpTo(Formulation::Reduced, problem.formulation);
-    reader.take(tvp.sigma_m2);
-    reader.take(tvp.mu);
-    reader.takeUpTo(Route::Closed, tvp.route);
-    reader.takeUpTo(Criterion::Latency, tvp.criterion);
+    reader.readEnum(Formulation::Reduced, problem.formulation);
+    reader.read(tvp.sigma_m2);
+    reader.read(tvp.mu);
+    reader.readEnum(Route::Closed, tvp.route);
+    reader.readEnum(Criterion::Latency, tvp.criterion);
     std::vector<double> distance_m;
-    reader.take(distance_m);
+    reader.read(distance_m);
     const std::size_t nodes = tvp.sigma_m2.size();
     if (distance_m.size() != nodes * nodes)
-        throw CbcWireFault("a distance for each two nodes is due");
+        throw CbcWireFault("it sent a problem with a wrong number of distances");
     const auto side = static_cast<Eigen::Index>(nodes);
     tvp.distance_m = Eigen::Map<const Eigen::MatrixXd>(distance_m.data(), side, side);
-    reader.take(options.timeLimit_s);
-    reader.take(options.workLimit);
-    reader.take(options.memoryLimit_bytes);
-    reader.take(options.gap);
+    reader.read(options.timeLimit_s);
+    reader.read(options.workLimit);
+    reader.read(options.memoryLimit_bytes);
+    reader.read(options.gap);
     VisitOrder hint;
-    reader.take(hint);
+    reader.read(hint);
     reader.end();
     if (tvp.icebergCount() < 1 || !validate(tvp).empty())
-        throw CbcWireFault("the problem is none");
+        throw CbcWireFault("it sent an invalid problem");
     options.hint = planOf(hint, tvp);
     return problem;
 }
@@ -233,10 +237,10 @@ CbcPartition cbcPartitionOf(const CbcFrame& frame)
 {
     PayloadReader reader(frame, CbcFrameKind::Partition);
     CbcPartition partition;
-    reader.take(partition.rows);
-    reader.take(partition.columns);
-    reader.take(partition.costs);
-    reader.take(partition.slack);
+    reader.read(partition.rows);
+    reader.read(partition.columns);
+    reader.read(partition.costs);
+    reader.read(partition.slack);
     reader.end();
     const auto isRow = [&partition](int row) { return row >= 0 && row < partition.rows; };
     const auto areRows = [&isRow](const std::vector<int>& rows) {
@@ -246,7 +250,7 @@ CbcPartition cbcPartitionOf(const CbcFrame& frame)
     if (partition.costs.size() != partition.columns.size() || !(partition.slack > 0) ||
         !std::ranges::all_of(partition.columns, areRows) ||
         !std::ranges::all_of(partition.costs, isCost))
-        throw CbcWireFault("the partition is none");
+        throw CbcWireFault("it sent an invalid partition");
     return partition;
 }
 
@@ -262,9 +266,9 @@ SolveProgress cbcProgressOf(const CbcFrame& frame, const TvpProblem& problem)
     PayloadReader reader(frame, CbcFrameKind::Progress);
     SolveProgress progress;
     VisitOrder order;
-    reader.take(order);
-    reader.take(progress.objective);
-    reader.take(progress.bound);
+    reader.read(order);
+    reader.read(progress.objective);
+    reader.read(progress.bound);
     reader.end();
     progress.plan = planOf(order, problem);
     return progress;
@@ -284,17 +288,17 @@ SolveOutcome cbcOutcomeOf(const CbcFrame& frame, const TvpProblem& problem)
     PayloadReader reader(frame, CbcFrameKind::Outcome);
     SolveOutcome outcome;
     VisitOrder order;
-    reader.takeUpTo(SolveStatus::None, outcome.status);
-    reader.takeUpTo(StopReason::Unable, outcome.reason);
-    reader.take(order);
-    reader.take(outcome.bound);
-    reader.take(outcome.work);
-    reader.take(outcome.hintUsed);
-    reader.take(outcome.detail);
+    reader.readEnum(SolveStatus::None, outcome.status);
+    reader.readEnum(StopReason::Unable, outcome.reason);
+    reader.read(order);
+    reader.read(outcome.bound);
+    reader.read(outcome.work);
+    reader.read(outcome.hintUsed);
+    reader.read(outcome.detail);
     reader.end();
     outcome.plan = planOf(order, problem);
     if (outcome.plan.empty() != (outcome.status == SolveStatus::None))
-        throw CbcWireFault("a status does not fit its order");
+        throw CbcWireFault("it sent a status that does not fit its order");
     return outcome;
 }
 
@@ -307,14 +311,14 @@ CbcChoice cbcChoiceOf(const CbcFrame& frame, const CbcPartition& partition)
 {
     PayloadReader reader(frame, CbcFrameKind::Chosen);
     CbcChoice choice;
-    reader.take(choice.complete);
-    reader.take(choice.columns);
+    reader.read(choice.complete);
+    reader.read(choice.columns);
     reader.end();
     const auto isColumn = [&partition](int column) {
         return column >= 0 && static_cast<std::size_t>(column) < partition.columns.size();
     };
     if (!std::ranges::all_of(choice.columns, isColumn))
-        throw CbcWireFault("a choice is none of the partition's");
+        throw CbcWireFault("it sent a choice that does not fit the partition");
     return choice;
 }
 
@@ -326,7 +330,7 @@ std::string cbcBytes(const CbcFrame& frame)
     return bytes + frame.payload;
 }
 
-std::optional<CbcFrame> CbcFrameBuffer::taken()
+std::optional<CbcFrame> CbcFrameBuffer::nextFrame()
 {
     CbcFrameHead head;
     if (m_bytes.size() < sizeof head)
@@ -334,7 +338,7 @@ std::optional<CbcFrame> CbcFrameBuffer::taken()
     std::memcpy(&head, m_bytes.data(), sizeof head);
     if (head.kind < CbcFrameKind::Hello || head.kind > CbcFrameKind::Failure ||
         head.length > kMostCbcPayload_bytes)
-        throw CbcWireFault("what it says is no message");
+        throw CbcWireFault("it sent something that is not a message");
     const std::size_t length = sizeof head + head.length;
     if (m_bytes.size() < length)
         return std::nullopt;

@@ -7,16 +7,17 @@
 #include <string>
 #include <vector>
 
-// How other programs ask `bergwatch-cbc`, which solves one request with COIN-OR CBC and ends:
-// frames of kind, length and payload over a socket, numbers as this machine has them.
+// Protocol of `bergwatch-cbc`, which solves one request with COIN-OR CBC and ends: frames of kind,
+// length and payload over a socket, numbers in the format of this machine.
 
 namespace berg {
 
-/** Of all that follows: both sides begin with a `Hello` that holds theirs. */
+/** Version of the protocol; both sides begin with a `Hello` that holds theirs. */
 inline constexpr std::int32_t kCbcWireVersion = 1;
-/** Of a payload; the largest problems that CBC is offered have some megabytes. */
+/** Largest payload; the largest problems for CBC need some megabytes. */
 inline constexpr std::uint64_t kMostCbcPayload_bytes = 256'000'000;
 
+/** Kind of a frame. */
 enum class CbcFrameKind : std::uint32_t
 {
     Hello = 0x42574342, ///< the version
@@ -28,20 +29,24 @@ enum class CbcFrameKind : std::uint32_t
     Failure ///< `CbcFailure`, in place of an answer
 };
 
+/** One message. */
 struct CbcFrame
 {
     CbcFrameKind kind = CbcFrameKind::Failure;
     std::string payload = {};
 };
 
-/** The other side says what it may not. */
+/** Thrown when the other side violates the protocol. */
 class CbcWireFault : public std::runtime_error
 {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/** A problem of one UAV and what is wanted of it; nobody can be called back over the wire. */
+/**
+ * A problem of one UAV and its options. Only the limits, the gap and the hint of the options are
+ * transmitted.
+ */
 struct CbcProblem
 {
     Formulation formulation = Formulation::Position;
@@ -49,29 +54,36 @@ struct CbcProblem
     SolveOptions options = {};
 };
 
-/** Why there is no answer. */
+/** Reason for a missing answer. */
 struct CbcFailure
 {
     std::string words = {};
     bool isOutOfMemory = false;
 };
 
-/** Binary columns, each in some of the rows, so that each row is in just one chosen column. */
+/**
+ * A set partitioning: binary columns, each in some of the rows, so that each row is in exactly one
+ * chosen column.
+ */
 struct CbcPartition
 {
     int rows = 0;
-    std::vector<std::vector<int>> columns = {}; ///< their rows
-    std::vector<double> costs = {};             ///< of each column
-    double slack = 0;                           ///< all that is chosen costs less, above 0
+    std::vector<std::vector<int>> columns = {}; ///< rows of each column
+    std::vector<double> costs = {};             ///< cost of each column
+    double slack = 0; ///< upper limit of the total cost of the chosen columns, > 0
 };
 
+/** Solution of a set partitioning. */
 struct CbcChoice
 {
-    bool complete = false; ///< there is no better choice, or none at all
+    bool complete = false; ///< whether no better choice exists, or none at all
     std::vector<int> columns = {};
 };
 
+/** Returns the frame that opens a conversation. */
 [[nodiscard]] CbcFrame cbcHello();
+
+// The functions below return the frame that holds the value.
 [[nodiscard]] CbcFrame cbcFrame(const CbcFailure& failure);
 [[nodiscard]] CbcFrame cbcFrame(const CbcProblem& problem);
 [[nodiscard]] CbcFrame cbcFrame(const CbcPartition& partition);
@@ -79,19 +91,27 @@ struct CbcChoice
 [[nodiscard]] CbcFrame cbcFrame(const SolveOutcome& outcome);
 [[nodiscard]] CbcFrame cbcFrame(const CbcChoice& choice);
 
-// The way back throws `CbcWireFault` for what is not of that kind, too short, too long or no value.
+// The functions below read a frame; they throw `CbcWireFault` if it is of another kind, too short,
+// too long or holds an invalid value.
 void requireCbcHello(const CbcFrame& frame);
 [[nodiscard]] CbcFailure cbcFailureOf(const CbcFrame& frame);
 [[nodiscard]] CbcProblem cbcProblemOf(const CbcFrame& frame);
 [[nodiscard]] CbcPartition cbcPartitionOf(const CbcFrame& frame);
-/** The plan is an order of the problem. */
+/**
+ * Reads progress; its plan is an order of the problem, or empty. Only plan, objective and bound are
+ * transmitted.
+ */
 [[nodiscard]] SolveProgress cbcProgressOf(const CbcFrame& frame, const TvpProblem& problem);
-/** The plan is an order of the problem, or none when the status says so. */
+/**
+ * Reads an outcome; its plan is an order of the problem, or empty with status None. Only status,
+ * reason, plan, bound, work, `hintUsed` and detail are transmitted; the other members keep their
+ * defaults.
+ */
 [[nodiscard]] SolveOutcome cbcOutcomeOf(const CbcFrame& frame, const TvpProblem& problem);
-/** The columns are some of the partition's. */
+/** Reads a choice; its columns are columns of the partition. */
 [[nodiscard]] CbcChoice cbcChoiceOf(const CbcFrame& frame, const CbcPartition& partition);
 
-/** Before the payload of a frame. */
+/** Header before the payload of a frame. */
 struct CbcFrameHead
 {
     CbcFrameKind kind = CbcFrameKind::Failure;
@@ -99,16 +119,19 @@ struct CbcFrameHead
     std::uint64_t length = 0;
 };
 
-/** The frame as it is sent. */
+/** Returns the bytes of the frame as sent. */
 [[nodiscard]] std::string cbcBytes(const CbcFrame& frame);
 
-/** Puts frames together from what comes in, in pieces of any size. */
+/** Assembles frames from bytes that arrive in pieces of any size. */
 class CbcFrameBuffer
 {
 public:
     void add(std::string_view bytes) { m_bytes += bytes; }
-    /** The next whole frame, if there is one. Throws `CbcWireFault` for one that is too long. */
-    [[nodiscard]] std::optional<CbcFrame> taken();
+    /**
+     * Removes and returns the next complete frame, or returns nullopt if there is none. Throws
+     * `CbcWireFault` if a frame is too long or of an unknown kind.
+     */
+    [[nodiscard]] std::optional<CbcFrame> nextFrame();
 
 private:
     std::string m_bytes;

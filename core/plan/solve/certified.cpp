@@ -12,7 +12,7 @@ double cutoffBelow(double cost, double gap)
 
 double cutoffAbove(double cost)
 {
-    // Where nothing costs anything a relative tolerance would leave nothing.
+    // If all costs are 0, a relative tolerance alone would leave nothing.
     return cost * (1 + kProofTolerance) + std::numeric_limits<double>::min();
 }
 
@@ -41,7 +41,7 @@ bool allowsProof(double margin, double cost)
 
 Multipliers certifiedMultipliers(const Eigen::VectorXd& lambda, double cutoff)
 {
-    // One multiplier for each visit, and [0] for the route.
+    // The size counts one multiplier for each visit, and [0] for the route.
     return {.lambda = lambda,
             .sum = lambda.sum(),
             .cutoff = cutoff,

@@ -18,27 +18,32 @@ namespace {
 /** Largest problems that dynamic programming solves faster; measured by bench_solvers. */
 constexpr int kMostBySubsets = 14;
 constexpr int kMostLatencyBySubsets = 16;
-/** Work of one restart of the local search, per iceberg squared; by measurement. */
+/** Work of one restart of the local search, per iceberg squared; measured. */
 constexpr std::int64_t kWorkOfRestart = 11;
-/** Share of all work that goes into more local search while the proof is under way: 1 / this. */
+/**
+ * Fraction (1 / this) of all work that goes into more local search while the proof is in progress.
+ */
 constexpr std::int64_t kSearchShare = 10;
-/** The same of a re-plan in flight, before the bound: the order in hand is a good one. */
+/** That fraction for a re-plan in flight, before the bound: the order at hand is a good one. */
 constexpr std::int64_t kSearchShareInFlight = 3;
-/** Steps of its first relaxation, with multipliers of the last plan; by measurement. */
+/** Steps of the first relaxation in flight, with multipliers of the last plan; measured. */
 constexpr std::int64_t kStepsInFlight = 80;
-/** A few restarts more are not worth while. */
+/** Fewer additional restarts than this are not worthwhile. */
 constexpr std::int64_t kLeastRestarts = 50;
 
-/** As `LayeredBoundOptions::manyArcs`; the graphs of latency are larger, and sooner small again. */
+/** `LayeredBoundOptions::manyArcs` for latency, whose graphs are larger, and shrink sooner. */
 constexpr std::int64_t kManyLatencyArcs = 6'000'000;
 
-/** First restarts from a disturbed order: the optimum in nine cases of ten at 40 icebergs. */
+/**
+ * Returns the number of first restarts from a disturbed order: they find the optimum in nine cases
+ * of ten at 40 icebergs.
+ */
 std::int64_t firstRestarts(std::int64_t icebergs)
 {
     return std::max<std::int64_t>(10, std::min(icebergs * icebergs / 8, 150'000 / icebergs));
 }
 
-/** One solve: local search and bound take turns. */
+/** Runs one solve, in which local search and bound alternate. */
 template <class Costs>
 class Engine
 {
@@ -49,10 +54,10 @@ public:
         , m_options(options)
         , m_account(options, objectiveShift(problem), problem.icebergCount())
         , m_costs(problem)
-        , m_own(effort.value_or(std::numeric_limits<std::int64_t>::max()))
+        , m_backendLimit(effort.value_or(std::numeric_limits<std::int64_t>::max()))
         , m_search(m_costs, m_effort)
     {
-        m_effort.cut = [this] { return m_account.cut(); };
+        m_effort.isStopped = [this] { return m_account.isStopped(); };
         m_effort.limit = mostWork();
         m_search.onImproved = [this](const VisitOrder& order) {
             m_account.acceptPlan({order}, objective(m_problem, order));
@@ -64,7 +69,7 @@ public:
         if (m_options.hint.empty())
             m_search.startGreedily();
         else
-            m_search.take(m_options.hint.front());
+            m_search.accept(m_options.hint.front());
         m_search.descend();
         if (m_options.inFlight && !m_options.hint.empty())
             searchFromHint();
@@ -82,9 +87,9 @@ public:
         options.workLimit = mostWork() - m_effort.work;
         options.memoryLimit_bytes =
             m_options.memoryLimit_bytes.value_or(std::numeric_limits<std::int64_t>::max() / 4);
-        options.cut = m_effort.cut;
+        options.isStopped = m_effort.isStopped;
         options.onImproved = [this](const VisitOrder& order, double bound) {
-            m_search.take(order);
+            m_search.accept(order);
             m_account.acceptBound(bound);
         };
         options.suggest = [this](std::int64_t work, std::int64_t most) {
@@ -92,7 +97,7 @@ public:
         };
         const std::int64_t before = m_effort.work;
         const BoundResult result = improveBound(m_costs, m_search.best(), options);
-        m_search.take(result.order);
+        m_search.accept(result.order);
         m_account.acceptBound(result.bound);
         return outcome(result, before + result.work);
     }
@@ -100,10 +105,10 @@ public:
 private:
     [[nodiscard]] std::int64_t mostWork() const
     {
-        return std::min(m_own, m_options.workLimit.value_or(m_own));
+        return std::min(m_backendLimit, m_options.workLimit.value_or(m_backendLimit));
     }
 
-    /** In place of the first search of `suggest`. */
+    /** Replaces the first search of `suggest`. */
     void searchFromHint()
     {
         const std::int64_t n = m_costs.icebergs;
@@ -148,7 +153,7 @@ private:
             outcome.reason = *m_account.reason();
         else if (result.memoryOut)
             outcome.reason = StopReason::MemoryLimit;
-        else if (m_options.workLimit && *m_options.workLimit <= m_own &&
+        else if (m_options.workLimit && *m_options.workLimit <= m_backendLimit &&
                  (m_costs.icebergs <= kMostProvenByEngine || work >= *m_options.workLimit))
             outcome.reason = StopReason::WorkLimit;
         return outcome;
@@ -158,7 +163,7 @@ private:
     const SolveOptions& m_options;
     SolveAccount m_account;
     Costs m_costs;
-    std::int64_t m_own; ///< the back end's own limit of work
+    std::int64_t m_backendLimit; ///< work limit of the back end itself
     SearchEffort m_effort;
     OrderSearch<Costs> m_search;
     std::optional<std::int64_t> m_searched; ///< work of the first local search, once it is done
@@ -183,12 +188,12 @@ SolveOutcome solveByEngine(const TvpProblem& problem, const SolveOptions& option
 std::int64_t responsiveEffort(int icebergs, bool inFlight)
 {
     constexpr std::int64_t kShareInFlight = 15;
-    // The plain relaxation of many icebergs is slower to pay.
+    // With many icebergs the plain relaxation takes longer to pay.
     const std::int64_t effort = icebergs <= kMostProvenByEngine ? 900'000'000 : 2'000'000'000;
     return inFlight ? effort / kShareInFlight : effort;
 }
 
-bool subsetsPay(const TvpProblem& problem, const SolveOptions& options)
+bool subsetsAreFaster(const TvpProblem& problem, const SolveOptions& options)
 {
     const int n = problem.icebergCount();
     const int most =
@@ -199,7 +204,7 @@ bool subsetsPay(const TvpProblem& problem, const SolveOptions& options)
                options.memoryLimit_bytes.value_or(SubsetSolver::bytesFor(n));
 }
 
-std::optional<IssueReason> ExactSolver::whyNot(const TvpProblem& problem) const
+std::optional<IssueReason> ExactSolver::unsupportedReason(const TvpProblem& problem) const
 {
     if (problem.icebergCount() <= kMostProvenByEngine || problem.mu == 0)
         return std::nullopt;
@@ -209,7 +214,7 @@ std::optional<IssueReason> ExactSolver::whyNot(const TvpProblem& problem) const
 
 SolveOutcome ExactSolver::doSolve(const TvpProblem& problem, const SolveOptions& options) const
 {
-    if (subsetsPay(problem, options)) {
+    if (subsetsAreFaster(problem, options)) {
         SolveOutcome outcome = SubsetSolver().solve(problem, options);
         outcome.source = source();
         return outcome;

@@ -6,7 +6,7 @@ namespace berg {
 
 namespace {
 
-/** Unsigned index of a node, position or column number. */
+/** Returns the unsigned index of a node, position or column number. */
 std::size_t at(int number)
 {
     return static_cast<std::size_t>(number);
@@ -33,13 +33,13 @@ MilpModel emptyModel(const TvpProblem& problem)
 
 // ---- as printed ------------------------------------------------------------------------------
 
-/** Column of y(from, to). */
+/** Returns the column of y(from, to). */
 int printedArc(int nodes, int from, int to)
 {
     return from * nodes + to;
 }
 
-/** Column of t(node). */
+/** Returns the column of t(node). */
 int printedOrder(int nodes, int node)
 {
     return nodes * nodes + node;
@@ -86,7 +86,7 @@ void addPrintedDegrees(MilpModel& model)
     model.rows.push_back(std::move(row));
 }
 
-/** Eq. (9) corrected: t_j - t_i - N y_ij >= 1 - N. */
+/** Adds the corrected Eq. (9): t_j - t_i - N y_ij >= 1 - N. */
 void addPrintedSequence(MilpModel& model)
 {
     const int nodes = model.nodeCount;
@@ -116,8 +116,8 @@ void addPositionColumns(const TvpProblem& problem, MilpModel& model)
 }
 
 /**
- * Each iceberg is visited; one unit leaves the UAV; what enters iceberg j at position k leaves it
- * from there. Rows without a column are left out.
+ * Adds rows by which each iceberg is visited, one unit leaves the UAV, and flow that enters iceberg
+ * j at position k leaves it from there. Rows without a column are left out.
  */
 void addPositionRows(MilpModel& model)
 {

@@ -11,9 +11,9 @@ namespace berg {
 namespace {
 
 constexpr std::size_t kStatesPerCheck = 128;
-/** States and slots of a table between two looks at the clock. */
+/** States and slots of a table between two checks for a stop. */
 constexpr std::size_t kSlotsPerCheck = 32'768;
-/** A table is cut down when it holds so many times what is to be kept of it. */
+/** A table is pruned when it holds this many times the states to be kept. */
 constexpr std::size_t kTableGrowth = 4;
 
 struct State
@@ -21,18 +21,20 @@ struct State
     NodeSet visited;
     double length = 0;   ///< reduced length from the UAV
     double estimate = 0; ///< length + completion
-    int node = 0;        ///< of the graph
-    int parent = 0;      ///< in the layer before
+    int node = 0;        ///< node of the graph
+    int parent = 0;      ///< index in the previous layer
 
-    /** Ties by graph node, then by parent: the same states are kept everywhere. */
+    /**
+     * Breaks ties by graph node, then by parent, so that the same states are kept on every machine.
+     */
     friend bool operator<(const State& a, const State& b)
     {
         return std::tie(a.estimate, a.node, a.parent) < std::tie(b.estimate, b.node, b.parent);
     }
 };
 
-/** As `std::nth_element`, in pieces; of no use when cut. */
-void selectLeast(std::span<State> states, std::size_t count, const CutQuestion& cut)
+/** Partitions like `std::nth_element`, in pieces; the result is unusable if stopped. */
+void selectLeast(std::span<State> states, std::size_t count, const StopCheck& isStopped)
 {
     while (states.size() > kSlotsPerCheck) {
         const State& first = states.front();
@@ -42,7 +44,7 @@ void selectLeast(std::span<State> states, std::size_t count, const CutQuestion& 
             std::max(std::min(first, middle), std::min(std::max(first, middle), last));
         std::size_t below = 0;
         for (std::size_t k = 0; k < states.size(); ++k) {
-            if (k % kSlotsPerCheck == 0 && cut && cut())
+            if (k % kSlotsPerCheck == 0 && isStopped && isStopped())
                 return;
             if (states[k] < pivot)
                 std::swap(states[k], states[below++]);
@@ -53,7 +55,7 @@ void selectLeast(std::span<State> states, std::size_t count, const CutQuestion& 
             states = states.subspan(below);
             count -= below;
         }
-        if (below == 0) { // the pivot is the least one
+        if (below == 0) { // the pivot is the least state
             std::iter_swap(states.begin(), std::min_element(states.begin(), states.end()));
             states = states.subspan(1);
             if (count == 0)
@@ -71,27 +73,27 @@ template <class Costs>
 class StateTable
 {
 public:
-    StateTable(const LayeredGraph<Costs>& graph, std::size_t most, const CutQuestion& cut)
-        : m_graph(graph), m_limit(most), m_cut(cut), m_slots(1024, -1)
+    StateTable(const LayeredGraph<Costs>& graph, std::size_t most, const StopCheck& isStopped)
+        : m_graph(graph), m_limit(most), m_isStopped(isStopped), m_slots(1024, -1)
     {
     }
-    /** Memory for each state to be kept, at most. */
+    /** Largest memory for each state to be kept. */
     static constexpr std::int64_t kBytes = kTableGrowth * (sizeof(State) + 8 * sizeof(int));
 
     void offer(const State& state)
     {
         if (m_states.size() >= kTableGrowth * m_limit) {
-            cutDown();
-            enterAnew(m_slots.size());
+            prune();
+            rebuildSlots(m_slots.size());
         }
         if (2 * m_states.size() >= m_slots.size())
-            enterAnew(2 * m_slots.size());
+            rebuildSlots(2 * m_slots.size());
         std::size_t slot = slotOf(state);
         for (; m_slots[slot] >= 0; slot = (slot + 1) & (m_slots.size() - 1)) {
             State& other = m_states[static_cast<std::size_t>(m_slots[slot])];
             if (other.visited == state.visited &&
                 m_graph.iceberg(other.node) == m_graph.iceberg(state.node)) {
-                // What the cheaper one's node does not lead to has been proven useless for it.
+                // Successors that the cheaper state's node lacks have been proven useless for it.
                 if (state.length < other.length)
                     other = state;
                 return;
@@ -101,16 +103,16 @@ public:
         m_states.push_back(state);
     }
 
-    /** Hands over the best states and empties the table. */
-    [[nodiscard]] std::vector<State> take()
+    /** Returns the best states and empties the table. */
+    [[nodiscard]] std::vector<State> release()
     {
-        cutDown();
+        prune();
         std::fill(m_slots.begin(), m_slots.end(), -1);
         std::vector<State> taken(m_states.begin(), m_states.end());
         m_states.clear();
         return taken;
     }
-    /** Least estimate of all states that were dropped. */
+    /** Returns the least estimate of all states that were dropped. */
     [[nodiscard]] double dropped() const { return m_dropped; }
 
 private:
@@ -119,20 +121,20 @@ private:
         const auto last = static_cast<std::size_t>(m_graph.iceberg(state.node));
         return (state.visited.hash() + last * 0x9e3779b97f4a7c15U) & (m_slots.size() - 1);
     }
-    void cutDown()
+    void prune()
     {
         if (m_states.size() <= m_limit)
             return;
-        selectLeast(m_states, m_limit, m_cut);
+        selectLeast(m_states, m_limit, m_isStopped);
         m_dropped = std::min(m_dropped, m_states[m_limit].estimate);
         m_states.resize(m_limit);
     }
-    /** Half done when cut, which does no harm: the search is cut as well. */
-    void enterAnew(std::size_t slotCount)
+    /** Rebuilds the slots. It may stop halfway, which does no harm: the search stops as well. */
+    void rebuildSlots(std::size_t slotCount)
     {
         m_slots.assign(slotCount, -1);
         for (std::size_t k = 0; k < m_states.size(); ++k) {
-            if (k % kSlotsPerCheck == 0 && m_cut && m_cut())
+            if (k % kSlotsPerCheck == 0 && m_isStopped && m_isStopped())
                 return;
             std::size_t slot = slotOf(m_states[k]);
             while (m_slots[slot] >= 0)
@@ -143,13 +145,13 @@ private:
 
     const LayeredGraph<Costs>& m_graph;
     std::size_t m_limit;
-    const CutQuestion& m_cut;
+    const StopCheck& m_isStopped;
     std::vector<State> m_states;
     std::vector<int> m_slots;
     double m_dropped = std::numeric_limits<double>::infinity();
 };
 
-/** How often a leg counts that is flown when `visited` have been seen. */
+/** Returns the factor of a leg that is flown when `visited` have been seen. */
 template <class Costs>
 double legWeight(const Costs& costs, const NodeSet& visited)
 {
@@ -163,7 +165,10 @@ double legWeight(const Costs& costs, const NodeSet& visited)
     return unseen;
 }
 
-/** So many states of a layer that all layers and the table are within the memory, one at least. */
+/**
+ * Returns the number of states of a layer with which all layers and the table fit the memory limit,
+ * at least one.
+ */
 template <class Costs>
 std::size_t statesFor(const GraphSearchLimits& limits, int icebergs)
 {
@@ -182,13 +187,13 @@ GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph, const Multiplier
     const Costs& costs = graph.costs();
     const double allowed = multipliers.allowedLength();
     GraphSearchResult result;
-    StateTable<Costs> table(graph, statesFor<Costs>(limits, graph.icebergs()), limits.cut);
+    StateTable<Costs> table(graph, statesFor<Costs>(limits, graph.icebergs()), limits.isStopped);
     std::vector<std::vector<State>> layers(1);
     layers[0].push_back({.visited = {}, .estimate = graph.completion(0)});
     for (int p = 0; p < graph.icebergs(); ++p) {
         const std::vector<State>& from = layers.back();
         for (std::size_t k = 0; k < from.size(); ++k) {
-            if (k % kStatesPerCheck == 0 && limits.cut && limits.cut()) {
+            if (k % kStatesPerCheck == 0 && limits.isStopped && limits.isStopped()) {
                 result.bound = -std::numeric_limits<double>::infinity();
                 return result;
             }
@@ -210,9 +215,9 @@ GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph, const Multiplier
             }
             result.work += static_cast<std::int64_t>(graph.successors(from[k].node).size());
         }
-        layers.push_back(table.take());
+        layers.push_back(table.release());
     }
-    if (limits.cut && limits.cut()) { // the last table may be half done
+    if (limits.isStopped && limits.isStopped()) { // the last table may be incomplete
         result.bound = -std::numeric_limits<double>::infinity();
         return result;
     }

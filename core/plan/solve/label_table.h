@@ -12,16 +12,17 @@ namespace berg {
 class LabelTable
 {
 public:
+    /** A node of the old graph with a memory, and the least length to it. */
     struct Label
     {
         NodeSet memory;
         double length = 0;
         int node = 0;
-        int number = 0; ///< of all labels
+        int number = 0; ///< number among all labels
     };
 
     [[nodiscard]] const std::vector<Label>& labels() const { return m_labels; }
-    /** Number of the label, which becomes as long as `length` at most. */
+    /** Returns the number of the label, and lowers its length to `length` if that is smaller. */
     int offer(const Label& label)
     {
         const auto node = static_cast<std::size_t>(label.node);
@@ -46,19 +47,23 @@ public:
 
 private:
     std::vector<Label> m_labels;
-    NumberTable m_places; ///< in `m_labels`
+    NumberTable m_places; ///< indices in `m_labels`
 };
 
-/** The labels of the level being treated and of those that a step may lead to. */
+/** The labels of the present level and of those that one step may reach. */
 class LabelTables
 {
 public:
     explicit LabelTables(int longestStep) : m_tables(static_cast<std::size_t>(longestStep) + 1) {}
+    /** Returns the table of a level. */
     [[nodiscard]] LabelTable& at(int level)
     {
         return m_tables[static_cast<std::size_t>(level) % m_tables.size()];
     }
-    /** As `LabelTable::offer`; labels are numbered in the order they are made. */
+    /**
+     * Offers a label at a level (`LabelTable::offer`); labels are numbered in the order of their
+     * creation.
+     */
     int offer(int level, LabelTable::Label label)
     {
         label.number = m_made;

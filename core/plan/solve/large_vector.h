@@ -10,8 +10,9 @@
 namespace berg {
 
 /**
- * Gets large pieces of memory from the system and gives them back at once. `malloc` keeps what has
- * up to 32 MB for later, and whoever frees something small in the end waits for all of it to go.
+ * Allocator that takes large blocks of memory from the system and returns them at once. `malloc`
+ * would keep blocks of up to 32 MB, and freeing something small later could then take as long as
+ * releasing all of them.
  */
 template <class T>
 struct LargeAllocator
@@ -59,6 +60,7 @@ private:
     }
 };
 
+/** Vector that returns large blocks of memory to the system at once. */
 template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
 

@@ -20,25 +20,29 @@ namespace berg {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/** Steps of the multipliers: before the first suggestion, in all without a graph at least, on the
- * first graph, on later graphs. */
+/**
+ * Steps of the multipliers: before the first suggestion, at least in total without a graph, on the
+ * first graph, on later graphs.
+ */
 constexpr std::int64_t kFirstSteps = 10;
 constexpr std::int64_t kPlainSteps = 80;
 constexpr int kFirstGraphSteps = 60;
 constexpr int kLaterSteps = 20;
-/** Work counts the arcs of a sweep as 1; the rest by measurement. */
+/** Work counts the arcs of a sweep as 1; the other weights were measured. */
 constexpr std::int64_t kWorkOfNode = 3;
 constexpr std::int64_t kWorkOfRefining = 10;
 constexpr std::int64_t kWorkOfSearching = 25;
-/** Relaxed paths whose cycles make the memory grow: those of the last steps. */
+/** Number of last relaxed paths whose cycles make the memory grow. */
 constexpr std::size_t kRecentPaths = 20;
-/** Most that the exact search may be wider than usual. */
+/** Largest width of the exact search, relative to the usual one. */
 constexpr int kWidest = 1024;
-/** Gaps certified on the way when the graph gets large: what can beat the order by so much is
- * little, and soon deleted. */
+/**
+ * Gaps certified first when the graph gets large: few orders can beat the order by that much, and
+ * they are soon deleted.
+ */
 constexpr std::array kStages{0.005, 0.002};
 
-/** The arcs of a graph without their memories, sorted. */
+/** Returns the arcs of a graph without their memories, sorted. */
 std::vector<MilpArc> arcsOf(const LayeredGraph<VisitCosts>& graph)
 {
     std::vector<MilpArc> arcs;
@@ -58,18 +62,20 @@ std::vector<MilpArc> arcsOf(const LayeredGraph<VisitCosts>& graph)
     return arcs;
 }
 
-/** A graph, the memory it is to be refined with next, and how it came about. Copies share the
- * graph, which its refinement replaces. */
+/**
+ * A graph, the memory for its next refinement, and the multipliers it was made with. Copies share
+ * the graph, which its refinement replaces.
+ */
 template <class Costs>
 struct Stage
 {
     std::shared_ptr<LayeredGraph<Costs>> graph;
     NgSets sets;
-    int cap = 0; ///< icebergs that a memory may grow to
+    int cap = 0; ///< largest number of icebergs in a memory
     MultiplierAscent ascent;
 };
 
-/** The run of `improveBound`: an incumbent, a bound, and a graph of what may lie between. */
+/** Runs `improveBound`: an incumbent, a bound, and a graph of the orders that may lie between. */
 template <class Costs>
 class LayeredBoundSearch
 {
@@ -82,7 +88,7 @@ public:
         , m_ascent(options.lambda ? *options.lambda : firstMultipliers(costs, order))
     {
         require(!options.lambda || options.lambda->size() == costs.icebergs + 1,
-                "improveBound: one multiplier for each node");
+                "improveBound: needs one multiplier for each node");
         m_result.order = order;
     }
 
@@ -107,7 +113,7 @@ public:
         LayeredPaths<Costs> paths(m_costs);
         relax(paths, plainSteps());
         Stage<Costs> stage = firstStage(paths);
-        if (cut())
+        if (isStopped())
             return allPositionArcs(m_costs.icebergs);
         std::vector<MilpArc> arcs = arcsOf(*stage.graph);
         if (m_costs.icebergs >= NodeSet::kCapacity)
@@ -115,7 +121,7 @@ public:
         constexpr double kPays = 0.98;
         for (bool pays = true; pays && !finished() && refine(stage, 0);) {
             ascend(*stage.graph);
-            if (m_cut)
+            if (m_stopped)
                 break;
             std::vector<MilpArc> fewer = arcsOf(*stage.graph);
             pays = m_graphs == 1 ||
@@ -127,13 +133,13 @@ public:
     }
 
 private:
-    /** After a poor order multipliers may be so large that rounding leaves nothing of the cost. */
+    /** After a poor order the multipliers may be so large that rounding hides the cost. */
     void renewMultipliers()
     {
         if (!allowsProof(best().margin, m_cost))
             m_ascent = MultiplierAscent(firstMultipliers(m_costs, m_result.order));
     }
-    /** Orders of at least this cost are of no interest. */
+    /** Returns the cost from which orders are of no interest. */
     [[nodiscard]] double cutoff() const
     {
         return m_keepEqual ? cutoffAbove(m_cost) : cutoffBelow(m_cost, m_gap);
@@ -146,23 +152,23 @@ private:
     {
         return certifiedMultipliers(m_ascent.best(), cutoff());
     }
-    bool cut()
+    bool isStopped()
     {
-        m_cut = m_cut || (m_options.cut && m_options.cut());
-        return m_cut;
+        m_stopped = m_stopped || (m_options.isStopped && m_options.isStopped());
+        return m_stopped;
     }
     bool finished()
     {
         return m_result.reached || m_result.memoryOut || m_workOut ||
-               m_result.work >= m_options.workLimit || cut();
+               m_result.work >= m_options.workLimit || isStopped();
     }
-    [[nodiscard]] CutQuestion cutQuestion()
+    [[nodiscard]] StopCheck stopCheck()
     {
-        return [this] { return cut(); };
+        return [this] { return isStopped(); };
     }
     [[nodiscard]] std::int64_t plainSteps() const
     {
-        // The order of magnitude of a bound matters more than the last tenth of it.
+        // The order of magnitude of a bound matters more than its last tenth.
         return m_options.lambda ? m_options.warmSteps
                                 : std::max<std::int64_t>(kPlainSteps, 2 * m_costs.icebergs);
     }
@@ -172,7 +178,7 @@ private:
         return graph.arcCount() + kWorkOfNode * graph.nodeCount();
     }
 
-    /** Takes a certified lower bound on all orders below the cutoff. */
+    /** Accepts a certified lower bound on all orders below the cutoff. */
     void acceptBound(double bound)
     {
         bound = std::max(bound, 0.0); // no cost is negative
@@ -184,7 +190,7 @@ private:
             m_result.bound = std::max(m_result.bound, bound);
         }
     }
-    /** Takes an order; returns whether it is a better one. */
+    /** Accepts an order; returns whether it is better. */
     bool acceptOrder(const VisitOrder& order)
     {
         const double cost = m_costs.total(order);
@@ -194,7 +200,7 @@ private:
         m_result.order = order;
         return true;
     }
-    void takePath(const std::vector<int>& path)
+    void acceptPath(const std::vector<int>& path)
     {
         NodeSet visited;
         for (const int i : path) {
@@ -226,7 +232,7 @@ private:
         renewMultipliers();
         for (std::int64_t k = 0; k < steps && !finished(); ++k) {
             const Multipliers multipliers = here();
-            const double bound = paths.sweep(multipliers, cutQuestion());
+            const double bound = paths.sweep(multipliers, stopCheck());
             m_result.work += paths.workOfSweep();
             if (!std::isfinite(bound))
                 return;
@@ -238,32 +244,38 @@ private:
         report();
     }
 
-    /** Takes what a sweep at the multipliers `here` gave; false when there are no better ones. */
+    /**
+     * Accepts the result of a sweep at the multipliers `here`; returns false if there are no better
+     * ones.
+     */
     bool climb(std::vector<int> path, double bound, double margin)
     {
-        takePath(path);
+        acceptPath(path);
         const bool steps =
             m_ascent.step({.visits = std::move(path), .bound = bound, .margin = margin}, m_cost);
         acceptBound(m_ascent.bound());
         return steps;
     }
 
-    /** The graph without memory, and the memory to begin with. */
+    /** Returns the graph without memory, and the memory to begin with. */
     Stage<Costs> firstStage(LayeredPaths<Costs>& paths)
     {
         const std::int64_t n = m_costs.icebergs;
         const int nearest = n <= 50 ? 3 : 2; // large graphs must grow slowly
         const Multipliers multipliers = best();
-        paths.sweep(multipliers, cutQuestion());
+        paths.sweep(multipliers, stopCheck());
         m_result.work += 4 * paths.workOfSweep();
         reportStep();
-        return {.graph = shared(LayeredGraph(m_costs, paths, multipliers, cutQuestion())),
+        return {.graph = shared(LayeredGraph(m_costs, paths, multipliers, stopCheck())),
                 .sets = nearestSets(m_costs, nearest),
                 .cap = nearest,
                 .ascent = m_ascent};
     }
 
-    /** Arcs have been deleted at the best multipliers, or nothing below the cutoff is left. */
+    /**
+     * Reports a step of the proof: arcs have been deleted at the best multipliers, or nothing below
+     * the cutoff is left.
+     */
     void reportStep(const NgSets* sets = nullptr) const
     {
         if (m_options.onStep)
@@ -273,14 +285,14 @@ private:
 
     [[nodiscard]] static std::shared_ptr<LayeredGraph<Costs>> shared(LayeredGraph<Costs>&& graph)
     {
-        return {new LayeredGraph<Costs>(std::move(graph)), FreeElsewhere()};
+        return {new LayeredGraph<Costs>(std::move(graph)), DeferredDeleter()};
     }
 
-    /** Rounds of refining, ascent, exact search and more memory. */
+    /** Repeats refining, ascent, exact search and memory growth. */
     void tighten(LayeredPaths<Costs>& paths)
     {
         Stage<Costs> stage = firstStage(paths);
-        std::optional<Stage<Costs>> saved; // where the next gap is gone for from
+        std::optional<Stage<Costs>> saved; // stage from which the next gap is certified
         bool staged = false;
         while (!finished()) {
             if (!staged && !m_options.onStep && isLarge(*stage.graph)) {
@@ -314,7 +326,7 @@ private:
         }
     }
 
-    /** Whether it is time to certify other gaps first. */
+    /** Returns whether the graph is so large that other gaps are certified first. */
     [[nodiscard]] bool isLarge(const LayeredGraph<Costs>& graph) const
     {
         constexpr std::int64_t kMemoryShare = 20;
@@ -322,7 +334,7 @@ private:
                graph.bytes() > m_options.memoryLimit_bytes / kMemoryShare;
     }
 
-    /** The next gap worth certifying. */
+    /** Returns the next gap worth certifying. */
     [[nodiscard]] double nextGap() const
     {
         for (const double gap : kStages)
@@ -331,13 +343,16 @@ private:
         return m_options.gap;
     }
 
-    /** False when cut, or when the refined graph would be larger than the limits allow. */
+    /**
+     * Refines the graph of a stage. Returns false if stopped, or if the refined graph would exceed
+     * the limits.
+     */
     bool refine(Stage<Costs>& stage, std::int64_t otherBytes)
     {
-        constexpr std::int64_t kGrowth = 3; // of vectors, and what the search needs
+        constexpr std::int64_t kGrowth = 3; // growth of vectors, and memory of the search
         const Multipliers multipliers = best();
-        stage.graph->sweep(multipliers, cutQuestion());
-        if (cut())
+        stage.graph->sweep(multipliers, stopCheck());
+        if (isStopped())
             return false;
         const std::int64_t left = m_options.workLimit - m_result.work;
         const std::int64_t left_bytes =
@@ -345,7 +360,7 @@ private:
         Refinement<Costs> refined = stage.graph->refined(
             stage.sets, multipliers,
             {.arcs = left / (kWorkOfRefining + kLaterSteps), .bytes = left_bytes / kGrowth},
-            cutQuestion());
+            stopCheck());
         m_result.memoryOut = refined.memoryOut;
         m_workOut = !refined.graph;
         if (!refined.graph)
@@ -365,9 +380,9 @@ private:
         m_recent.clear();
         for (int k = 0; k < steps && !finished() && !m_stageDone; ++k) {
             const Multipliers multipliers = here();
-            const double bound = graph.sweep(multipliers, cutQuestion());
+            const double bound = graph.sweep(multipliers, stopCheck());
             m_result.work += workOfSweep(graph);
-            if (cut())
+            if (isStopped())
                 return;
             std::vector<int> path = graph.shortestPath();
             if (path.empty()) {
@@ -378,11 +393,11 @@ private:
             if (m_recent.size() > kRecentPaths)
                 m_recent.erase(m_recent.begin());
             if (!climb(std::move(path), bound, multipliers.margin)) {
-                // What is missing now, only the exact search can find.
+                // Only the exact search can close the remaining gap.
                 m_width = std::min(2 * m_width, kWidest);
                 break;
             }
-            // Early steps gain most, so they are followed by a clearing up sooner.
+            // Early steps gain most, so the graph is trimmed sooner after them.
             if (k == 0 || k % 20 == 6)
                 trim(graph);
         }
@@ -393,9 +408,9 @@ private:
     void trim(LayeredGraph<Costs>& graph)
     {
         const Multipliers multipliers = best();
-        graph.sweep(multipliers, cutQuestion());
-        if (!cut() && !graph.trim(multipliers, cutQuestion()))
-            m_cut = true;
+        graph.sweep(multipliers, stopCheck());
+        if (!isStopped() && !graph.trim(multipliers, stopCheck()))
+            m_stopped = true;
         reportStep();
         m_result.work += 3 * workOfSweep(graph);
     }
@@ -403,16 +418,16 @@ private:
     void searchIn(LayeredGraph<Costs>& graph, std::int64_t otherBytes)
     {
         const Multipliers multipliers = best();
-        graph.sweep(multipliers, cutQuestion());
-        if (cut())
+        graph.sweep(multipliers, stopCheck());
+        if (isStopped())
             return;
-        // Half the mean width of the graph: the work of a few sweeps.
+        // Half the mean width of the graph takes the work of a few sweeps.
         const int states = m_width * std::max(100, graph.nodeCount() / (2 * m_costs.icebergs));
         const GraphSearchResult found =
             searchGraph(graph, multipliers,
                         {.mostStates = states,
                          .memory_bytes = m_options.memoryLimit_bytes - graph.bytes() - otherBytes,
-                         .cut = cutQuestion()});
+                         .isStopped = stopCheck()});
         m_result.work += kWorkOfSearching * found.work;
         if (!found.order.empty())
             acceptOrder(found.order);
@@ -422,16 +437,16 @@ private:
     const Costs& m_costs;
     const LayeredBoundOptions& m_options;
     BoundResult m_result;
-    double m_cost; ///< of m_result.order
+    double m_cost; ///< cost of `m_result.order`
     MultiplierAscent m_ascent;
     std::vector<std::vector<int>> m_recent; ///< relaxed paths of the last steps
-    double m_gap = 0;                       ///< that is being certified
-    int m_graphs = 0;                       ///< refined so far
-    int m_width = 1;                        ///< of the exact search, in usual widths
-    bool m_stageDone = false;               ///< m_gap has been certified
-    bool m_keepEqual = false;               ///< orders as good as the given one are to be kept
-    bool m_workOut = false; ///< the work that is left does not suffice for a refined graph
-    bool m_cut = false;
+    double m_gap = 0;                       ///< gap that is being certified
+    int m_graphs = 0;                       ///< number of graphs refined so far
+    int m_width = 1;                        ///< width of the exact search, in usual widths
+    bool m_stageDone = false;               ///< whether `m_gap` has been certified
+    bool m_keepEqual = false; ///< whether arcs of orders as good as the given one stay
+    bool m_workOut = false;   ///< whether the remaining work does not suffice for a refined graph
+    bool m_stopped = false;
 };
 
 } // namespace

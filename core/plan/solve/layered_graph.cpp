@@ -14,9 +14,9 @@ namespace berg {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/** Nodes between two looks at the clock. */
+/** Nodes between two checks for a stop. */
 constexpr int kNodesPerCheck = 2048;
-/** The same for arcs of a graph that is being made. */
+/** Arcs between two checks for a stop while a graph is built. */
 constexpr std::size_t kArcsPerCheck = 16'384;
 
 template <class Costs>
@@ -44,16 +44,16 @@ std::size_t NodeSet::hash() const
 
 template <class Costs>
 LayeredGraph<Costs>::LayeredGraph(const Costs& costs, const LayeredPaths<Costs>& paths,
-                                  const Multipliers& multipliers, const CutQuestion& cut)
+                                  const Multipliers& multipliers, const StopCheck& isStopped)
     : m_costs(&costs)
 {
-    build(paths, multipliers, cut);
+    build(paths, multipliers, isStopped);
 }
 
-/** Layers are positions in the order. */
+/** Builds the graph with positions in the order as layers. */
 template <>
 void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths,
-                                     const Multipliers& multipliers, const CutQuestion& cut)
+                                     const Multipliers& multipliers, const StopCheck& isStopped)
 {
     const VisitCosts& costs = *m_costs;
     const int n = costs.icebergs;
@@ -66,7 +66,7 @@ void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths,
             onwards(j - 1) = costs.visit(j, p) - multipliers.lambda(j) + completion(j - 1, p - 1);
     };
     for (int p = n - 1; p >= 1; --p) {
-        if (cut && cut())
+        if (isStopped && isStopped())
             return;
         enter(p + 1);
         for (int i = 1; i <= n; ++i) {
@@ -90,7 +90,7 @@ void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths,
     }
     PieceList<int> arcs;
     for (int p = 0; p < n; ++p) {
-        if (cut && cut())
+        if (isStopped && isStopped())
             return;
         enter(p + 1);
         for (int v = layerBegin(p); v < layerBegin(p + 1); ++v) {
@@ -104,20 +104,21 @@ void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths,
         }
     }
     m_firstArc.resize(m_iceberg.size() + 1, arcs.size());
-    (void)arcs.moveTo(m_arcs, cut);
+    (void)arcs.moveTo(m_arcs, isStopped);
 }
 
 template <>
-bool LayeredGraph<LatencyCosts>::refreshUnseen(const CutQuestion& cut)
+bool LayeredGraph<LatencyCosts>::refreshUnseen(const StopCheck& isStopped)
 {
-    if (!fillInPieces(m_unseen, m_iceberg.size(), kInfinity, cut))
+    if (!fillInPieces(m_unseen, m_iceberg.size(), kInfinity, isStopped))
         return false;
-    // Rounded down, or a difference of large sums would be above the true one by their rounding.
+    // The value is rounded down, or a difference of large sums could exceed the true one by its
+    // rounding.
     const double rounding = roundingMargin(1, m_costs->sigmaSum);
     m_unseen[0] = m_costs->sigmaSum - rounding * icebergs();
     for (int level = 0; level <= lastLayer(); ++level)
         for (int v = layerBegin(level); v < layerBegin(level + 1); ++v) {
-            if (v % kNodesPerCheck == 0 && cut && cut())
+            if (v % kNodesPerCheck == 0 && isStopped && isStopped())
                 return false;
             double& unseen = m_unseen[static_cast<std::size_t>(v)];
             const double alongPaths = unseen - m_costs->sigmaOf(iceberg(v)) - rounding;
@@ -131,18 +132,18 @@ bool LayeredGraph<LatencyCosts>::refreshUnseen(const CutQuestion& cut)
     return true;
 }
 
-/** Layers are levels of the sigma seen. */
+/** Builds the graph with levels of the sigma seen as layers. */
 template <>
 void LayeredGraph<LatencyCosts>::build(const LayeredPaths<LatencyCosts>& paths,
-                                       const Multipliers& multipliers, const CutQuestion& cut)
+                                       const Multipliers& multipliers, const StopCheck& isStopped)
 {
     const LatencyCosts& costs = *m_costs;
     const int n = costs.icebergs;
     const double allowed = multipliers.allowedLength();
     Eigen::ArrayXXd length = Eigen::ArrayXXd::Constant(n, lastLayer() + 1, kInfinity);
-    // Calls `take(j, level, length)` for every leg from the node that is on a path below the
+    // Calls `visitor(j, level, length)` for every leg from the node that is on a path below the
     // cutoff.
-    const auto forLegs = [&](int i, int level, const auto& take) {
+    const auto forLegs = [&](int i, int level, const auto& visitor) {
         const double weight = costs.leastUnseen(level);
         const double here = i == 0 ? 0.0 : length(i - 1, level);
         for (int j = 1; j <= n; ++j) {
@@ -151,7 +152,7 @@ void LayeredGraph<LatencyCosts>::build(const LayeredPaths<LatencyCosts>& paths,
                 continue;
             const double there = here + weight * costs.leg(i, j) - multipliers.lambda(j);
             if (there + paths.completion(j, next) < allowed)
-                take(j, next, there);
+                visitor(j, next, there);
         }
     };
     const auto offer = [&length](int j, int level, double there) {
@@ -162,7 +163,7 @@ void LayeredGraph<LatencyCosts>::build(const LayeredPaths<LatencyCosts>& paths,
     m_firstNode = {0, 1};
     forLegs(0, 0, offer);
     for (int level = 1; level <= lastLayer(); ++level) {
-        if (cut && cut())
+        if (isStopped && isStopped())
             return;
         for (int i = 1; i <= n; ++i)
             if (length(i - 1, level) < kInfinity) {
@@ -174,7 +175,7 @@ void LayeredGraph<LatencyCosts>::build(const LayeredPaths<LatencyCosts>& paths,
     }
     PieceList<int> arcs;
     for (int level = 0; level <= lastLayer(); ++level) {
-        if (cut && cut())
+        if (isStopped && isStopped())
             return;
         for (int v = layerBegin(level); v < layerBegin(level + 1); ++v) {
             m_firstArc.push_back(arcs.size());
@@ -183,8 +184,8 @@ void LayeredGraph<LatencyCosts>::build(const LayeredPaths<LatencyCosts>& paths,
         }
     }
     m_firstArc.push_back(arcs.size());
-    if (arcs.moveTo(m_arcs, cut))
-        (void)refreshUnseen(cut);
+    if (arcs.moveTo(m_arcs, isStopped))
+        (void)refreshUnseen(isStopped);
 }
 
 template <class Costs>
@@ -202,15 +203,15 @@ std::int64_t LayeredGraph<Costs>::bytesOf(std::size_t nodes, std::size_t arcs)
 }
 
 template <class Costs>
-double LayeredGraph<Costs>::sweep(const Multipliers& multipliers, const CutQuestion& cut)
+double LayeredGraph<Costs>::sweep(const Multipliers& multipliers, const StopCheck& isStopped)
 {
     for (LargeVector<double>* const values : {&m_completion, &m_entry})
         if (values->size() != m_iceberg.size() &&
-            !fillInPieces(*values, m_iceberg.size(), 0.0, cut))
+            !fillInPieces(*values, m_iceberg.size(), 0.0, isStopped))
             return -kInfinity;
     for (int p = lastLayer(); p >= 0; --p) {
         for (int v = layerBegin(p); v < layerBegin(p + 1); ++v) {
-            if (v % kNodesPerCheck == 0 && cut && cut())
+            if (v % kNodesPerCheck == 0 && isStopped && isStopped())
                 return -kInfinity;
             const int i = iceberg(v);
             const double least = p == lastLayer() ? m_costs->leg(i, 0) : leastOnwards(v);
@@ -230,7 +231,7 @@ double LayeredGraph<Costs>::leastOnwards(int node) const
     const auto onwards = [this, legs, factor](int to) {
         return factor * legs[iceberg(to)] + m_entry[static_cast<std::size_t>(to)];
     };
-    // Four minima at once: a single one would wait for each comparison.
+    // Four minima run in parallel: a single one would wait for each comparison.
     std::array<double, 4> least{kInfinity, kInfinity, kInfinity, kInfinity};
     const std::span<const int> to = successors(node);
     std::size_t k = 0;
@@ -268,15 +269,15 @@ std::vector<int> LayeredGraph<Costs>::shortestPath() const
 
 template <class Costs>
 std::vector<double> LayeredGraph<Costs>::lengthsFromStart(const Multipliers& multipliers,
-                                                          const CutQuestion& cut) const
+                                                          const StopCheck& isStopped) const
 {
     std::vector<double> length;
-    if (!fillInPieces(length, m_iceberg.size(), kInfinity, cut))
+    if (!fillInPieces(length, m_iceberg.size(), kInfinity, isStopped))
         return {};
     length[0] = 0;
     for (int p = 0; p <= lastLayer(); ++p) {
         for (int v = layerBegin(p); v < layerBegin(p + 1); ++v) {
-            if (v % kNodesPerCheck == 0 && cut && cut())
+            if (v % kNodesPerCheck == 0 && isStopped && isStopped())
                 return {};
             const int i = iceberg(v);
             double& here = length[static_cast<std::size_t>(v)];
@@ -291,20 +292,20 @@ std::vector<double> LayeredGraph<Costs>::lengthsFromStart(const Multipliers& mul
 }
 
 template <class Costs>
-bool LayeredGraph<Costs>::trim(const Multipliers& multipliers, const CutQuestion& cut)
+bool LayeredGraph<Costs>::trim(const Multipliers& multipliers, const StopCheck& isStopped)
 {
-    const std::vector<double> length = lengthsFromStart(multipliers, cut);
+    const std::vector<double> length = lengthsFromStart(multipliers, isStopped);
     if (length.empty())
         return false;
     const double allowed = multipliers.allowedLength();
     const auto at = [](int v) { return static_cast<std::size_t>(v); };
 
     std::vector<int> id;
-    if (!fillInPieces(id, m_iceberg.size(), -1, cut))
+    if (!fillInPieces(id, m_iceberg.size(), -1, isStopped))
         return false;
     int kept = 0;
     for (int v = 0; v < nodeCount(); ++v) {
-        if (v % kNodesPerCheck == 0 && cut && cut())
+        if (v % kNodesPerCheck == 0 && isStopped && isStopped())
             return false;
         if (v == 0 || length[at(v)] + completion(v) < allowed)
             id[at(v)] = kept++;
@@ -314,7 +315,7 @@ bool LayeredGraph<Costs>::trim(const Multipliers& multipliers, const CutQuestion
     std::vector<int> firstNode(m_firstNode.size(), kept);
     std::size_t layer = 0;
     for (int v = 0; v < nodeCount(); ++v) {
-        if (v % kNodesPerCheck == 0 && cut && cut())
+        if (v % kNodesPerCheck == 0 && isStopped && isStopped())
             return false;
         if (id[at(v)] < 0)
             continue;
@@ -330,7 +331,8 @@ bool LayeredGraph<Costs>::trim(const Multipliers& multipliers, const CutQuestion
             if (id[at(to)] >= 0 && length[at(v)] + onwards < allowed)
                 m_arcs[arcs++] = id[at(to)];
         }
-        // In place: the new numbers never overtake the old ones that are still to be read.
+        // Moving in place is safe: the new numbers never overtake the old ones that are still to be
+        // read.
         m_iceberg[at(id[at(v)])] = m_iceberg[at(v)];
         m_completion[at(id[at(v)])] = m_completion[at(v)];
         m_firstArc[at(id[at(v)])] = newBegin;
@@ -342,15 +344,15 @@ bool LayeredGraph<Costs>::trim(const Multipliers& multipliers, const CutQuestion
     m_firstArc[at(kept)] = arcs;
     m_completion.resize(at(kept));
     if constexpr (Costs::kWeighted)
-        return refreshUnseen(cut);
+        return refreshUnseen(isStopped);
     return true;
 }
 
-/** A refined graph that is being made. */
+/** A refined graph under construction. */
 template <class Costs>
-struct LayeredGraph<Costs>::Making
+struct LayeredGraph<Costs>::Construction
 {
-    explicit Making(const Costs& costs) : graph(costs), tables(longestStep(costs)) {}
+    explicit Construction(const Costs& costs) : graph(costs), tables(longestStep(costs)) {}
     [[nodiscard]] std::int64_t bytes() const
     {
         return graph.bytes() + labelOf.bytes() + icebergs.bytes() + firstArc.bytes() + arcs.bytes();
@@ -361,28 +363,28 @@ struct LayeredGraph<Costs>::Making
     PieceList<int> labelOf; ///< number of each node's label
     PieceList<int> icebergs;
     PieceList<std::size_t> firstArc;
-    PieceList<int> arcs; ///< as numbers of labels
+    PieceList<int> arcs; ///< numbers of the labels that arcs lead to
 };
 
 template <class Costs>
 Refinement<Costs> LayeredGraph<Costs>::refined(const NgSets& sets, const Multipliers& multipliers,
                                                const GraphLimits& limits,
-                                               const CutQuestion& cut) const
+                                               const StopCheck& isStopped) const
 {
-    const std::unique_ptr<Making, FreeElsewhere> making(new Making(*m_costs));
-    auto& [result, tables, labelOf, icebergs, firstArc, arcs] = *making;
+    const std::unique_ptr<Construction, DeferredDeleter> construction(new Construction(*m_costs));
+    auto& [result, tables, labelOf, icebergs, firstArc, arcs] = *construction;
     result.m_firstNode.push_back(0);
     const double allowed = multipliers.allowedLength();
     tables.offer(0, {.memory = {}, .length = 0, .node = 0});
-    std::size_t looked = 0; // so many arcs had been tried at the last look
+    std::size_t checked = 0; // arcs tried before the last check for a stop
     std::size_t tried = 0;
     for (int level = 0; level <= lastLayer(); ++level) {
         for (const LabelTable::Label& label : tables.at(level).labels()) {
             const std::span<const int> onwards = successors(label.node);
             tried += 1 + onwards.size();
-            if (tried - looked > kArcsPerCheck) {
-                looked = tried;
-                if (cut && cut())
+            if (tried - checked > kArcsPerCheck) {
+                checked = tried;
+                if (isStopped && isStopped())
                     return {};
             }
             if constexpr (Costs::kWeighted)
@@ -413,21 +415,22 @@ Refinement<Costs> LayeredGraph<Costs>::refined(const NgSets& sets, const Multipl
             return {};
     }
     firstArc.push_back(arcs.size());
-    if (!icebergs.moveTo(result.m_iceberg, cut) || !firstArc.moveTo(result.m_firstArc, cut))
+    if (!icebergs.moveTo(result.m_iceberg, isStopped) ||
+        !firstArc.moveTo(result.m_firstArc, isStopped))
         return {};
     if constexpr (Costs::kWeighted) {
         std::vector<int> nodeOf;
-        if (!fillInPieces(nodeOf, labelOf.size(), 0, cut))
+        if (!fillInPieces(nodeOf, labelOf.size(), 0, isStopped))
             return {};
         int node = 0;
         const auto enter = [&](int number) { nodeOf[static_cast<std::size_t>(number)] = node++; };
-        if (!labelOf.forEach(cut, enter) || !arcs.moveTo(result.m_arcs, cut, [&](int number) {
-                return nodeOf[static_cast<std::size_t>(number)];
-            }))
+        if (!labelOf.forEach(isStopped, enter) ||
+            !arcs.moveTo(result.m_arcs, isStopped,
+                         [&](int number) { return nodeOf[static_cast<std::size_t>(number)]; }))
             return {};
-        if (!result.refreshUnseen(cut))
+        if (!result.refreshUnseen(isStopped))
             return {};
-    } else if (!arcs.moveTo(result.m_arcs, cut)) {
+    } else if (!arcs.moveTo(result.m_arcs, isStopped)) {
         return {};
     }
     return {.graph = std::move(result)};

@@ -45,7 +45,7 @@ private:
     }
 };
 
-/** What is remembered where: one set per band 1 .. n (`bandOf`) and iceberg 1 .. n. */
+/** Memory of each node: one set of icebergs per band 1 .. n (`bandOf`) and iceberg 1 .. n. */
 class NgSets
 {
 public:
@@ -54,6 +54,7 @@ public:
         , m_sets(static_cast<std::size_t>(icebergs + 1) * static_cast<std::size_t>(icebergs + 1))
     {
     }
+    /** Returns the memory of an iceberg in a band. */
     [[nodiscard]] const NodeSet& at(int band, int iceberg) const
     {
         return m_sets[index(band, iceberg)];
@@ -71,7 +72,9 @@ private:
     std::vector<NodeSet> m_sets;
 };
 
-/** Levels 1 .. `lastLevel` in as many bands as there are icebergs: positions, if these are levels.
+/**
+ * Returns the band of a level: levels 1 .. `lastLevel` are divided into as many bands as there are
+ * icebergs. If levels are positions, bands are too.
  */
 template <class Costs>
 [[nodiscard]] int bandOf(const Costs& costs, int level)
@@ -82,7 +85,7 @@ template <class Costs>
         return level;
 }
 
-/** How large a graph may become. */
+/** Limits of the size of a graph. */
 struct GraphLimits
 {
     std::int64_t arcs = std::numeric_limits<std::int64_t>::max();
@@ -96,12 +99,12 @@ struct Refinement;
  * The layered graph of Picard and Queyranne (1978): a node is an iceberg at a level (position; or
  * sigma seen), with a memory of icebergs visited before that may not be visited next (ng-paths:
  * Baldacci, Mingozzi and Roberti 2011). Paths from the UAV to the last level include every order
- * whose cost is below the cutoffs it was trimmed with; those that visit an iceberg twice are what
- * the multipliers are for. The length of a path is its cost - sum lambda over its visits, so that
- * sum(lambda) + shortest length is a lower bound on the best order still inside.
+ * whose cost is below the cutoffs it was trimmed with; the multipliers penalise paths that visit an
+ * iceberg twice. The length of a path is its cost - sum lambda over its visits, so that sum(lambda)
+ * + shortest length is a lower bound on the best order still inside.
  *
- * Where legs are weighted by the sigma unseen, a node counts them with the least that any path to
- * it leaves unseen; that gets truer with every path deleted and every memory added.
+ * If legs are weighted by the sigma unseen, a node weights them with the least sigma that any path
+ * to it leaves unseen; this becomes more accurate with every path deleted and every memory added.
  *
  * Node 0 is the UAV; nodes are ordered by level. At most 127 icebergs.
  */
@@ -110,51 +113,59 @@ class LayeredGraph
 {
 public:
     /**
-     * Graph without memory, with the arcs on paths below the cutoff, from paths swept at the same
-     * prices. Cost: a few sweeps of them. Of no use when cut.
+     * Builds a graph without memory, with the arcs on paths below the cutoff, from paths swept at
+     * the same multipliers. Cost: a few sweeps of them. The graph is unusable if stopped. Keeps a
+     * reference to `costs`, which must outlive the graph.
      */
     LayeredGraph(const Costs& costs, const LayeredPaths<Costs>& paths,
-                 const Multipliers& multipliers, const CutQuestion& cut = {});
+                 const Multipliers& multipliers, const StopCheck& isStopped = {});
 
     /**
-     * Finds all shortest lengths to the end. Returns the lower bound sum(lambda) + shortest
-     * length, +infinity when no path is left, -infinity when cut.
+     * Finds all shortest lengths to the end. Returns the lower bound sum(lambda) + shortest length,
+     * +infinity if no path is left, -infinity if stopped.
      */
-    double sweep(const Multipliers& multipliers, const CutQuestion& cut = {});
-    /** Shortest path of the last sweep: icebergs in turn; empty when there is none. */
+    double sweep(const Multipliers& multipliers, const StopCheck& isStopped = {});
+    /**
+     * Returns the shortest path of the last sweep, icebergs in visiting order; empty if there is
+     * none.
+     */
     [[nodiscard]] std::vector<int> shortestPath() const;
-    /** Length from `node` to the end at the last sweep's multipliers. */
+    /** Returns the length from `node` to the end at the last sweep's multipliers. */
     [[nodiscard]] double completion(int node) const
     {
         return m_completion[static_cast<std::size_t>(node)];
     }
 
     /**
-     * Deletes for good what is on no path below the cutoff. Sweep at the same prices first, and
-     * again afterwards. False when cut: the graph is of no use any more then.
+     * Deletes everything that is on no path below the cutoff. Sweep at the same multipliers before,
+     * and again afterwards. Returns false if stopped: the graph is then unusable.
      */
-    [[nodiscard]] bool trim(const Multipliers& multipliers, const CutQuestion& cut);
+    [[nodiscard]] bool trim(const Multipliers& multipliers, const StopCheck& isStopped);
 
     /**
-     * The product of this graph with the memory that `sets` prescribe, less what is on no path
-     * below the cutoff. Sweep at the same prices first. No graph when it would exceed the limits
-     * or when cut. Needs up to three times `GraphLimits::bytes` on the way.
+     * Returns the product of this graph with the memory that `sets` prescribe, without the parts
+     * that are on no path below the cutoff. Sweep at the same multipliers first. Returns no graph
+     * if it would exceed the limits, or if stopped. Needs up to three times `GraphLimits::bytes`
+     * meanwhile.
      */
     [[nodiscard]] Refinement<Costs> refined(const NgSets& sets, const Multipliers& multipliers,
                                             const GraphLimits& limits,
-                                            const CutQuestion& cut) const;
+                                            const StopCheck& isStopped) const;
 
     [[nodiscard]] const Costs& costs() const { return *m_costs; }
     [[nodiscard]] int icebergs() const { return m_costs->icebergs; }
+    /** Returns the iceberg of a node; 0 for the UAV. */
     [[nodiscard]] int iceberg(int node) const { return m_iceberg[static_cast<std::size_t>(node)]; }
     [[nodiscard]] int nodeCount() const { return static_cast<int>(m_iceberg.size()); }
-    /** Nodes of `layer` 0 .. `lastLevel` are numbered from `layerEnd(layer - 1)` to this less one.
+    /**
+     * Returns the end of the node numbers of `layer` 0 .. `lastLevel`, which begin at
+     * `layerEnd(layer - 1)`.
      */
     [[nodiscard]] int layerEnd(int layer) const { return layerBegin(layer + 1); }
     [[nodiscard]] std::int64_t arcCount() const { return static_cast<std::int64_t>(m_arcs.size()); }
-    /** Memory in use. */
+    /** Returns the memory in use, bytes. */
     [[nodiscard]] std::int64_t bytes() const;
-    /** Nodes that may follow `node`. */
+    /** Returns the nodes that may follow `node`. */
     [[nodiscard]] std::span<const int> successors(int node) const
     {
         const auto v = static_cast<std::size_t>(node);
@@ -162,22 +173,22 @@ public:
     }
 
 private:
-    struct Making;
+    struct Construction;
 
     explicit LayeredGraph(const Costs& costs) : m_costs(&costs) {}
     [[nodiscard]] static std::int64_t bytesOf(std::size_t nodes, std::size_t arcs);
     void build(const LayeredPaths<Costs>& paths, const Multipliers& multipliers,
-               const CutQuestion& cut);
+               const StopCheck& isStopped);
     [[nodiscard]] int lastLayer() const { return m_costs->lastLevel(); }
     [[nodiscard]] int layerBegin(int layer) const
     {
         return m_firstNode[static_cast<std::size_t>(layer)];
     }
-    /** Length by node from the UAV, its own visit included; empty when cut. */
+    /** Returns by node the length from the UAV, its own visit included; empty if stopped. */
     [[nodiscard]] std::vector<double> lengthsFromStart(const Multipliers& multipliers,
-                                                       const CutQuestion& cut) const;
+                                                       const StopCheck& isStopped) const;
     [[nodiscard]] double leastOnwards(int node) const;
-    /** How often legs from the node count. */
+    /** Returns the factor of legs from the node. */
     [[nodiscard]] double weight(int node) const
     {
         if constexpr (Costs::kWeighted)
@@ -185,26 +196,28 @@ private:
         else
             return 1;
     }
-    /** Finds the least sigma unseen of every node anew, where legs have weights. False when cut:
-     * the graph is of no use any more then. */
-    [[nodiscard]] bool refreshUnseen(const CutQuestion& cut);
+    /**
+     * Recomputes the least sigma unseen of every node, if legs have weights. Returns false if
+     * stopped: the graph is then unusable.
+     */
+    [[nodiscard]] bool refreshUnseen(const StopCheck& isStopped);
 
     const Costs* m_costs;
-    std::vector<int> m_firstNode;        ///< levels + 2: nodes of layer p are [p] .. [p + 1] - 1
+    std::vector<int> m_firstNode;        ///< levels + 2; nodes of layer p are [p] .. [p + 1] - 1
     LargeVector<int> m_iceberg;          ///< by node
     LargeVector<std::size_t> m_firstArc; ///< nodes + 1
     LargeVector<int> m_arcs;             ///< node each arc leads to; its cost follows from its ends
-    LargeVector<double> m_unseen;        ///< by node, the least; empty when legs have no weight
-    LargeVector<double> m_completion;    ///< by node, of the last sweep
-    LargeVector<double> m_entry;         ///< completion + cost of the visit - its multiplier
+    LargeVector<double> m_unseen; ///< by node, the least sigma unseen; empty if legs have no weight
+    LargeVector<double> m_completion; ///< by node, at the last sweep
+    LargeVector<double> m_entry;      ///< completion + cost of the visit - its multiplier
 };
 
-/** What `LayeredGraph::refined` made. */
+/** Result of `LayeredGraph::refined`. */
 template <class Costs>
 struct Refinement
 {
     std::optional<LayeredGraph<Costs>> graph;
-    bool memoryOut = false; ///< no graph because of `GraphLimits::bytes`
+    bool memoryOut = false; ///< whether there is no graph because of `GraphLimits::bytes`
 };
 
 } // namespace berg

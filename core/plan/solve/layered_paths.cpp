@@ -9,10 +9,10 @@ namespace berg {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/** Levels between two looks at the clock. */
+/** Levels between two checks for a stop. */
 constexpr int kLevelsPerCheck = 16;
 
-/** By element the least of all others. */
+/** Returns for each element the least of all others. */
 Eigen::ArrayXd leastOfOthers(const Eigen::ArrayXd& values)
 {
     Eigen::Index first = 0;
@@ -33,7 +33,7 @@ LayeredPaths<VisitCosts>::LayeredPaths(const VisitCosts& costs)
     m_legs.matrix().diagonal().setConstant(kInfinity);
 }
 
-double LayeredPaths<VisitCosts>::sweep(const Multipliers& multipliers, const CutQuestion& cut)
+double LayeredPaths<VisitCosts>::sweep(const Multipliers& multipliers, const StopCheck& isStopped)
 {
     const Eigen::Index n = m_costs->icebergs;
     const Eigen::ArrayXd sigma = Eigen::Map<const Eigen::ArrayXd>(m_costs->sigma.data() + 1, n);
@@ -41,11 +41,11 @@ double LayeredPaths<VisitCosts>::sweep(const Multipliers& multipliers, const Cut
     m_lengths.col(0) = m_costs->legs.col(0).tail(n).array() + 2 * sigma - lambda;
     Eigen::ArrayXd least(n);
     for (Eigen::Index p = 1; p < n; ++p) {
-        if (cut && cut())
+        if (isStopped && isStopped())
             return -kInfinity;
         least.setConstant(kInfinity);
         Eigen::Index i = 0;
-        for (; i + 3 < n; i += 4) // four at once: `least` is read and written once
+        for (; i + 3 < n; i += 4) // four at once, so that `least` is read and written once
             least = least
                         .min((m_legs.col(i) + m_lengths(i, p - 1))
                                  .min(m_legs.col(i + 1) + m_lengths(i + 1, p - 1)))
@@ -69,7 +69,7 @@ std::vector<int> LayeredPaths<VisitCosts>::shortestPath() const
     for (int p = m_costs->icebergs - 1; p >= 1; --p) {
         Eigen::Index before = 0;
         const int to = path[static_cast<std::size_t>(p)];
-        // Only the least one matters: what the step adds to it is the same for all.
+        // Only the least one matters: the cost of the visit is the same for all.
         (m_lengths.col(p - 1) + m_legs.row(to - 1).transpose()).minCoeff(&before);
         path[static_cast<std::size_t>(p) - 1] = static_cast<int>(before) + 1;
     }
@@ -99,11 +99,11 @@ Eigen::ArrayXd LayeredPaths<LatencyCosts>::onwards(int level) const
 Eigen::ArrayXd LayeredPaths<LatencyCosts>::leastOnwards(const Eigen::ArrayXd& after,
                                                         double weight) const
 {
-    if (weight == 0) // which the infinite diagonal must not be multiplied with
+    if (weight == 0) // the infinite diagonal must not be multiplied with 0
         return leastOfOthers(after);
     Eigen::ArrayXd least = Eigen::ArrayXd::Constant(after.size(), kInfinity);
     const auto through = [&](Eigen::Index j) { return weight * m_legs.col(j) + after(j); };
-    Eigen::Index waiting = -1; // two at once: `least` is read and written once
+    Eigen::Index waiting = -1; // two at once, so that `least` is read and written once
     for (Eigen::Index j = 0; j < after.size(); ++j) {
         if (after(j) == kInfinity)
             continue;
@@ -119,13 +119,13 @@ Eigen::ArrayXd LayeredPaths<LatencyCosts>::leastOnwards(const Eigen::ArrayXd& af
     return least;
 }
 
-double LayeredPaths<LatencyCosts>::sweep(const Multipliers& multipliers, const CutQuestion& cut)
+double LayeredPaths<LatencyCosts>::sweep(const Multipliers& multipliers, const StopCheck& isStopped)
 {
     const Eigen::Index n = m_costs->icebergs;
     m_lambda = multipliers.lambda;
     m_completion.col(m_costs->lastLevel()).setZero();
     for (int level = m_costs->lastLevel() - 1; level >= 1; --level) {
-        if (level % kLevelsPerCheck == 0 && cut && cut())
+        if (level % kLevelsPerCheck == 0 && isStopped && isStopped())
             return -kInfinity;
         const double weight = m_costs->leastUnseen(level);
         if (weight < kInfinity)
@@ -154,7 +154,7 @@ std::vector<int> LayeredPaths<LatencyCosts>::shortestPath() const
                 next = j;
             }
         }
-        require(next > 0, "LayeredPaths: no path, which costs that are finite always leave");
+        require(next > 0, "LayeredPaths: no path although all costs are finite");
         path.push_back(next);
         level += m_costs->step(next);
         from = next;

@@ -35,19 +35,19 @@ VisitOrder byMeanPosition(const MilpModel& model, std::span<const double> relaxe
     return order;
 }
 
-/** Eq. (1) without the check of the order. */
+/** Returns Eq. (1) without checking the order. */
 double costOf(const TvpProblem& problem, const VisitOrder& order)
 {
     return problem.mu * flownDistance(problem, order) - uncertaintyReward(problem, order);
 }
 
-/** One round of moves, each taken when it pays; false when none did. */
+/** Makes one round of moves, each applied if it pays. Returns false if none did. */
 bool improve(const TvpProblem& problem, VisitOrder& order, double& cost)
 {
     const double leastGain = 1e-12 * (std::abs(cost) + objectiveShift(problem));
     bool improved = false;
     VisitOrder trial;
-    const auto keep = [&](auto&& change) {
+    const auto applyIfBetter = [&](auto&& change) {
         trial = order;
         change(trial.begin());
         const double value = costOf(problem, trial);
@@ -60,9 +60,10 @@ bool improve(const TvpProblem& problem, VisitOrder& order, double& cost)
     const auto icebergs = static_cast<std::ptrdiff_t>(order.size());
     for (std::ptrdiff_t i = 0; i + 1 < icebergs; ++i)
         for (std::ptrdiff_t j = i + 1; j < icebergs; ++j) {
-            keep([i, j](auto first) { std::rotate(first + i, first + i + 1, first + j + 1); });
-            keep([i, j](auto first) { std::rotate(first + i, first + j, first + j + 1); });
-            keep([i, j](auto first) { std::reverse(first + i, first + j + 1); });
+            applyIfBetter(
+                [i, j](auto first) { std::rotate(first + i, first + i + 1, first + j + 1); });
+            applyIfBetter([i, j](auto first) { std::rotate(first + i, first + j, first + j + 1); });
+            applyIfBetter([i, j](auto first) { std::reverse(first + i, first + j + 1); });
         }
     return improved;
 }

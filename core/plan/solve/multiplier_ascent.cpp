@@ -6,7 +6,7 @@ namespace berg {
 
 namespace {
 
-/** To each iceberg, from anywhere. */
+/** Returns the shortest leg to each iceberg from any node. */
 Eigen::VectorXd shortestLegs(const LegTable& costs)
 {
     Eigen::VectorXd shortest = Eigen::VectorXd::Zero(costs.icebergs + 1);
@@ -78,8 +78,8 @@ Eigen::VectorXd firstMultipliers(const VisitCosts& costs, const VisitOrder& orde
     const double slope =
         square > 0 ? (deviation * (t.tail(n).array() - meanT)).sum() / square : 0.0;
 
-    // About the mean: between sigmas that are nearly equal the slope is beyond all measure, and
-    // what it is multiplied with is as small.
+    // The fit is about the mean: between nearly equal sigmas the slope can be arbitrarily large,
+    // and the factor it is multiplied with is as small.
     Eigen::VectorXd multipliers = shortestLegs(costs);
     multipliers.tail(n).array() += meanT * sigma.tail(n).array() + slope * deviation.square() / 2;
     return multipliers;

@@ -16,28 +16,31 @@ namespace berg {
 class MultiplierAscent
 {
 public:
-    /** `lambda`: one per node, [0] is taken as 0. */
+    /** Starts from `lambda`, one per node; [0] is set to 0. */
     explicit MultiplierAscent(Eigen::VectorXd lambda);
 
-    /** Best certified bound since the last restart; -infinity before the first step. */
+    /** Returns the best certified bound since the last restart; -infinity before the first step. */
     [[nodiscard]] double bound() const { return m_bound; }
+    /** Returns the present multipliers. */
     [[nodiscard]] const Eigen::VectorXd& here() const { return m_lambda; }
+    /** Returns the multipliers of the best bound. */
     [[nodiscard]] const Eigen::VectorXd& best() const { return m_best; }
 
-    /** For another graph: goes on from the best multipliers. */
+    /** Restarts from the best multipliers, for another graph. */
     void restart();
 
-    /** What the multipliers `here` gave. */
+    /** Result of the relaxation at the multipliers `here`. */
     struct Relaxed
     {
-        std::vector<int> visits; ///< of the shortest path, or of all routes' paths
-        double bound = 0;        ///< sum lambda + its length
-        double margin = 0;       ///< of the bound
+        std::vector<int> visits; ///< visits of the shortest path, or of the paths of all routes
+        double bound = 0;        ///< sum lambda + length
+        double margin = 0;       ///< rounding margin of the bound
     };
     /**
-     * `target` is the incumbent's cost. False, and no step, where every iceberg is visited once: no
-     * multipliers give a better bound. A step along what is left of earlier directions, which
-     * fades while the distance to the incumbent does not, would go beyond all measure.
+     * Makes a step; `target` is the incumbent's cost. Returns false, and makes no step, if every
+     * iceberg is visited once: no multipliers give a better bound. A step along the remainder of
+     * earlier directions, which fades while the distance to the incumbent does not, would become
+     * arbitrarily large.
      */
     [[nodiscard]] bool step(const Relaxed& relaxed, double target);
 
@@ -54,13 +57,16 @@ private:
 };
 
 /**
- * First multipliers: about what an iceberg must cost. The shortest leg to it, and for waiting the
- * integral over sigma of t(sigma), a line fitted to the order: at that price an iceberg of any
- * sigma is indifferent to a small change of its position.
+ * Returns first multipliers, about the cost of each iceberg: the shortest leg to it, and for
+ * waiting the integral over sigma of t(sigma), a line fitted to the order. At that multiplier an
+ * iceberg of any sigma is indifferent to a small change of its position.
  */
 [[nodiscard]] Eigen::VectorXd firstMultipliers(const VisitCosts& costs, const VisitOrder& order);
 
-/** For latency: the shortest leg to it, at the mean weight of the legs of the order. */
+/**
+ * Returns first multipliers for latency: the shortest leg to each iceberg, at the mean weight of
+ * the legs of the order.
+ */
 [[nodiscard]] Eigen::VectorXd firstMultipliers(const LatencyCosts& costs, const VisitOrder& order);
 
 } // namespace berg

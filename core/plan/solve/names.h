@@ -10,7 +10,7 @@
 
 namespace berg {
 
-/** A value and its name, in files and on the command line, or its text. */
+/** A value and its name in files and on the command line, or its text. */
 template <class Enum>
 struct Named
 {
@@ -18,9 +18,15 @@ struct Named
     std::string_view name;
 };
 
+/** Names of the enumerators; `kStatusNames` and `kSourceNames` appear in results only. */
 inline constexpr std::array<Named<Route>, 2> kRouteNames{{
     {Route::Open, "open"},
     {Route::Closed, "closed"},
+}};
+
+inline constexpr std::array<Named<Criterion>, 2> kCriterionNames{{
+    {Criterion::Visitation, "visitation"},
+    {Criterion::Latency, "latency"},
 }};
 
 inline constexpr std::array<Named<Backend>, 4> kBackendNames{{
@@ -55,7 +61,7 @@ inline constexpr std::array<Named<AnswerSource>, 10> kSourceNames{{
     {AnswerSource::Coverage, "coverage"},
 }};
 
-/** Name of a value; empty when it is not in the table. */
+/** Returns the name of a value, or an empty string if the table does not hold it. */
 template <class Table, class Enum>
 [[nodiscard]] std::string nameOf(const Table& table, Enum value)
 {
@@ -65,7 +71,7 @@ template <class Table, class Enum>
     return {};
 }
 
-/** Value of a name, none when the table does not have it. */
+/** Returns the value of a name, or nullopt if the table does not hold it. */
 template <class Enum, std::size_t Size>
 [[nodiscard]] std::optional<Enum> valueOf(const std::array<Named<Enum>, Size>& table,
                                           std::string_view name)
@@ -76,7 +82,7 @@ template <class Enum, std::size_t Size>
     return std::nullopt;
 }
 
-/** What `text` finds in each of them, separated. */
+/** Returns the texts that `text` gives for the elements of a list, joined with `separator`. */
 template <class List, class Text = std::identity>
 [[nodiscard]] std::string joined(const List& list, std::string_view separator, Text text = {})
 {
@@ -89,7 +95,7 @@ template <class List, class Text = std::identity>
     return all;
 }
 
-/** "open, closed": for messages that list what is allowed. */
+/** Returns the allowed names for a message, such as "open, closed". */
 template <class Table>
 [[nodiscard]] std::string allowedNames(const Table& table)
 {

@@ -9,10 +9,10 @@ namespace berg {
 namespace {
 
 constexpr std::size_t kMostCyclesAtOnce = 800;
-/** A cycle is forbidden where it was seen and in as many bands before and behind. */
+/** A cycle is forbidden in the band where it was seen and in this many bands before and after. */
 constexpr int kMemoryWindow = 10;
 
-/** A path's return to an iceberg: it is at positions `first` and `last`, not between. */
+/** A path's return to an iceberg, which is at positions `first` and `last`, but not between. */
 struct Cycle
 {
     const std::vector<int>* path = nullptr;
@@ -20,7 +20,7 @@ struct Cycle
     int last = 0;
 };
 
-/** All cycles of the paths, the shortest first. */
+/** Returns all cycles of the paths, the shortest first. */
 std::vector<Cycle> cyclesOf(std::span<const std::vector<int>> paths, int icebergs)
 {
     std::vector<Cycle> cycles;
@@ -69,7 +69,7 @@ template <class Costs>
 void forbidCycles(NgSets& sets, const Costs& costs, std::span<const std::vector<int>> paths,
                   int cap)
 {
-    std::vector<int> bands; // of the path, by position from 1
+    std::vector<int> bands; // bands of the path, by position from 1
     for (const Cycle& cycle : cyclesOf(paths, costs.icebergs)) {
         const auto node = [&](int position) {
             return (*cycle.path)[static_cast<std::size_t>(position) - 1];
@@ -82,12 +82,12 @@ void forbidCycles(NgSets& sets, const Costs& costs, std::span<const std::vector<
         }
         const auto band = [&](int position) { return bands[static_cast<std::size_t>(position)]; };
         const int twice = node(cycle.first);
-        bool room = true;
+        bool hasSpace = true;
         for (int p = cycle.first + 1; p < cycle.last; ++p) {
             const NodeSet& memory = sets.at(band(p), node(p));
-            room = room && (memory.contains(twice) || memory.size() < cap);
+            hasSpace = hasSpace && (memory.contains(twice) || memory.size() < cap);
         }
-        if (!room)
+        if (!hasSpace)
             continue;
         const int n = costs.icebergs;
         for (int p = cycle.first + 1; p < cycle.last; ++p)

@@ -7,13 +7,15 @@
 
 namespace berg {
 
-/** Every iceberg remembers its `count` nearest ones, in all bands. */
+/** Returns sets in which every iceberg remembers its `count` nearest ones, in all bands. */
 [[nodiscard]] NgSets nearestSets(const LegTable& costs, int count);
 
 /**
- * Makes the icebergs between the two ends of each cycle of the paths (icebergs in turn)
- * remember its iceberg, the shortest cycles first and as far as no memory grows above `cap`: many
- * memories grown at once would make the graph explode.
+ * Extends the sets so that the icebergs between the two ends of each cycle of the paths (icebergs
+ * in order) remember the iceberg of the cycle, in the band of the cycle and those near it. The
+ * shortest cycles come first, at most 800. A cycle is skipped if a memory on it is full, with `cap`
+ * icebergs; memories in the bands near it hold at most `cap` + 2. Many memories that grow at once
+ * would make the graph explode.
  */
 template <class Costs>
 void forbidCycles(NgSets& sets, const Costs& costs, std::span<const std::vector<int>> paths,

@@ -7,7 +7,9 @@
 
 namespace berg {
 
-/** Numbers of things by hash: open addressing, grown by doubling. The things are kept elsewhere. */
+/**
+ * Hash table of numbers of objects that are stored elsewhere: open addressing, grown by doubling.
+ */
 class NumberTable
 {
 public:
@@ -18,19 +20,22 @@ public:
         std::fill(m_slots.begin(), m_slots.end(), Slot{});
         m_count = 0;
     }
-    /** The number of that hash for which `isIt(number)` holds; -1 when there is none. */
-    template <class IsIt>
-    [[nodiscard]] int find(std::size_t hash, const IsIt& isIt) const
+    /** Returns the number with that hash for which `matches(number)` holds; -1 if there is none. */
+    template <class Matches>
+    [[nodiscard]] int find(std::size_t hash, const Matches& matches) const
     {
-        return m_slots[place(m_slots, hash, isIt)].number;
+        return m_slots[place(m_slots, hash, matches)].number;
     }
-    /** The same, to be entered at once when there is none. */
-    template <class IsIt>
-    [[nodiscard]] int& entry(std::size_t hash, const IsIt& isIt)
+    /**
+     * Returns a reference to the number that `find` would return, or to a new entry of -1 that the
+     * caller must set at once. The reference is valid until the next call.
+     */
+    template <class Matches>
+    [[nodiscard]] int& entry(std::size_t hash, const Matches& matches)
     {
         if (2 * m_count >= m_slots.size())
             grow();
-        Slot& slot = m_slots[place(m_slots, hash, isIt)];
+        Slot& slot = m_slots[place(m_slots, hash, matches)];
         if (slot.number < 0) {
             slot.hash = hash;
             ++m_count;
@@ -45,11 +50,12 @@ private:
         int number = -1;
     };
 
-    template <class IsIt>
-    static std::size_t place(const std::vector<Slot>& table, std::size_t hash, const IsIt& isIt)
+    template <class Matches>
+    static std::size_t place(const std::vector<Slot>& table, std::size_t hash,
+                             const Matches& matches)
     {
         std::size_t k = (hash ^ (hash >> 32)) & (table.size() - 1);
-        while (table[k].number >= 0 && !(table[k].hash == hash && isIt(table[k].number)))
+        while (table[k].number >= 0 && !(table[k].hash == hash && matches(table[k].number)))
             k = (k + 1) & (table.size() - 1);
         return k;
     }

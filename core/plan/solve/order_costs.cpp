@@ -12,20 +12,22 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /**
- * Levels of an iceberg of mean sigma. With fewer than ten the bounds on the sigma seen are so loose
- * that some proofs at 40 icebergs never end; more make the graph larger. By measurement.
+ * Returns the levels of an iceberg of mean sigma. With fewer than ten the bounds on the sigma seen
+ * are so loose that some proofs at 40 icebergs never end; more make the graph larger. Measured.
  */
 double levelsPerIceberg(int icebergs)
 {
     constexpr double kFinest = 14;
     constexpr double kCoarsest = 4;
-    constexpr double kMostWork = 2e7; // of a sweep: levels times icebergs squared
+    constexpr double kMostWork = 2e7; // work of a sweep: levels times icebergs squared
     const double n = icebergs;
     return std::clamp(kMostWork / (n * n * n), kCoarsest, kFinest);
 }
 
-/** By sums of what is unseen, not by differences, which would lose the small ones among large
- * sigmas. Cost: icebergs times levels. */
+/**
+ * Returns `leastUnseen`, from sums of the sigmas unseen: differences would lose the small ones
+ * among large sigmas. Cost: icebergs times levels.
+ */
 Eigen::ArrayXd unseenByLevel(const LatencyCosts& costs)
 {
     Eigen::ArrayXd unseen = Eigen::ArrayXd::Constant(costs.lastLevel() + 1, kInfinity);
@@ -47,7 +49,7 @@ LegTable::LegTable(const TvpProblem& problem)
     , legs(problem.mu * problem.distance_m.transpose())
     , sigma(problem.sigma_m2)
 {
-    legs.diagonal().setZero(); // never read, may be anything in the problem
+    legs.diagonal().setZero(); // never read; the problem may hold anything here
     if (problem.route == Route::Open || problem.criterion == Criterion::Latency)
         legs.row(0).setZero();
 }

@@ -9,7 +9,7 @@
 
 namespace berg {
 
-/** Sum of the legs and visits of an order. */
+/** Returns the sum of the legs and visits of an order. */
 template <class Costs>
 [[nodiscard]] double costOfVisits(const Costs& costs, std::span<const int> order)
 {
@@ -23,7 +23,7 @@ template <class Costs>
     return sum + costs.leg(from, 0);
 }
 
-/** Sum of the sigmas, each times the legs flown until there. */
+/** Returns the sum of the sigmas, each times the length flown until there. */
 template <class Costs>
 [[nodiscard]] double weightedLength(const Costs& costs, std::span<const int> order)
 {
@@ -39,23 +39,27 @@ template <class Costs>
 }
 
 /**
- * What the costs of both criteria share, laid out for inner loops. Search, graph and bound are
- * templates over `VisitCosts` and `LatencyCosts`, which have the same members:
+ * Data shared by the costs of both criteria, in a layout for inner loops. Search, graph and bound
+ * are templates over `VisitCosts` and `LatencyCosts`, which have the same members:
  *
  * - levels: an iceberg raises the level of a path by `step(iceberg)` >= 1, from 0 at the UAV to
  *   `lastLevel()` at the end of every order. Levels are the layers of the relaxation's graph.
  * - `visit(iceberg, level)` is added where the visit raises the path to that level.
- * - `kWeighted`: a leg counts as many times as there is sigma unseen, else once.
+ * - `kWeighted`: whether a leg counts as many times as there is sigma unseen, or once.
  */
 struct LegTable
 {
     explicit LegTable(const TvpProblem& problem);
 
+    /** Returns the cost of a leg; `from` 0 is the UAV, `to` 0 the end of the route. */
     [[nodiscard]] double leg(int from, int to) const { return legs(to, from); }
     [[nodiscard]] double sigmaOf(int node) const { return sigma[static_cast<std::size_t>(node)]; }
     int icebergs = 0;
-    Eigen::MatrixXd legs;      ///< N x N, column = from, row = to, mu d; row 0 is the end of the
-                               ///< route: 0 when open, the way back when closed
+    /**
+     * N x N, column = from, row = to, mu d; row 0 is the end of the route: 0 if open, the return
+     * leg if closed.
+     */
+    Eigen::MatrixXd legs;
     std::vector<double> sigma; ///< N, m^2
 };
 
@@ -75,7 +79,7 @@ struct VisitCosts : LegTable
     {
         return sigmaOf(node) * (position + 1);
     }
-    /** Sum of an order's costs: `objective` + `objectiveShift`. */
+    /** Returns the sum of an order's costs: `objective` + `objectiveShift`. */
     [[nodiscard]] double total(std::span<const int> order) const
     {
         return costOfVisits(*this, order);
@@ -84,9 +88,10 @@ struct VisitCosts : LegTable
 
 /**
  * Weighted latency: a leg costs mu d(i,j) times the sigma still unseen, that of j included. Levels
- * count the sigma seen in units of about a fourteenth of the mean sigma, rounded for each iceberg:
- * real sigmas stay as they are, only that a place in the graph, which knows its level, knows no
- * more than bounds on the sigma unseen.
+ * count the sigma seen in units of about a fourteenth of the mean sigma (with more than 112
+ * icebergs a larger part of it, up to a fourth), rounded for each iceberg. The sigmas themselves
+ * are not rounded; but a node of the graph, which holds only its level, has only bounds on the
+ * sigma unseen.
  */
 struct LatencyCosts : LegTable
 {
@@ -97,16 +102,18 @@ struct LatencyCosts : LegTable
     [[nodiscard]] int step(int iceberg) const { return steps[static_cast<std::size_t>(iceberg)]; }
     [[nodiscard]] int lastLevel() const { return last; }
     [[nodiscard]] static double visit(int /*node*/, int /*level*/) { return 0; }
-    /** Sum of an order's costs: `objective`. */
+    /** Returns the sum of an order's costs: `objective`. */
     [[nodiscard]] double total(std::span<const int> order) const
     {
         return weightedLength(*this, order);
     }
 
     double sigmaSum = 0;
-    std::vector<int> steps; ///< N, at least 1; [0] is 0
+    std::vector<int> steps; ///< N values, at least 1; [0] is 0
     int last = 0;           ///< sum of the steps
-    /** By level: the least sigma that a set of icebergs leaves unseen; infinite when none has it.
+    /**
+     * By level: the least sigma that a set of icebergs leaves unseen; infinite if no set has that
+     * level.
      */
     Eigen::ArrayXd leastUnseen;
 };

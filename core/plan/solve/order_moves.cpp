@@ -48,7 +48,8 @@ double OrderMoves<Costs>::rounding() const
     const Sums& end = m_sums.back();
     const double legs = end.forward + end.backward;
     const int n = icebergs();
-    // Up to five pieces, each with a product or two of differences of sums over n icebergs.
+    // A move has up to five pieces, each with a product or two of differences of sums over n
+    // icebergs.
     if constexpr (Costs::kWeighted)
         return roundingMargin(2 * n, m_costs.sigmaSum * legs);
     else

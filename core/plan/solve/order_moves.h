@@ -8,9 +8,10 @@
 
 namespace berg {
 
-/** A change of an order: positions count from 1. `delta` is what it adds to the cost. */
+/** A change of an order; positions count from 1. `delta` is the change of the cost. */
 struct OrderMove
 {
+    /** Kind of a move: reverse a piece, exchange two icebergs, relocate a piece. */
     enum class Kind
     {
         None,
@@ -19,14 +20,14 @@ struct OrderMove
         Relocate
     };
     Kind kind = Kind::None;
-    int first = 0;       ///< first position of the piece (Exchange: one of the two)
-    int last = 0;        ///< last position of the piece (Exchange: the other one)
-    int after = 0;       ///< Relocate: goes behind this position, outside the piece
-    bool turned = false; ///< Relocate: flown the other way round
+    int first = 0; ///< first position of the piece (Exchange: one of the two)
+    int last = 0;  ///< last position of the piece (Exchange: the other one)
+    int after = 0; ///< Relocate: the piece goes behind this position, which is outside the piece
+    bool turned = false; ///< Relocate: the piece is reversed
     double delta = 0;
 };
 
-/** Sums along an order up to position p, by which moves are valued. */
+/** Sums along an order up to position p, from which moves are evaluated. */
 template <class Costs>
 struct OrderSums;
 
@@ -34,7 +35,7 @@ template <>
 struct OrderSums<VisitCosts>
 {
     double forward = 0;  ///< legs 0 -> 1 -> .. -> p
-    double backward = 0; ///< the same legs flown the other way
+    double backward = 0; ///< the same legs flown backwards
     double sigma = 0;    ///< sum of sigma up to p
     double moment = 0;   ///< sum of sigma times position up to p
 };
@@ -43,48 +44,57 @@ template <>
 struct OrderSums<LatencyCosts>
 {
     double forward = 0;      ///< legs 0 -> 1 -> .. -> p
-    double backward = 0;     ///< the same legs flown the other way
+    double backward = 0;     ///< the same legs flown backwards
     double sigma = 0;        ///< sum of sigma up to p
     double forwardSeen = 0;  ///< sum of leg times the sigma of the positions before it
-    double backwardSeen = 0; ///< the same with the legs flown the other way
+    double backwardSeen = 0; ///< that sum with the legs flown backwards
 };
 
 /**
- * An order with prefix sums along it, by which every move is valued in O(1), asymmetric distances
- * included. Making a move costs O(n).
+ * An order with prefix sums along it, from which every move is evaluated in O(1), also with
+ * asymmetric distances. Making a move costs O(n).
  */
 template <class Costs>
 class OrderMoves
 {
 public:
-    /** Keeps a reference to `costs`. */
+    /** `order` must hold each iceberg once. `costs` must outlive the object. */
     OrderMoves(const Costs& costs, std::span<const int> order);
 
     [[nodiscard]] int icebergs() const { return m_costs.icebergs; }
-    /** Node at position 0 (the UAV) .. n, and 0 again at n + 1 (the end of the route). */
+    /**
+     * Returns the node at position 0 (the UAV) .. n, and 0 again at n + 1 (the end of the route).
+     */
     [[nodiscard]] int at(int position) const { return m_node[static_cast<std::size_t>(position)]; }
     [[nodiscard]] int positionOf(int node) const
     {
         return m_position[static_cast<std::size_t>(node)];
     }
     [[nodiscard]] VisitOrder order() const;
+    /** Replaces the order by one that holds each iceberg once. */
     void assign(std::span<const int> order);
-    /** Cost of the whole order, as `Costs::total` up to rounding. */
+    /** Returns the cost of the whole order, equal to `Costs::total` up to rounding. */
     [[nodiscard]] double cost() const;
-    /** A change of cost that is less, either way, may be rounding alone: the sums may be far larger
-     * than the cost. */
+    /**
+     * Returns the largest change of cost, up or down, that may be rounding alone: the sums may be
+     * far larger than the cost.
+     */
     [[nodiscard]] double rounding() const;
 
-    /** Change of cost when positions first .. last are flown backwards; first < last. */
+    /** Returns the change of cost if positions first .. last are flown backwards; first < last. */
     [[nodiscard]] double reversal(int first, int last) const;
-    /** Change of cost when the icebergs at two positions change places; a < b. */
+    /** Returns the change of cost if the icebergs at two positions change places; a < b. */
     [[nodiscard]] double exchange(int a, int b) const;
-    /** Change of cost of a relocation; `after` < first - 1 or > last. */
+    /** Returns the change of cost of a relocation; `after` < first - 1 or > last. */
     [[nodiscard]] double relocation(int first, int last, int after, bool turned) const;
 
-    /** The best move that takes the iceberg at `position` as end of a piece or as partner. */
+    /**
+     * Returns the best move that lowers the cost and has the iceberg at `position` as an end of a
+     * piece or as partner; its kind is None if no move lowers the cost.
+     */
     [[nodiscard]] OrderMove bestMoveAt(int position) const;
 
+    /** Makes the move; does nothing for the kind None. */
     void apply(const OrderMove& move);
 
 private:
@@ -100,7 +110,7 @@ private:
         int last = 0;
         bool turned = false;
     };
-    /** Change of cost when a stretch is put together anew from its pieces. */
+    /** Returns the change of cost if a stretch is assembled from its pieces in another order. */
     template <std::size_t Count>
     [[nodiscard]] double rearrangement(const std::array<Piece, Count>& pieces) const
         requires(Costs::kWeighted);
@@ -113,7 +123,10 @@ private:
     std::vector<Sums> m_sums;    ///< n + 2
 };
 
-/** Largest sigma first, then nearest to the UAV, then smallest number: the optimum at mu = 0. */
+/**
+ * Returns the order by largest sigma, then least distance from the UAV, then smallest number: the
+ * optimum at mu = 0.
+ */
 [[nodiscard]] VisitOrder sigmaOrder(const TvpProblem& problem);
 
 } // namespace berg

@@ -10,13 +10,13 @@ namespace berg {
 
 namespace {
 
-/** Work of looking at one partner of an iceberg: seven moves valued. By measurement. */
+/** Work of one partner of an iceberg: seven moves evaluated. Measured. */
 template <class Costs>
 constexpr std::int64_t kWorkOfNeighbour = Costs::kWeighted ? 20 : 8;
 
 /**
- * Descent by first improvement over icebergs, best move of each iceberg. Icebergs whose
- * neighbours have not changed since they were looked at in vain are not looked at again.
+ * Descent by first improvement over icebergs, best move of each iceberg. Icebergs without an
+ * improving move are examined again only when their neighbours have changed.
  */
 template <class Costs>
 class Descent
@@ -41,7 +41,7 @@ public:
         m_moves.apply(move);
     }
 
-    /** Goes down to a local optimum, or until the effort is spent. */
+    /** Descends to a local optimum, or until the effort is spent. */
     void run()
     {
         const double least = kLeastGain * cost();
@@ -54,7 +54,8 @@ public:
                 m_effort.work += kWorkOfNeighbour<Costs> * m_moves.icebergs();
                 if (m_effort.work >= m_effort.limit)
                     return;
-                if (++m_looks % kLooksPerCheck == 0 && m_effort.cut && m_effort.cut())
+                if (++m_examined % kExaminedPerCheck == 0 && m_effort.isStopped &&
+                    m_effort.isStopped())
                     return;
                 again = true;
                 const OrderMove move = m_moves.bestMoveAt(position);
@@ -67,45 +68,45 @@ public:
     }
 
 private:
-    static constexpr int kLooksPerCheck = 16;
+    static constexpr int kExaminedPerCheck = 16;
 
     OrderMoves<Costs> m_moves;
     SearchEffort& m_effort;
     std::vector<bool> m_active; ///< by node
-    int m_looks = 0;
+    int m_examined = 0;
 };
 
-/** What the next iceberg of a greedy order is chosen by. */
-enum class Greed
+/** Criterion by which the next iceberg of a greedy order is chosen. */
+enum class GreedyCriterion
 {
     Nearest,  ///< shortest leg
     Ratio,    ///< shortest leg per sigma
     Sigma,    ///< largest sigma
-    Earlier,  ///< leg less the cost of waiting for a part of the time that is left, Eq. (1)
-    Earliest, ///< the same with twice that part
+    Earlier,  ///< leg minus the cost of waiting for a fraction of the remaining time, Eq. (1)
+    Earliest, ///< that with twice the fraction
 };
 
-/** The smaller the better. */
-double greedyValue(Greed greed, double leg, double sigma, int left)
+/** Returns the value of a candidate; smaller is better. */
+double greedyValue(GreedyCriterion criterion, double leg, double sigma, int left)
 {
-    constexpr double kPart = 0.125;
-    switch (greed) {
-    case Greed::Nearest:
+    constexpr double kFraction = 0.125;
+    switch (criterion) {
+    case GreedyCriterion::Nearest:
         return leg;
-    case Greed::Ratio:
+    case GreedyCriterion::Ratio:
         return leg / (sigma + 1e-9); // sigma 0 comes last
-    case Greed::Sigma:
+    case GreedyCriterion::Sigma:
         return -sigma;
-    case Greed::Earlier:
-        return leg - kPart * sigma * left;
-    case Greed::Earliest:
-        return leg - 2 * kPart * sigma * left;
+    case GreedyCriterion::Earlier:
+        return leg - kFraction * sigma * left;
+    case GreedyCriterion::Earliest:
+        return leg - 2 * kFraction * sigma * left;
     }
     return leg;
 }
 
-/** Ties go to the shorter leg, then to the smaller number. */
-VisitOrder greedyOrder(const LegTable& costs, Greed greed)
+/** Returns a greedy order. Ties go to the shorter leg, then to the smaller number. */
+VisitOrder greedyOrder(const LegTable& costs, GreedyCriterion criterion)
 {
     VisitOrder order;
     std::vector<bool> used(costs.sigma.size(), false);
@@ -118,7 +119,7 @@ VisitOrder greedyOrder(const LegTable& costs, Greed greed)
                 continue;
             const double leg = costs.leg(from, j);
             const std::pair value{
-                greedyValue(greed, leg, costs.sigma[static_cast<std::size_t>(j)], left), leg};
+                greedyValue(criterion, leg, costs.sigma[static_cast<std::size_t>(j)], left), leg};
             if (best == 0 || value < least) {
                 best = j;
                 least = value;
@@ -130,7 +131,10 @@ VisitOrder greedyOrder(const LegTable& costs, Greed greed)
     return order;
 }
 
-/** Two neighbouring pieces of the order change places: no single move of the descent undoes it. */
+/**
+ * Returns a move that exchanges two neighbouring pieces of the order: no single move of the descent
+ * undoes it.
+ */
 OrderMove disturbance(Random& random, int icebergs)
 {
     constexpr int kWidest = 50;
@@ -164,7 +168,7 @@ OrderSearch<Costs>::OrderSearch(const Costs& costs, SearchEffort& effort)
 template <class Costs>
 void OrderSearch<Costs>::startGreedily()
 {
-    take(greedyOrder(m_costs, Greed::Nearest));
+    accept(greedyOrder(m_costs, GreedyCriterion::Nearest));
 }
 
 template <class Costs>
@@ -176,11 +180,12 @@ void OrderSearch<Costs>::descend()
 template <class Costs>
 void OrderSearch<Costs>::descendFromGreedyOrders()
 {
-    for (const Greed greed :
-         {Greed::Nearest, Greed::Ratio, Greed::Sigma, Greed::Earlier, Greed::Earliest}) {
+    for (const GreedyCriterion criterion :
+         {GreedyCriterion::Nearest, GreedyCriterion::Ratio, GreedyCriterion::Sigma,
+          GreedyCriterion::Earlier, GreedyCriterion::Earliest}) {
         if (m_effort.spent())
             return;
-        descendFrom(greedyOrder(m_costs, greed));
+        descendFrom(greedyOrder(m_costs, criterion));
         m_effort.work += std::int64_t{m_costs.icebergs} * m_costs.icebergs;
     }
 }
@@ -189,16 +194,16 @@ template <class Costs>
 void OrderSearch<Costs>::disturb(std::int64_t restarts)
 {
     if (m_costs.icebergs < 3)
-        return; // a descent tries everything
+        return; // a descent tries all orders
     Descent descent(m_costs, m_best, m_effort);
     VisitOrder current = m_best;
     double currentCost = m_bestCost;
     for (std::int64_t done = 0; done < restarts && !m_effort.spent(); ++done) {
         descent.make(disturbance(m_random, m_costs.icebergs));
         descent.run();
-        take(descent.order());
-        // Slightly worse orders are accepted, less and less so: without that the search stays in
-        // one valley.
+        accept(descent.order());
+        // Slightly worse orders are accepted, with decreasing tolerance: without that the search
+        // stays near one local optimum.
         const double progress = static_cast<double>(done) / static_cast<double>(restarts);
         const double tolerance = 0.4 / m_costs.icebergs * (1 - progress);
         if (descent.cost() <= currentCost * (1 + tolerance)) {
@@ -215,11 +220,11 @@ void OrderSearch<Costs>::descendFrom(const VisitOrder& order)
 {
     Descent descent(m_costs, order, m_effort);
     descent.run();
-    take(descent.order());
+    accept(descent.order());
 }
 
 template <class Costs>
-void OrderSearch<Costs>::take(const VisitOrder& order)
+void OrderSearch<Costs>::accept(const VisitOrder& order)
 {
     const double cost = m_costs.total(order);
     if (!m_best.empty() && cost >= m_bestCost * (1 - kLeastGain))

@@ -12,14 +12,14 @@ namespace berg {
 /**
  * Iterated local search over visiting orders: descents by 2-opt, exchange and or-opt moves (pieces
  * of up to three, both directions), from greedy orders and from disturbed ones. Every move is
- * valued in O(1), asymmetric distances included. Deterministic; the best order is kept throughout,
+ * evaluated in O(1), also with asymmetric distances. Deterministic; the best order is available
  * whenever the effort is spent.
  */
 template <class Costs>
 class OrderSearch
 {
 public:
-    /** Keeps references to `costs` and `effort`. */
+    /** Keeps references to `costs` and `effort`, which must outlive the search. */
     OrderSearch(const Costs& costs, SearchEffort& effort);
 
     /** Called with each new best order; may be empty. */
@@ -28,15 +28,23 @@ public:
     /** Best order so far; empty before the first one. */
     [[nodiscard]] const VisitOrder& best() const { return m_best; }
 
-    /** Takes an order from elsewhere, if it is a better one. */
-    void take(const VisitOrder& order);
-    /** A greedy order, at once the best one when it is the first. */
+    /** Accepts an order from another search if it is better than the best one. */
+    void accept(const VisitOrder& order);
+    /** Makes a greedy order (nearest iceberg next) and accepts it. */
     void startGreedily();
-    /** Goes down from the best order to a local optimum. */
+    /**
+     * Descends from the best order, which must exist, until a local optimum or until the effort is
+     * spent.
+     */
     void descend();
-    /** Local optima from greedy orders of several kinds. */
+    /** Descends to local optima from greedy orders by several criteria, or until effort is spent.
+     */
     void descendFromGreedyOrders();
-    /** Iterated local search from the best order; accepts slightly worse orders on the way. */
+    /**
+     * Runs the iterated local search from the best order, which must exist, for `restarts` restarts
+     * or until the effort is spent; it accepts slightly worse orders meanwhile. Does nothing with
+     * fewer than three icebergs.
+     */
     void disturb(std::int64_t restarts);
 
 private:

@@ -12,47 +12,49 @@
 
 namespace berg {
 
-// Memory by the hundred megabytes takes tens of milliseconds to come, to be copied and to go: these
-// do it a piece at a time and look at the clock in between, or leave it to another thread.
+// Allocating, copying or releasing hundreds of megabytes takes tens of milliseconds. The helpers
+// below work in pieces with checks for a stop in between, or use another thread.
 
-/** For smart pointers to what knows its `bytes()`: much memory is given back on another thread, so
- * that nobody waits for that. */
-struct FreeElsewhere
+/**
+ * Deleter for smart pointers to objects with `bytes()`: it releases large objects on another
+ * thread, so that the caller does not wait.
+ */
+struct DeferredDeleter
 {
     template <class T>
-    void operator()(T* thing) const
+    void operator()(T* object) const
     {
-        constexpr std::int64_t kMuch_bytes = 16'000'000; // takes about a millisecond
-        std::unique_ptr<T> owned(thing);
+        constexpr std::int64_t kMuch_bytes = 16'000'000; // releasing this takes about a millisecond
+        std::unique_ptr<T> owned(object);
         if (owned == nullptr || owned->bytes() < kMuch_bytes)
             return;
         try {
             std::thread([held = std::move(owned)] {}).detach();
         } catch (const std::system_error&) {
-            // No more threads: freed here and now.
+            // There are no more threads, so the memory is released here.
         }
     }
 };
 
-/** Elements of a piece: up to half a MB, well below a millisecond. */
+/** Elements of a piece: up to half a MB, which takes well below a millisecond. */
 inline constexpr std::size_t kPieceLength = std::size_t{1} << 16;
 
-/** `vector` emptied and filled with so many of `value`; false when cut. */
+/** Replaces the contents of `vector` by `size` copies of `value`. Returns false if stopped. */
 template <class Vector>
 [[nodiscard]] bool fillInPieces(Vector& vector, std::size_t size, typename Vector::value_type value,
-                                const CutQuestion& cut)
+                                const StopCheck& isStopped)
 {
     vector.clear();
     vector.reserve(size);
     while (vector.size() < size) {
-        if (cut && cut())
+        if (isStopped && isStopped())
             return false;
         vector.resize(std::min(size, vector.size() + kPieceLength), value);
     }
     return true;
 }
 
-/** Grows without moving what it holds. */
+/** A list that grows without moving its elements. */
 template <class T>
 class PieceList
 {
@@ -74,31 +76,38 @@ public:
         m_pieces.back().push_back(value);
     }
 
-    /** Calls `take(element)` for each in turn, once: the list is used up. False when cut. */
-    template <class Take>
-    [[nodiscard]] bool forEach(const CutQuestion& cut, const Take& take)
+    /**
+     * Calls `visitor(element)` for each element in order and empties the list. Returns false if
+     * stopped; the elements visited so far are then gone, and the list is unusable.
+     */
+    template <class Visitor>
+    [[nodiscard]] bool forEach(const StopCheck& isStopped, const Visitor& visitor)
     {
         for (std::vector<T>& piece : m_pieces) {
-            if (cut && cut())
+            if (isStopped && isStopped())
                 return false;
-            std::for_each(piece.begin(), piece.end(), take);
+            std::for_each(piece.begin(), piece.end(), visitor);
             piece = {};
         }
         m_pieces.clear();
         return true;
     }
 
-    /** Appends `change` of each element to `target`, once: the list is used up. False when cut. */
+    /**
+     * Appends `change(element)` of each element to `target` and empties the list. Returns false if
+     * stopped; the elements are then divided between both, and the list is unusable.
+     */
     template <class Target, class Change>
-    [[nodiscard]] bool moveTo(Target& target, const CutQuestion& cut, const Change& change)
+    [[nodiscard]] bool moveTo(Target& target, const StopCheck& isStopped, const Change& change)
     {
         target.reserve(target.size() + size());
-        return forEach(cut, [&](const T& element) { target.push_back(change(element)); });
+        return forEach(isStopped, [&](const T& element) { target.push_back(change(element)); });
     }
+    /** Moves the elements as they are, like the function above. */
     template <class Target>
-    [[nodiscard]] bool moveTo(Target& target, const CutQuestion& cut)
+    [[nodiscard]] bool moveTo(Target& target, const StopCheck& isStopped)
     {
-        return moveTo(target, cut, [](const T& element) { return element; });
+        return moveTo(target, isStopped, [](const T& element) { return element; });
     }
 
 private:

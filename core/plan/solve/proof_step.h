@@ -8,11 +8,12 @@ namespace berg {
 
 class NgSets;
 
-/** What somebody else must do to prove the same: see `Proof`. */
+/** One step of a proof, which an independent checker can repeat; see `Proof`. */
 struct ProofStep
 {
-    Eigen::VectorXd lambda;               ///< multipliers, one per node, [0] is 0
-    std::shared_ptr<const NgSets> sets{}; ///< what the graph is to remember; none: nothing more
+    Eigen::VectorXd lambda; ///< multipliers, one per node, [0] is 0
+    /** Memory to add to the graph; null if there is none to add. */
+    std::shared_ptr<const NgSets> sets{};
 };
 
 } // namespace berg

@@ -9,12 +9,14 @@ namespace berg {
 
 namespace {
 
-/** The cheapest order one move away that costs more; the order itself when there is none. */
+/**
+ * Returns the cheapest order one move away that costs more, or the order itself if there is none.
+ */
 VisitOrder cheapestNeighbour(const VisitCosts& costs, const VisitOrder& order)
 {
     using Kind = OrderMove::Kind;
     OrderMoves moves(costs, order);
-    const double least = 1e-7 * costs.total(order); // what is nearer is the same but for rounding
+    const double least = 1e-7 * costs.total(order); // smaller differences may be rounding
     OrderMove cheapest;
     const auto consider = [&](double delta, const OrderMove& move) {
         if (delta > least && (cheapest.kind == Kind::None || delta < cheapest.delta)) {
@@ -37,22 +39,22 @@ ReducedModel reducedModel(const TvpProblem& problem, const SolveOptions& options
 {
     const SolveWatch watch(options);
     ReducedModel reduced;
-    // With the optimum as incumbent few columns are left; so it pays to look for it with the bound.
+    // With the optimum as incumbent few columns remain, so it pays to search for it with the bound.
     reduced.incumbent =
         LocalSearch()
             .solve(problem,
                    {.timeLimit_s = options.timeLimit_s, .hint = options.hint, .stop = options.stop})
             .order();
-    if (reduced.incumbent.empty() || watch.cut())
+    if (reduced.incumbent.empty() || watch.stopReason())
         return reduced;
 
     constexpr std::int64_t kMostWork = 900'000'000; // seldom used up
     const VisitCosts costs(problem);
-    const LayeredBoundOptions bound{.workLimit = kMostWork,
-                                    .cut = [&watch] { return watch.cut().has_value(); }};
+    const LayeredBoundOptions bound{
+        .workLimit = kMostWork, .isStopped = [&watch] { return watch.stopReason().has_value(); }};
     std::vector<MilpArc> arcs =
         survivingArcs(costs, cheapestNeighbour(costs, reduced.incumbent), bound);
-    if (!watch.cut())
+    if (!watch.stopReason())
         reduced.milp = positionModel(problem, std::move(arcs));
     return reduced;
 }

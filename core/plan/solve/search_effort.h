@@ -6,17 +6,20 @@
 
 namespace berg {
 
-/** What a search may do and has done. Work: moves valued and the like, roughly 2 ns each. */
+/**
+ * Limit and count of the work of a search. Work: moves evaluated and the like, roughly 2 ns each.
+ */
 struct SearchEffort
 {
-    std::function<bool()> cut; ///< asked at least every 1 ms; true ends the search; may be empty
+    std::function<bool()> isStopped; ///< called at least every 1 ms; may be empty
     std::int64_t limit = std::numeric_limits<std::int64_t>::max();
     std::int64_t work = 0;
 
-    [[nodiscard]] bool spent() const { return work >= limit || (cut && cut()); }
+    /** Returns whether the search must end. */
+    [[nodiscard]] bool spent() const { return work >= limit || (isStopped && isStopped()); }
 };
 
-/** Icebergs in turn that a move takes elsewhere together, at most. */
+/** Largest number of consecutive icebergs that one move relocates. */
 inline constexpr int kLongestPiece = 3;
 
 } // namespace berg

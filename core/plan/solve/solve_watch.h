@@ -8,16 +8,19 @@
 namespace berg {
 
 /**
- * Stop token, time limit and progress reports of one solve. Borrows the options. Work is counted
- * by the back end itself.
+ * Stop token, time limit and progress reports of one solve. Borrows the options. The back end
+ * itself counts the work.
  */
 class SolveWatch
 {
 public:
     explicit SolveWatch(const SolveOptions& options) : m_options(options) {}
 
-    /** Why the solve must end now, if it must. About 50 ns: ask at least every 10 ms. */
-    [[nodiscard]] std::optional<StopReason> cut() const
+    /**
+     * Returns the reason why the solve must end now, or nullopt. Takes about 50 ns: call it at
+     * least every 10 ms.
+     */
+    [[nodiscard]] std::optional<StopReason> stopReason() const
     {
         if (m_options.stop.stop_requested())
             return StopReason::Cancelled;
@@ -26,7 +29,7 @@ public:
         return std::nullopt;
     }
 
-    /** Hands a progress report to the caller, if he wants any. `bound` in terms of Eq. (1). */
+    /** Calls `onProgress`, if set. `bound` is in terms of Eq. (1). */
     void report(const FleetPlan& plan, double objective, std::optional<double> bound) const
     {
         if (m_options.onProgress)
@@ -41,32 +44,39 @@ private:
     Stopwatch m_watch;
 };
 
-/** What an engine that proves its plans knows and tells while it works. Borrows the options. */
+/**
+ * Best plan, bound and progress reports of an engine that proves its plans. Borrows the options.
+ */
 class SolveAccount
 {
 public:
-    /** Cost = objective + `shift`. */
+    /** `shift` is the cost minus the objective. */
     SolveAccount(const SolveOptions& options, double shift, int icebergs)
         : m_watch(options), m_shift(shift), m_icebergs(icebergs)
     {
     }
 
-    /** Asks the watch, and remembers the reason. */
-    bool cut()
+    /** Returns whether the solve must stop, and stores the reason. */
+    bool isStopped()
     {
-        if (!m_cut)
-            m_cut = m_watch.cut();
-        return m_cut.has_value();
+        if (!m_reason)
+            m_reason = m_watch.stopReason();
+        return m_reason.has_value();
     }
-    [[nodiscard]] const std::optional<StopReason>& reason() const { return m_cut; }
+    /** Returns the reason stored by `isStopped`; nullopt if it has not stopped. */
+    [[nodiscard]] const std::optional<StopReason>& reason() const { return m_reason; }
 
+    /** Stores and reports a plan that the caller found to be better; it is not compared. */
     void acceptPlan(FleetPlan plan, double objective)
     {
         m_plan = std::move(plan);
         m_objective = objective;
         report();
     }
-    /** On the cost. 0 says nothing: that every cost is positive goes without saying. */
+    /**
+     * Stores and reports a bound on the cost if it is above 0 and above the stored one; ignores it
+     * otherwise.
+     */
     void acceptBound(double bound)
     {
         if (bound <= 0 || bound <= m_bound)
@@ -74,7 +84,10 @@ public:
         m_bound = bound;
         report();
     }
-    /** On the objective, if there is any. Rounded down: the shift may be far larger than it. */
+    /**
+     * Returns the bound on the objective, or nullopt if there is none. It is rounded down, because
+     * the shift may be far larger than the objective.
+     */
     [[nodiscard]] std::optional<double> bound() const
     {
         return m_bound > 0 ? std::optional(m_bound - m_shift - roundingMargin(m_icebergs, m_shift))
@@ -92,8 +105,8 @@ private:
     SolveWatch m_watch;
     double m_shift;
     int m_icebergs;
-    std::optional<StopReason> m_cut;
-    FleetPlan m_plan; ///< the best one
+    std::optional<StopReason> m_reason;
+    FleetPlan m_plan; ///< the best plan
     double m_objective = 0;
     double m_bound = 0;
 };

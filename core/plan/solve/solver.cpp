@@ -19,7 +19,7 @@ std::int64_t now_ns()
     return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }
 
-/** Dynamic programming where that is faster, else the engine with about a second's work. */
+/** Uses dynamic programming where that is faster, else the engine with about a second's work. */
 class AutoSolver final : public TvpSolver
 {
 public:
@@ -29,7 +29,7 @@ protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,
                                        const SolveOptions& options) const override
     {
-        if (subsetsPay(problem, options))
+        if (subsetsAreFaster(problem, options))
             return m_exact.solve(problem, options);
         return m_heuristic.solve(problem, options);
     }
@@ -44,15 +44,15 @@ bool isPlan(const TvpProblem& problem, const FleetPlan& plan)
     return plan.size() == 1 && isVisitOrder(problem, plan.front());
 }
 
-/** Puts the answer of a back end into the shape `SolveOutcome` promises. */
-void settle(const TvpProblem& problem, SolveOutcome& outcome)
+/** Completes the answer of a back end as `SolveOutcome` promises. */
+void completeOutcome(const TvpProblem& problem, SolveOutcome& outcome)
 {
     if (outcome.status == SolveStatus::None) {
         outcome.plan.clear();
         outcome.objective = 0;
         return;
     }
-    require(isPlan(problem, outcome.plan), "solver returned no valid visiting order");
+    require(isPlan(problem, outcome.plan), "solver returned an invalid visiting order");
     outcome.objective = objective(problem, outcome.order());
     if (outcome.status == SolveStatus::Optimal)
         outcome.bound = outcome.objective;
@@ -92,7 +92,7 @@ SolveOutcome TvpSolver::solve(const TvpProblem& problem, const SolveOptions& opt
     SolveOutcome outcome;
     if (problem.icebergCount() == 0) {
         outcome = {.status = SolveStatus::Optimal, .plan = FleetPlan(1), .bound = 0.0};
-    } else if (std::optional<IssueReason> reason = whyNot(problem)) {
+    } else if (std::optional<IssueReason> reason = unsupportedReason(problem)) {
         outcome = unable(std::move(*reason));
     } else if (options.stop.stop_requested()) {
         outcome = {.reason = StopReason::Cancelled, .plan = {}};
@@ -103,7 +103,7 @@ SolveOutcome TvpSolver::solve(const TvpProblem& problem, const SolveOptions& opt
         withoutHint.hint.clear();
         outcome = doSolve(problem, withoutHint);
     }
-    settle(problem, outcome);
+    completeOutcome(problem, outcome);
     if (outcome.source == AnswerSource::None)
         outcome.source = source();
     outcome.elapsed_s = watch.elapsed_s();
@@ -121,7 +121,7 @@ std::unique_ptr<TvpSolver> makeSolver(Backend backend, [[maybe_unused]] Formulat
         return std::make_unique<LocalSearch>();
     case Backend::Cbc:
 #ifdef BERG_WITH_CBC
-        static_cast<void>(cbcHelperPath()); // told now where it is missing
+        static_cast<void>(cbcHelperPath()); // throws at once if the program is missing
         return std::make_unique<CbcSolver>(formulation);
 #else
         throw Error(ErrorCode::Unsupported, "planner.backend", {IssueId::NoCbc});

@@ -14,14 +14,15 @@
 
 namespace berg {
 
+/** Quality of the plan of an outcome. */
 enum class SolveStatus
 {
-    Optimal,  ///< proven
-    Feasible, ///< an order, not proven; the bound may be missing
-    None      ///< a limit, a cancellation or an unable back end came before any order
+    Optimal,  ///< proven optimal
+    Feasible, ///< a plan without proof; the bound may be missing
+    None      ///< no plan: a limit, a cancellation or an unable back end came first
 };
 
-/** Why a solve ended. */
+/** Reason for the end of a solve. */
 enum class StopReason
 {
     Finished,
@@ -33,7 +34,7 @@ enum class StopReason
     Unable
 };
 
-/** What made an answer. Names: `kSourceNames`. */
+/** Source of an answer. Names: `kSourceNames`. */
 enum class AnswerSource
 {
     None,
@@ -42,69 +43,82 @@ enum class AnswerSource
     Heuristic,
     Cbc,
     Subsets,
-    Assignment, ///< of several UAVs by uncertainty alone
-    OneByOne,   ///< no solver: again and again the best next iceberg
-    KeptRoute,  ///< no solver: what is left of a route made before
-    Coverage    ///< weighs predicted zeta, not an order
+    Assignment, ///< assignment of icebergs to several UAVs by uncertainty alone
+    OneByOne,   ///< no solver: repeated choice of the best next iceberg
+    KeptRoute,  ///< no solver: the rest of a route made before
+    Coverage    ///< search by predicted zeta, not by order
 };
 
-/** What a long solve tells while it runs; each one is at least as good as the one before. */
+/** Progress report of a long solve; each one is at least as good as the one before. */
 struct SolveProgress
 {
-    FleetPlan plan = {}; ///< incumbent, an order for each UAV; empty when there is none yet
+    FleetPlan plan = {}; ///< incumbent, an order for each UAV; empty if there is none yet
     double objective = 0;
     std::optional<double> bound; ///< valid lower bound on the optimum
     double elapsed_s = 0;
-    std::vector<std::vector<AimedLeg>> legs = {}; ///< how it is flown, of plans with aim points
+    std::vector<std::vector<AimedLeg>> legs = {}; ///< legs of the flight, for plans with aim points
 };
 
+/** Limits, inputs and callbacks of a solve. */
 struct SolveOptions
 {
-    std::optional<double> timeLimit_s;     ///< elapsed time; a run cut by it may not repeat
-    std::optional<std::int64_t> workLimit; ///< back end's own unit (nodes, arcs); repeats
-    /** About what a solve may use at its peak; none = no limit. CBC ends when it is far beyond. */
+    std::optional<double> timeLimit_s; ///< limit of elapsed time; a run that it ends may not repeat
+    /** Limit of work in the unit of the back end (nodes, arcs); repeats. */
+    std::optional<std::int64_t> workLimit;
+    /** Approximate limit of peak memory; nullopt means no limit. CBC ends if it far exceeds it. */
     std::optional<std::int64_t> memoryLimit_bytes = 1'500'000'000;
     double gap = 0; ///< stop when the relative gap is at most this
-    /** A re-plan, of which there are thousands: `auto` and `heuristic` end after a small part of
-     * their usual work, with what gap there is then. */
+    /**
+     * Whether this is one of thousands of re-plans: `auto` and `heuristic` then end after a small
+     * part of their usual work, with the gap they have by then.
+     */
     bool inFlight = false;
-    /** Warm start. Of one UAV ignored when not a valid order; of several what is valid of it
-     * (`validPart`) is kept, the rest put where it costs least. */
+    /**
+     * Warm start. For one UAV it is ignored unless it is a valid order; for several its valid part
+     * (`validPart`) is used, and the missing icebergs are inserted where they cost least.
+     */
     FleetPlan hint = {};
-    /** `SolveOutcome::multipliers` of a similar problem, one per node of this one, 0 where it had
-     * none; any values give a valid bound. Empty: none. */
+    /**
+     * `SolveOutcome::multipliers` of a similar problem, one per node of this one, 0 for new nodes;
+     * any values give a valid bound. Ignored if empty or of another size, and for several UAVs.
+     */
     std::vector<double> multipliers = {};
     std::stop_token stop;                                      ///< checked at least every 10 ms
     std::function<void(const SolveProgress&)> onProgress = {}; ///< called on the solving thread
 };
 
+/** Result of a solve. */
 struct SolveOutcome
 {
     SolveStatus status = SolveStatus::None;
     StopReason reason = StopReason::Finished;
-    FleetPlan plan = {};         ///< an order for each UAV; empty when status is None
-    double objective = 0;        ///< Eq. (1) of `plan`, re-scored outside the back end
+    FleetPlan plan = {};         ///< an order for each UAV; empty if the status is None
+    double objective = 0;        ///< `objective` of `plan`; 0 if the status is None
     std::optional<double> bound; ///< valid lower bound, never above `objective`
     double elapsed_s = 0;
-    std::int64_t work = 0; ///< what `workLimit` counts
-    bool hintUsed = false; ///< the hint was accepted as starting incumbent
-    /** Of one UAV: what was learnt of the multipliers of "each iceberg once" beyond the first guess
-     * (`firstMultipliers`), one per node. Empty: the answer needed none. */
+    std::int64_t work = 0; ///< work done, in the unit of `workLimit`
+    bool hintUsed = false; ///< whether the hint was accepted as starting incumbent
+    /**
+     * For one UAV: multipliers of "each iceberg once" minus the first guess (`firstMultipliers`),
+     * one per node. Empty if the answer needed none.
+     */
     std::vector<double> multipliers = {};
     AnswerSource source = AnswerSource::None;
-    std::string detail = {};                   ///< the back end's own words
-    std::optional<IssueReason> whyUnable = {}; ///< not even tried
+    std::string detail = {};                   ///< message of the back end
+    std::optional<IssueReason> whyUnable = {}; ///< set if the back end does not support the problem
 
-    /** That of the only UAV; empty when there is none. */
+    /**
+     * Returns the order of the first UAV, the only one of a `TvpProblem`; empty if there is none.
+     */
     [[nodiscard]] const VisitOrder& order() const;
 };
 
-/** Not even tried, and why. */
+/** Returns the outcome of a problem that the back end does not support, with the reason. */
 [[nodiscard]] SolveOutcome unable(IssueReason reason);
 
 /**
- * One way to solve the target visitation problem of one UAV. Stateless: one object may solve on
- * several threads at once. `solve` checks the problem, the hint and the answer; a back end writes
+ * A solver of the target visitation problem of one UAV. Stateless: one object may solve on several
+ * threads at once. `solve` checks the problem, the hint and the answer; a back end implements
  * `doSolve`.
  */
 class TvpSolver
@@ -115,28 +129,33 @@ public:
     TvpSolver& operator=(const TvpSolver&) = delete;
     virtual ~TvpSolver() = default;
 
-    /** What signs the answers that name no other source. */
+    /** Returns the source of answers that name no other. */
     [[nodiscard]] virtual AnswerSource source() const = 0;
 
-    /** Why the back end is not able to solve the problem; none: it is. */
-    [[nodiscard]] virtual std::optional<IssueReason> whyNot(const TvpProblem& /*problem*/) const
+    /** Returns the reason why the back end cannot solve the problem, or nullopt if it can. */
+    [[nodiscard]] virtual std::optional<IssueReason>
+    unsupportedReason(const TvpProblem& /*problem*/) const
     {
         return std::nullopt;
     }
 
     /**
      * Solves the problem within the options' limits. Limits and cancellation are outcomes, not
-     * errors; a problem that `validate` faults throws `Error{InvalidInput}`.
+     * errors. Throws `Error{InvalidInput}` for a problem in which `validate` finds faults,
+     * `std::logic_error` inside a `NoBlockingScope` and if the back end returns an invalid order,
+     * and for CBC the errors of `CbcSolver`.
      */
     [[nodiscard]] SolveOutcome solve(const TvpProblem& problem, const SolveOptions& options) const;
 
 protected:
-    /** `problem` is valid and has at least one iceberg; `options.hint` is empty or one valid order.
+    /**
+     * Solves a valid problem with at least one iceberg; `options.hint` is empty or one valid order.
      */
     [[nodiscard]] virtual SolveOutcome doSolve(const TvpProblem& problem,
                                                const SolveOptions& options) const = 0;
 };
 
+/** Solver back end; see `makeSolver`. */
 enum class Backend
 {
     Auto,
@@ -145,6 +164,7 @@ enum class Backend
     Heuristic
 };
 
+/** Returns the source that names a back end. */
 [[nodiscard]] constexpr AnswerSource sourceOf(Backend backend)
 {
     constexpr AnswerSource kSources[]{AnswerSource::Auto, AnswerSource::Exact, AnswerSource::Cbc,
@@ -161,14 +181,15 @@ enum class Formulation
 };
 
 /**
- * The solver of that name. `Exact`, `Auto` and `Heuristic` share one engine: `Exact` goes on until
- * the proof, the other two end after about a second's work, the same for every run; `Auto` proves
- * small problems by dynamic programming. Throws `Error{Unsupported}` for what this build lacks.
+ * Returns the solver of that back end. `Exact`, `Auto` and `Heuristic` share one engine: `Exact`
+ * runs until the proof, the other two end after about a second's work, the same for every run;
+ * `Auto` proves small problems by dynamic programming. Only `Cbc` uses the formulation. Throws
+ * `Error{Unsupported}` if this build lacks the back end or the program `bergwatch-cbc` is missing.
  */
 [[nodiscard]] std::unique_ptr<TvpSolver>
 makeSolver(Backend backend, Formulation formulation = Formulation::Position);
 
-/** Monotonic seconds since construction: the one clock of the solvers. */
+/** Measures monotonic seconds since construction: the only clock of the solvers. */
 class Stopwatch
 {
 public:

@@ -29,7 +29,7 @@ bool hasWideVectors()
     return false;
 }
 #endif
-/** What is compiled twice, with wide vectors and without, has to be inlined for that. */
+/** Functions that are compiled twice, with and without wide vectors, must be inlined into both. */
 #define BERG_INLINE [[gnu::always_inline]] inline
 /** Numbers that are added and compared at once. In memory they need no alignment of their own. */
 struct Two
@@ -42,22 +42,26 @@ struct Four
     using Value = double __attribute__((vector_size(32)));
     using InMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
 };
-/** Subsets between two looks at the clock: under 1 ms at 20 icebergs. */
+/** Subsets between two checks for a stop: under 1 ms at 20 icebergs. */
 constexpr std::uint32_t kSubsetsPerCheck = 4096;
 
 /**
- * g(R, i): least cost of flying from iceberg i over all icebergs of R (i not in R) to the end.
- * With n - |R| icebergs behind it, the next one is number n - |R| + 1 and has t one more:
- *   g(R, i) = min over j in R of mu d(i,j) + h(R, j),   h(R, j) = sigma_j t + g(R \ j, j);
- * for latency with the sigma of R unseen
- *   g(R, i) = min over j in R of w mu d(i,j) + h(R, j), w = sum sigma over R, h(R, j) = g(R \ j,
- * j). h does not depend on i, so a row g(R, .) is |R| vector operations over i (those with i in R
- * are wasted). Counting the cost to go makes the order come out from the front, ties to the
- * smallest number. Icebergs count from 0 here; `Rows` is n rounded up to whole vectors: the
- * compiler must know the length of a row to keep it in registers.
+ * Table of g(R, i), the least cost of flying from iceberg i over all icebergs of R (i not in R) to
+ * the end. With n - |R| icebergs behind it, the next one is number n - |R| + 1 and has t one more:
  *
- * Vectors of four numbers take half the time where the processor has them, which is asked when the
- * program runs. They add and compare the same numbers, so the result is the same everywhere.
+ *   g(R, i) = min over j in R of mu d(i,j) + h(R, j),   h(R, j) = sigma_j t + g(R \ j, j);
+ *
+ * for latency, with w = sum sigma over R, the sigma unseen,
+ *
+ *   g(R, i) = min over j in R of w mu d(i,j) + h(R, j),   h(R, j) = g(R \ j, j).
+ *
+ * h does not depend on i, so a row g(R, .) is |R| vector operations over i (those with i in R are
+ * wasted). Counting the cost to go yields the order from the front, with ties to the smallest
+ * number. Icebergs count from 0 here; `Rows` is n rounded up to whole vectors: the compiler must
+ * know the length of a row to keep it in registers.
+ *
+ * Vectors of four numbers take half the time if the processor has them, which is detected at run
+ * time. They add and compare the same numbers, so the result is the same everywhere.
  */
 template <int Rows, Criterion Kind>
 class SubsetTable
@@ -86,16 +90,18 @@ public:
     [[nodiscard]] std::int64_t bytes() const { return SubsetSolver::bytesFor(m_icebergs); }
     [[nodiscard]] std::uint32_t subsets() const { return std::uint32_t{1} << m_icebergs; }
 
-    /** Treats the sets `from` .. `to` - 1, multiples of four; those below are done already. */
-    void treat(std::uint32_t from, std::uint32_t to)
+    /**
+     * Fills the rows of the sets `from` .. `to` - 1, multiples of four; those below must be filled.
+     */
+    void fill(std::uint32_t from, std::uint32_t to)
     {
         if (hasWideVectors())
-            treatWide(from, to);
+            fillWide(from, to);
         else
-            treatPlain(from, to);
+            fillPlain(from, to);
     }
 
-    /** The optimal order, after all sets have been treated. */
+    /** Returns the optimal order, after all sets have been filled. */
     [[nodiscard]] VisitOrder order() const
     {
         VisitOrder result;
@@ -105,7 +111,8 @@ public:
             const double t = visitNumber(set);
             const double weight = legWeight(set);
             double least = std::numeric_limits<double>::infinity();
-            int next = std::countr_zero(set); // one of the set, whatever the costs: it must shrink
+            // Any of the set, whatever the costs, because the set must shrink.
+            int next = std::countr_zero(set);
             for (std::uint32_t rest = set; rest != 0; rest &= rest - 1) {
                 const int j = std::countr_zero(rest);
                 const double onwards = visit(j, t) + row(set & ~(std::uint32_t{1} << j))[j];
@@ -129,7 +136,7 @@ private:
     };
     /** A row in registers. */
     template <class Vector>
-    struct Lanes
+    struct Vec4
     {
         static constexpr std::size_t kParts = sizeof(Row) / sizeof(typename Vector::Value);
         typename Vector::Value parts[kParts];
@@ -137,14 +144,14 @@ private:
     static constexpr std::uint32_t kGroup = 4;
     static constexpr bool kLatency = Kind == Criterion::Latency;
 
-    /** A set less one of its icebergs, and what follows a flight to that. */
+    /** The cost after a flight to iceberg `j`, from the row of the set without it. */
     struct Next
     {
-        const double* rest; ///< g(upper \ j, j), the three sets after it `Rows` on
+        const double* rest; ///< g(upper \ j, j); the three sets after it are `Rows` further on
         int j;
     };
 
-    /** Part `k` of a row. */
+    /** Returns part `k` of a row. */
     template <class Vector>
     [[nodiscard]] BERG_INLINE static const typename Vector::InMemory& part(const double* values,
                                                                            std::size_t k)
@@ -152,21 +159,21 @@ private:
         return reinterpret_cast<const typename Vector::InMemory*>(values)[k];
     }
 
-    BERG_WIDE void treatWide(std::uint32_t from, std::uint32_t to) { treatBy<Four>(from, to); }
-    void treatPlain(std::uint32_t from, std::uint32_t to) { treatBy<Two>(from, to); }
+    BERG_WIDE void fillWide(std::uint32_t from, std::uint32_t to) { fillBy<Four>(from, to); }
+    void fillPlain(std::uint32_t from, std::uint32_t to) { fillBy<Two>(from, to); }
     template <class Vector>
-    BERG_INLINE void treatBy(std::uint32_t from, std::uint32_t to)
+    BERG_INLINE void fillBy(std::uint32_t from, std::uint32_t to)
     {
         for (std::uint32_t set = from; set < to; set += kGroup)
-            treatGroup<Vector>(set);
+            fillGroup<Vector>(set);
     }
 
-    /** Cost of visiting j as number `t`, beside the leg. */
+    /** Returns the cost of visiting j as number `t`, without the leg. */
     [[nodiscard]] BERG_INLINE double visit(int j, double t) const
     {
         return kLatency ? 0 : m_sigma[static_cast<std::size_t>(j)] * t;
     }
-    /** How often the next leg counts when the icebergs of `set` are left. */
+    /** Returns the factor of the next leg when the icebergs of `set` are left. */
     [[nodiscard]] BERG_INLINE double legWeight(std::uint32_t set) const
     {
         double weight = 1;
@@ -177,11 +184,14 @@ private:
         }
         return weight;
     }
-    /** The four sets that differ in icebergs 0 and 1 only: they share the loop over the others. */
+    /**
+     * Fills the four sets that differ in icebergs 0 and 1 only: they share the loop over
+     * the others.
+     */
     template <class Vector>
-    BERG_INLINE void treatGroup(std::uint32_t upper)
+    BERG_INLINE void fillGroup(std::uint32_t upper)
     {
-        // Not zeroed: that would be dear here.
+        // The array is not zeroed: that would be costly here.
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
         std::array<Next, SubsetSolver::kMostIcebergs> nexts;
         std::size_t count = 0;
@@ -192,54 +202,58 @@ private:
         const std::span<const Next> next(nexts.data(), count);
         const double t = visitNumber(upper);
 
-        Lanes<Vector> low[2]; // of icebergs 0 and 1: none, 0
-        overUpper(upper, 0, {t, t - 1}, next, low);
+        Vec4<Vector> low[2]; // sets with none of icebergs 0 and 1, and with 0
+        minimumOverUpper(upper, 0, {t, t - 1}, next, low);
         if (upper == 0)
-            for (std::size_t k = 0; k < Lanes<Vector>::kParts; ++k)
+            for (std::size_t k = 0; k < Vec4<Vector>::kParts; ++k)
                 low[0].parts[k] = part<Vector>(m_endLegs.values, k);
         store(upper, low[0]);
-        over(upper, 1, 0, t - 1, low[1]);
+        includeLower(upper, 1, 0, t - 1, low[1]);
         store(upper + 1, low[1]);
 
-        Lanes<Vector> high[2]; // of icebergs 0 and 1: 1, both
-        overUpper(upper, 2, {t - 1, t - 2}, next, high);
-        over(upper, 2, 1, t - 1, high[0]);
+        Vec4<Vector> high[2]; // sets with iceberg 1, and with both
+        minimumOverUpper(upper, 2, {t - 1, t - 2}, next, high);
+        includeLower(upper, 2, 1, t - 1, high[0]);
         store(upper + 2, high[0]);
-        over(upper, 3, 0, t - 2, high[1]);
-        over(upper, 3, 1, t - 2, high[1]);
+        includeLower(upper, 3, 0, t - 2, high[1]);
+        includeLower(upper, 3, 1, t - 2, high[1]);
         store(upper + 3, high[1]);
     }
 
-    /** The minimum over j in `upper`, for the sets that hold `lower` and `lower` + 1 of 0 and 1. */
+    /**
+     * Computes the minimum over j in `upper`, for the sets that hold `lower` and `lower` +
+     * 1 of 0 and 1.
+     */
     template <class Vector>
-    BERG_INLINE void overUpper(std::uint32_t upper, std::uint32_t lower, std::array<double, 2> t,
-                               std::span<const Next> nexts, Lanes<Vector> (&least)[2]) const
+    BERG_INLINE void minimumOverUpper(std::uint32_t upper, std::uint32_t lower,
+                                      std::array<double, 2> t, std::span<const Next> nexts,
+                                      Vec4<Vector> (&least)[2]) const
     {
         const std::array<double, 2> weight{legWeight(upper + lower), legWeight(upper + lower + 1)};
-        for (Lanes<Vector>& lanes : least)
+        for (Vec4<Vector>& lanes : least)
             for (typename Vector::Value& part : lanes.parts)
                 part = typename Vector::Value{} + std::numeric_limits<double>::infinity();
         for (const Next& next : nexts)
             for (std::size_t k = 0; k < 2; ++k)
-                take(next.j, weight[k], visit(next.j, t[k]) + next.rest[(lower + k) * Rows],
-                     least[k]);
+                include(next.j, weight[k], visit(next.j, t[k]) + next.rest[(lower + k) * Rows],
+                        least[k]);
     }
 
-    /** The same for j = 0 or 1, which is in `lower`. */
+    /** Includes j = 0 or 1, which is in `lower`, in the minimum. */
     template <class Vector>
-    BERG_INLINE void over(std::uint32_t upper, std::uint32_t lower, int j, double t,
-                          Lanes<Vector>& least) const
+    BERG_INLINE void includeLower(std::uint32_t upper, std::uint32_t lower, int j, double t,
+                                  Vec4<Vector>& least) const
     {
         const double* rest = row(upper + (lower & ~(std::uint32_t{1} << j)));
-        take(j, legWeight(upper + lower), visit(j, t) + rest[j], least);
+        include(j, legWeight(upper + lower), visit(j, t) + rest[j], least);
     }
 
-    /** Flying to j next, and what it costs from there. */
+    /** Includes a flight to j, and the cost from there, in the minimum. */
     template <class Vector>
-    BERG_INLINE void take(int j, double weight, double onwards, Lanes<Vector>& least) const
+    BERG_INLINE void include(int j, double weight, double onwards, Vec4<Vector>& least) const
     {
         const double* legs = m_legs[static_cast<std::size_t>(j)].values;
-        for (std::size_t k = 0; k < Lanes<Vector>::kParts; ++k) {
+        for (std::size_t k = 0; k < Vec4<Vector>::kParts; ++k) {
             const typename Vector::Value leg = part<Vector>(legs, k);
             const typename Vector::Value cost = (kLatency ? weight * leg : leg) + onwards;
             least.parts[k] = cost < least.parts[k] ? cost : least.parts[k];
@@ -247,9 +261,9 @@ private:
     }
 
     template <class Vector>
-    BERG_INLINE void store(std::uint32_t set, const Lanes<Vector>& values)
+    BERG_INLINE void store(std::uint32_t set, const Vec4<Vector>& values)
     {
-        for (std::size_t k = 0; k < Lanes<Vector>::kParts; ++k)
+        for (std::size_t k = 0; k < Vec4<Vector>::kParts; ++k)
             reinterpret_cast<typename Vector::InMemory*>(row(set))[k] = values.parts[k];
     }
 
@@ -257,7 +271,7 @@ private:
     {
         return m_values.get() + std::size_t{set} * Rows;
     }
-    /** t of the iceberg that is flown to next when the icebergs of `set` are left. */
+    /** Returns t of the next iceberg when the icebergs of `set` are left. */
     [[nodiscard]] BERG_INLINE double visitNumber(std::uint32_t set) const
     {
         return m_icebergs - std::popcount(set) + 2;
@@ -267,12 +281,12 @@ private:
     int m_icebergs;
     std::unique_ptr<double[]> m_values;        ///< not zeroed: every row is written once, then read
     std::array<Row, std::size_t{Rows}> m_legs; ///< mu d to the iceberg of that number
-    Row m_endLegs;                             ///< the way back of a closed route
+    Row m_endLegs;                             ///< return legs of a closed route
     std::array<double, std::size_t{Rows}> m_sigma;
 };
 
-/** An answer without proof: the hint, or nothing. */
-SolveOutcome cutShort(StopReason reason, const FleetPlan& hint, std::int64_t work)
+/** Returns an answer without proof: the hint, or no plan. */
+SolveOutcome unprovenOutcome(StopReason reason, const FleetPlan& hint, std::int64_t work)
 {
     return {.status = hint.empty() ? SolveStatus::None : SolveStatus::Feasible,
             .reason = reason,
@@ -301,18 +315,18 @@ SolveOutcome solveWithRows(const TvpProblem& problem, const SolveOptions& option
 
     const int n = problem.icebergCount();
     if (options.workLimit && *options.workLimit < SubsetSolver::workFor(n))
-        return cutShort(StopReason::WorkLimit, options.hint, 0);
+        return unprovenOutcome(StopReason::WorkLimit, options.hint, 0);
     if (options.memoryLimit_bytes && *options.memoryLimit_bytes < SubsetSolver::bytesFor(n))
-        return cutShort(StopReason::MemoryLimit, options.hint, 0);
+        return unprovenOutcome(StopReason::MemoryLimit, options.hint, 0);
 
     using Table = SubsetTable<Rows, Kind>;
-    const std::unique_ptr<Table, FreeElsewhere> table(new Table(problem));
+    const std::unique_ptr<Table, DeferredDeleter> table(new Table(problem));
     const std::int64_t all = table->subsets();
     for (std::int64_t done = 0; done < all;) {
-        if (const std::optional<StopReason> reason = watch.cut())
-            return cutShort(*reason, options.hint, done * n);
+        if (const std::optional<StopReason> reason = watch.stopReason())
+            return unprovenOutcome(*reason, options.hint, done * n);
         const std::int64_t next = std::min<std::int64_t>(all, done + kSubsetsPerCheck);
-        table->treat(static_cast<std::uint32_t>(done), static_cast<std::uint32_t>(next));
+        table->fill(static_cast<std::uint32_t>(done), static_cast<std::uint32_t>(next));
         done = next;
     }
     return proven(table->order(), all * n, problem, options, watch);
@@ -331,7 +345,7 @@ SolveOutcome solveWithAtLeast(const TvpProblem& problem, const SolveOptions& opt
 
 } // namespace
 
-std::optional<IssueReason> SubsetSolver::whyNot(const TvpProblem& problem) const
+std::optional<IssueReason> SubsetSolver::unsupportedReason(const TvpProblem& problem) const
 {
     if (problem.icebergCount() <= SubsetSolver::kMostIcebergs)
         return std::nullopt;

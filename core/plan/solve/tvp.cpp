@@ -90,7 +90,7 @@ std::string at(const char* field, Eigen::Index i)
     return std::string(field) + '[' + std::to_string(i) + ']';
 }
 
-/** Along the columns, which is several times faster than by row. */
+/** Checks along the columns, which is several times faster than by row. */
 bool areDistances(const Eigen::MatrixXd& distance_m)
 {
     for (Eigen::Index j = 0; j < distance_m.cols(); ++j)
@@ -121,16 +121,16 @@ void validateDistances(const TvpProblem& problem, std::vector<Issue>& issues)
 
 /** Costs may reach this, so that every sum and square of them stays finite. */
 constexpr double kLargestCost = 1e100;
-/** What is less, but not 0, would lose digits, as numbers near 1e-308 do. */
+/** Smaller costs other than 0 would lose digits, as numbers near 1e-308 do. */
 constexpr double kSmallestCost = 1e-290;
 
-/** The extremes of the numbers of a problem. */
+/** Extremes of the numbers of a problem. */
 struct ProblemExtremes
 {
     double sum_m2 = 0;
-    double least_m2 = std::numeric_limits<double>::infinity(); ///< but 0
+    double least_m2 = std::numeric_limits<double>::infinity(); ///< without zeros
     double longest_m = 0;
-    double shortest_m = std::numeric_limits<double>::infinity(); ///< but 0
+    double shortest_m = std::numeric_limits<double>::infinity(); ///< without zeros
 };
 
 ProblemExtremes extremesOf(const TvpProblem& problem)
@@ -144,7 +144,7 @@ ProblemExtremes extremesOf(const TvpProblem& problem)
     for (Eigen::Index j = 0; j < problem.distance_m.cols(); ++j)
         for (Eigen::Index i = 0; i < problem.distance_m.rows(); ++i) {
             const double d_m = problem.distance_m(i, j);
-            if (i == j) // the diagonal may be anything
+            if (i == j) // the diagonal may hold anything
                 continue;
             found.longest_m = std::max(found.longest_m, d_m);
             if (d_m > 0)
@@ -153,8 +153,10 @@ ProblemExtremes extremesOf(const TvpProblem& problem)
     return found;
 }
 
-/** Bounds on what an order may cost in all: finite factors may have an infinite product, and one
- * that is nearly nothing. */
+/**
+ * Checks bounds on the total cost of an order: finite factors may have an infinite product, or one
+ * that is nearly 0.
+ */
 void validateCosts(const TvpProblem& problem, std::vector<Issue>& issues)
 {
     const double n = problem.nodeCount();
@@ -172,7 +174,7 @@ void validateCosts(const TvpProblem& problem, std::vector<Issue>& issues)
     expectDigits(least_m2, "sigma");
     const bool isLatency = problem.criterion == Criterion::Latency;
     expect(problem.mu * longest_m * n * (isLatency ? sum_m2 : 1), "mu");
-    // Beside sigma that has all its digits, legs that cost next to nothing may lose theirs.
+    // Beside a sigma with all its digits, legs that cost next to nothing may lose theirs.
     if (problem.mu > 0 && (isLatency || sum_m2 == 0))
         expectDigits(problem.mu * shortest_m, "mu");
     if (problem.mu > 0 && isLatency)

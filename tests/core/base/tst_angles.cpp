@@ -24,7 +24,7 @@ private slots:
             const double angle_rad = 0.0173 * i;
             const double wrapped_rad = wrapPi(angle_rad);
             QVERIFY(std::abs(wrapped_rad) <= kPi);
-            // atan2 of sine and cosine finds the same angle by another way; 34 rad cost 3 bits.
+            // atan2 of sine and cosine is an independent formula; at 34 rad it loses 3 bits.
             COMPARE_NEAR(wrapped_rad, std::atan2(std::sin(angle_rad), std::cos(angle_rad)), 1e-13);
         }
     }
@@ -39,7 +39,9 @@ private slots:
         QVERIFY(std::isnan(wrapPi(std::numeric_limits<double>::infinity())));
     }
 
-    /** Angles that are left alone are those that the remainder leaves alone, to the sign of 0. */
+    /**
+     * Angles already in range are returned unchanged, including the sign of 0, like the remainder.
+     */
     void wrapIsTheRemainder()
     {
         for (const double angle_rad :

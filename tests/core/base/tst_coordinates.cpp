@@ -8,12 +8,12 @@ using namespace berg;
 
 namespace {
 
-constexpr double kTyped_deg = 1e-9; // what is typed is decimal, what is kept is binary
+constexpr double kTyped_deg = 1e-9; // typed values are decimal, stored ones binary
 
 constexpr std::array kForms{CoordinateForm::DecimalDegrees, CoordinateForm::DegreesMinutes,
                             CoordinateForm::DegreesMinutesSeconds};
 
-/** The last digit written. */
+/** Value of the last digit written. */
 double finest_deg(CoordinateForm form, int decimals)
 {
     const bool hasSeconds = form == CoordinateForm::DegreesMinutesSeconds && decimals > 0;
@@ -30,7 +30,7 @@ class TestCoordinates : public QObject
     Q_OBJECT
 
 private slots:
-    void accepts_data()
+    void coordinatesAreRead_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<double>("latitude_deg");
@@ -79,7 +79,7 @@ private slots:
         row("75 N 180", 75, -180);
     }
 
-    void accepts()
+    void coordinatesAreRead()
     {
         QFETCH(QString, text);
         QFETCH(double, latitude_deg);
@@ -93,7 +93,7 @@ private slots:
     }
 
     /** The northing is 0.9996 of the length of the meridian to that latitude. */
-    void acceptsGrids_data()
+    void gridCoordinatesAreRead_data()
     {
         QTest::addColumn<QString>("text");
         QTest::newRow("UTM, hemisphere") << "33n 500000 8683500";
@@ -103,7 +103,7 @@ private slots:
         QTest::newRow("MGRS, spaces, lower case") << "33x wg 00000 83500";
     }
 
-    void acceptsGrids()
+    void gridCoordinatesAreRead()
     {
         QFETCH(QString, text);
         const auto place = parsePlace(text.toStdString());
@@ -120,7 +120,7 @@ private slots:
         QVERIFY(std::get<LatLon>(parsePlace("20S 500000 3000000")).latitude_deg < -60);
     }
 
-    void refuses_data()
+    void faultyCoordinatesHaveAReason_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<CoordinateFault>("fault");
@@ -159,7 +159,7 @@ private slots:
         row("33XII0000083500", CoordinateFault::Grid);
     }
 
-    void refuses()
+    void faultyCoordinatesHaveAReason()
     {
         QFETCH(QString, text);
         const auto place = parsePlace(text.toStdString());
@@ -168,7 +168,7 @@ private slots:
         QVERIFY(!faultText(std::get<CoordinateFault>(place)).empty());
     }
 
-    /** Whatever is typed, the answer is a place on the Earth or a reason. */
+    /** Any text gives a place on the Earth or a reason. */
     void survivesAnyText()
     {
         constexpr std::string_view kPieces[] = {
@@ -188,7 +188,7 @@ private slots:
         QVERIFY(std::holds_alternative<CoordinateFault>(parsePlace(std::string(100'000, '4'))));
     }
 
-    void writes_data()
+    void coordinatesAreWritten_data()
     {
         QTest::addColumn<double>("angle_deg");
         QTest::addColumn<CoordinateForm>("form");
@@ -212,7 +212,7 @@ private slots:
         row(46.9, Form::DecimalDegrees, -1, "47°");
     }
 
-    void writes()
+    void coordinatesAreWritten()
     {
         QFETCH(double, angle_deg);
         QFETCH(CoordinateForm, form);
@@ -221,8 +221,8 @@ private slots:
         QCOMPARE(QString::fromStdString(angleText(angle_deg, form, decimals)), text);
     }
 
-    /** What is written is read as the same place, as far as the digits go. */
-    void roundTrip()
+    /** A written coordinate is read back as the same place, within its digits. */
+    void writtenCoordinatesAreReadBack()
     {
         std::vector<LatLon> places{{90, 0},
                                    {-90, 0},

@@ -20,7 +20,7 @@ bool holds(const Circle& circle, const std::vector<Point>& points)
     });
 }
 
-/** Through three points by the perpendicular bisectors, as a linear system. */
+/** Circle through three points by the perpendicular bisectors, as a linear system. */
 Circle roundTriangle(const Point& a, const Point& b, const Point& c)
 {
     Eigen::Matrix2d sides;
@@ -30,7 +30,7 @@ Circle roundTriangle(const Point& a, const Point& b, const Point& c)
     return {.centre_m = a + toCentre, .radius_m = toCentre.norm()};
 }
 
-/** The smallest of all circles over two or through three of the points that hold all of them. */
+/** Smallest of all circles over two or through three of the points that contain all of them. */
 double triedAll(const std::vector<Point>& points)
 {
     double best_m = points.size() == 1 ? 0 : 1e300;
@@ -65,7 +65,7 @@ private slots:
 
     void isTheSmallest_data()
     {
-        QTest::addColumn<double>("grid_m"); // 0: none
+        QTest::addColumn<double>("grid_m"); // 0 means no grid
         QTest::newRow("anywhere") << 0.0;
         QTest::newRow("many on one circle or in line") << 1.0;
         QTest::newRow("many at one place") << 5.0;
@@ -106,7 +106,10 @@ private slots:
         }
     }
 
-    /** Each point lies outside the circle of those before: taken in that order it takes hours. */
+    /**
+     * Each point is outside the circle of the previous ones: in this order the search would take
+     * hours.
+     */
     void alongAPathOutwards()
     {
         std::vector<Point> points;
@@ -116,12 +119,12 @@ private slots:
         }
         const Circle circle = enclosingCircle(points);
         QVERIFY(holds(circle, points));
-        std::ranges::reverse(points); // in this order it is soon done
-        points.resize(10'000);        // the last turns are those that count
+        std::ranges::reverse(points); // this order is fast
+        points.resize(10'000);        // the last turns decide
         COMPARE_NEAR(circle.radius_m, enclosingCircle(points).radius_m, 1e-9);
     }
 
-    /** Far from the origin the points of a line are in line only but for rounding. */
+    /** Far from the origin, points of a line deviate from it by rounding. */
     void inALineFarAway()
     {
         std::vector<Point> points;

@@ -20,7 +20,7 @@ private slots:
         QVERIFY(error.issues() == expected);
     }
 
-    /** Nothing was said of it; that is no reason to throw. */
+    /** A reason without text is no reason to throw. */
     void reasonWithoutWordsIsEmpty()
     {
         QCOMPARE(Issue{}.message(), std::string());

@@ -27,7 +27,7 @@ GeodesicLine geodesic(LatLon a, LatLon b)
     return line;
 }
 
-/** A square of points about the origin of the plane, the origin included. */
+/** Square of points around the origin of the plane, the origin included. */
 std::vector<Point> grid(double half_m)
 {
     std::vector<Point> points;
@@ -67,9 +67,9 @@ private:
     }
 
 private slots:
-    void roundTrip_data() { addOrigins(); }
+    void planeAndPlaceRoundTrip_data() { addOrigins(); }
 
-    void roundTrip()
+    void planeAndPlaceRoundTrip()
     {
         QFETCH(double, latitude_deg);
         QFETCH(double, longitude_deg);
@@ -105,7 +105,7 @@ private slots:
         }
     }
 
-    /** From WGS 84 itself: a = 6378137 m, quarter meridian 10,001,965.729 m. */
+    /** Lengths of WGS 84 itself: a = 6378137 m, quarter meridian 10,001,965.729 m. */
     void lengthsFromTheEllipsoid()
     {
         const LocalFrame equator({0, 0});
@@ -134,7 +134,7 @@ private slots:
     }
 
     /** Snyder 1987, Map Projections: rho of the polar stereographic with k0 = 0.994. */
-    void polarChart()
+    void polarChartMatchesSnyder()
     {
         const PolarFrame north(Pole::North, -45);
         QVERIFY(north.toPlane({90, 0}).norm() < 1e-6);
@@ -164,7 +164,7 @@ private slots:
         const LocalFrame west({70, 179.95});
         const Point p_m = west.toPlane({70, -179.95});
         const GeodesicLine line = geodesic({70, 179.95}, {70, -179.95});
-        QVERIFY(p_m.x() > 0); // east, not the long way round
+        QVERIFY(p_m.x() > 0); // not around the far side
         COMPARE_NEAR(p_m.norm(), line.length_m, 1e-3);
         QVERIFY(p_m.norm() < 4000); // 0.1 degrees at 70 north are 3.8 km
         const LatLon back = west.toGeographic(p_m);
@@ -173,7 +173,7 @@ private slots:
         COMPARE_NEAR((same.toPlane({70, -179.95}) - p_m).norm(), 0, kTolerance_m);
     }
 
-    /** Files and GPX allow [-180, 180): places on and beside the line must not become +180. */
+    /** Files and GPX allow [-180, 180), so places at the line must not become +180. */
     void longitudeIsBelow180()
     {
         for (const double origin_deg : {180.0, -180.0, 179.0, -179.0}) {
@@ -211,8 +211,10 @@ private slots:
             }
     }
 
-    /** Meridians converge by the sine of the latitude: to the north counter-clockwise of y in the
-     * east, to the south clockwise; on the meridian of the origin north is y. */
+    /**
+     * Meridians converge by the sine of the latitude: north turns counter-clockwise of y in the
+     * east and clockwise in the south; on the meridian of the origin it is y.
+     */
     void trueNorthConverges()
     {
         for (const double latitude_deg : {0.0, 30.0, 47.0, 78.0, -30.0, -78.0})
@@ -225,7 +227,7 @@ private slots:
         COMPARE_NEAR(LocalFrame({47, -48}).trueNorth_rad({52, -48}), 0, 1e-8);
     }
 
-    /** From a pole every meridian is a ray; at it, places differ by their longitude alone. */
+    /** From a pole every meridian is a ray, and places at the pole differ by longitude only. */
     void trueNorthAtThePoles()
     {
         for (const double sign : {1.0, -1.0}) {
@@ -243,8 +245,8 @@ private slots:
     void trueNorthFromAzimuths_data() { addOrigins(); }
 
     /**
-     * The geodesic from the origin is a ray of the plane; across it the plane is wider by its
-     * length over its reduced length. So the azimuth at its end gives north there.
+     * The geodesic from the origin is a ray of the plane; across it the plane is stretched by its
+     * length over its reduced length. The azimuth at its end therefore gives north there.
      */
     void trueNorthFromAzimuths()
     {
@@ -254,7 +256,7 @@ private slots:
         for (const Point& p_m : grid(300000)) {
             const LatLon place = frame.toGeographic(p_m);
             if (p_m.norm() < 1 || std::abs(place.latitude_deg) > 89.9)
-                continue; // the finite step to the north turns there
+                continue; // the finite step to the north crosses the pole
             double length_m = 0;
             double start_deg = 0;
             double end_deg = 0;
@@ -268,7 +270,7 @@ private slots:
             const Point north =
                 std::cos(end_rad) * along - std::sin(end_rad) * length_m / reduced_m * across;
             const double expected_rad = std::atan2(-north.x(), north.y());
-            // Its step of 111 m turns by at most half of that over the distance to the pole.
+            // The step of 111 m turns by at most half of that over the distance to the pole.
             const double toPole_m = (90 - std::abs(place.latitude_deg)) * 111e3;
             COMPARE_NEAR(std::remainder(frame.trueNorth_rad(place) - expected_rad, 2 * kPi), 0,
                          1e-6 + 60 / toPole_m);

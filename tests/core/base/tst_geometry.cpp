@@ -28,7 +28,9 @@ Polygon movedBy(Polygon polygon, const Point& offset_m)
     return polygon;
 }
 
-/** Turns of the polygon about a point, by summing angles: another way to say inside. */
+/**
+ * Winding number of the polygon around a point by summing angles, an independent test of inside.
+ */
 int windingNumber(const Polygon& polygon, const Point& p)
 {
     double sum_rad = 0;
@@ -82,7 +84,7 @@ private slots:
         QTest::newRow("U, right arm") << kU << 5.0 << 4.0 << true;
         QTest::newRow("U, foot") << kU << 3.0 << 1.0 << true;
         QTest::newRow("U, between the arms") << kU << 3.0 << 4.0 << false;
-        // The ray from here passes through a corner, which must not count twice or not at all.
+        // The ray from this point passes through a corner, which must count exactly once.
         QTest::newRow("U, level with a corner inside") << kU << 1.0 << 2.0 << true;
         QTest::newRow("U, level with a corner outside") << kU << -1.0 << 2.0 << false;
     }
@@ -113,7 +115,7 @@ private slots:
                 inside += expected ? 1 : 0;
             }
         }
-        QVERIFY(inside > 1000 && inside < 9000); // both answers were really asked for
+        QVERIFY(inside > 1000 && inside < 9000); // both answers occur
     }
 
     void simplePolygons_data()
@@ -157,7 +159,7 @@ private slots:
         }
     }
 
-    /** A star is simple; with two neighbouring corners exchanged two of its sides cross. */
+    /** A star is simple; exchanging two neighbouring corners makes two of its sides cross. */
     void starsAndCrossedStars()
     {
         Random random(2);
@@ -165,7 +167,7 @@ private slots:
             Polygon polygon = star(random, corners);
             QVERIFY(isSimplePolygon(polygon));
             for (Point& p : polygon)
-                p = p.normalized() * 1000; // convex, where an exchange is sure to cross
+                p = p.normalized() * 1000; // convex, so an exchange certainly crosses
             QVERIFY(isSimplePolygon(polygon));
             std::swap(polygon[1], polygon[2]);
             QVERIFY(!isSimplePolygon(polygon));

@@ -9,7 +9,7 @@
 using namespace berg;
 using namespace Qt::StringLiterals;
 
-/** The World Magnetic Model against the test values that NOAA publishes with it. */
+/** Compares the World Magnetic Model with the test values published by NOAA. */
 class TestMagneticField : public QObject
 {
     Q_OBJECT
@@ -19,7 +19,7 @@ private slots:
     {
         QFile file(QStringLiteral(BERG_TEST_DATA "/magnetic/wmm2025_test_values.csv"));
         QVERIFY(file.open(QIODevice::ReadOnly));
-        file.readLine(); // what the columns are
+        file.readLine(); // header line
         int values = 0;
         while (!file.atEnd()) {
             std::array<double, 8> row{};
@@ -31,7 +31,7 @@ private slots:
             const LatLon place{.latitude_deg = latitude, .longitude_deg = longitude};
             const auto field = magneticField(place, 1000 * height_km, year);
             QVERIFY(field);
-            // Theirs is computed by recurrences of another kind: alike to 0.001 nT of 60,000.
+            // NOAA uses other recurrences, which agree to 0.001 nT of 60,000.
             COMPARE_NEAR(field->north_nanotesla, north, 1e-3);
             COMPARE_NEAR(field->east_nanotesla, east, 1e-3);
             COMPARE_NEAR(-field->up_nanotesla, down, 1e-3);

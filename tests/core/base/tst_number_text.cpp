@@ -17,10 +17,10 @@ class TestNumberText : public QObject
 private slots:
     void initTestCase()
     {
-        std::setlocale(LC_ALL, "nb_NO.UTF-8"); // where there is one: it must not matter
+        std::setlocale(LC_ALL, "nb_NO.UTF-8"); // where available: it must have no effect
     }
 
-    void numbers_data()
+    void numbersHaveTheirShortestText_data()
     {
         QTest::addColumn<double>("value");
         QTest::addColumn<QByteArray>("text");
@@ -39,7 +39,7 @@ private slots:
         QTest::newRow("huge") << 1.5e300 << QByteArray("1.5e+300");
     }
 
-    void numbers()
+    void numbersHaveTheirShortestText()
     {
         QFETCH(double, value);
         QFETCH(QByteArray, text);
@@ -104,7 +104,7 @@ private slots:
         QCOMPARE(signedNumber(-2.94, 1), std::string("\u22122.9"));
     }
 
-    void decimals()
+    void decimalsShowTheDigitsAskedFor()
     {
         QCOMPARE(decimalsFor(18420, 4), 0);
         QCOMPARE(decimalsFor(-842.1, 4), 1);

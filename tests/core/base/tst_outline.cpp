@@ -10,7 +10,7 @@ using namespace berg;
 
 namespace {
 
-/** To the polygon, 0 inside. */
+/** Distance to the polygon, 0 inside. */
 double distanceTo(const std::vector<Point>& polygon, const Point& p)
 {
     if (polygon.size() == 1)
@@ -73,7 +73,7 @@ private slots:
             QVERIFY(insidePolygon(outline, corner));
     }
 
-    /** A bay that closes when it is grown: round the hull. */
+    /** A bay that closes when grown gets the outline of the hull. */
     void partsThatGrowTogetherAreOne()
     {
         const std::vector<Point> bay{{0, 0},       {4000, 0},    {4000, 4000}, {2100, 4000},
@@ -87,7 +87,9 @@ private slots:
             QVERIFY(insidePolygon(outline, corner) && distanceToEdges(outline, corner) > 299.9);
     }
 
-    /** Against every pair of edges: rough outlines that lie apart, touch, cross, hold each other.
+    /**
+     * Compares with every pair of edges for rough outlines that are apart, touch, cross or contain
+     * each other.
      */
     void sweepFindsWhatAllPairsTell()
     {
@@ -97,7 +99,7 @@ private slots:
             for (std::size_t i = 0; i < corners; ++i) {
                 const double at_rad =
                     2 * kPi * (double(i) + 1.4 * random.uniform(0, 1)) / double(corners);
-                // On a grid, so that many only touch.
+                // Corners on a grid make many outlines only touch.
                 const Point place =
                     centre + random.uniform(4, 12) * Point(std::cos(at_rad), std::sin(at_rad));
                 polygon.emplace_back(place.array().round());
@@ -148,7 +150,7 @@ private slots:
         QVERIFY(polygonsMeet(square, across)); // no corner inside
         QVERIFY(!polygonsMeet(square, moved(11, 0, 1)));
         const std::vector<Point> beside{{9, 20}, {20, 9}, {20, 20}};
-        QVERIFY(!polygonsMeet(square, beside)); // the boxes alone meet
+        QVERIFY(!polygonsMeet(square, beside)); // only the boxes meet
     }
 };
 

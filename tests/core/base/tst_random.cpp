@@ -112,7 +112,7 @@ private slots:
         QCOMPARE(quint64(stableHash(text.toStdString())), expected);
     }
 
-    /** The references of the tests against the vectors published with the algorithms. */
+    /** Checks the references of these tests against the published vectors. */
     void referencesAreRight()
     {
         ReferenceSplitMix mix(1234567);
@@ -218,7 +218,7 @@ private slots:
         QVERIFY2(chiSquare > k - 5 * std::sqrt(2 * k), qPrintable(QString::number(chiSquare)));
     }
 
-    /** A plain remainder would give the lowest quarter of all words twice: 1/2 instead of 1/3. */
+    /** A plain remainder would return the lowest quarter of all words twice: 1/2 instead of 1/3. */
     void belowIsFairForHugeCounts()
     {
         Random random(6);
@@ -278,8 +278,7 @@ private slots:
         COMPARE_NEAR(static_cast<double>(beyond3), n * p, 5 * std::sqrt(n * p));
     }
 
-    /** Both members of a pair come from one point of the disk: they must not depend on each other.
-     */
+    /** Both members of a pair come from one point of the disk but must be independent. */
     void neighboursAreIndependent()
     {
         const double limit = 5 / std::sqrt(static_cast<double>(kMany)); // 5 sigma of r
@@ -350,7 +349,7 @@ private slots:
     void aCopyContinuesTheSame()
     {
         Random random(14, 3);
-        (void)random.normal(); // leaves the other of the pair waiting
+        (void)random.normal(); // leaves the second number of the pair
         Random copy = random;
         for (int i = 0; i < 5; ++i) {
             QCOMPARE(copy.normal(), random.normal());

@@ -22,12 +22,15 @@ constexpr LatLon kBonavista{.latitude_deg = 48.65, .longitude_deg = -53.1};
 constexpr LatLon kTromso{.latitude_deg = 69.65, .longitude_deg = 18.96};
 constexpr LatLon kLongyearbyen{.latitude_deg = 78.22, .longitude_deg = 15.65};
 
-/** Ours neglect the change of refraction with the weather, and nutation but for its main term. */
+/**
+ * Tolerance: our equations neglect refraction changes with the weather, and nutation except its
+ * main term.
+ */
 constexpr double kFew_s = 3;
 
 } // namespace
 
-/** The sun against values that others have published or computed in other ways. */
+/** Compares the sun with values published or computed by other methods. */
 class TestSun : public QObject
 {
     Q_OBJECT
@@ -37,15 +40,16 @@ private slots:
     void solarPositionAlgorithm()
     {
         const SunTime noon = utc(2003, 10, 17, 19, 30, 30);
-        COMPARE_NEAR(sunElevation_deg(noon, kGolden), 39.872046, 0.002); // theirs is topocentric
+        // NREL's value is topocentric.
+        COMPARE_NEAR(sunElevation_deg(noon, kGolden), 39.872046, 0.002);
         QVERIFY(secondsFrom(utc(2003, 10, 17, 13, 12, 43.46),
                             sunSpan(noon, kGolden, kSunrise_deg).begin) < kFew_s);
         QVERIFY(secondsFrom(utc(2003, 10, 17, 0, 20, 19.19),
                             lastSet(utc(2003, 10, 17, 13, 0), kGolden, kSunrise_deg)) < kFew_s);
     }
 
-    /** By VSOP87, as XEphem has it (ephem 4.1.4), with the centre of the sun at -0.833 and -6. */
-    void xephem()
+    /** Values of XEphem (ephem 4.1.4) by VSOP87, with the centre of the sun at -0.833 and -6. */
+    void risesAndSetsMatchXephem()
     {
         const SunSpan sun = sunSpan(utc(2026, 11, 28, 15, 0), kBonavista, kSunrise_deg);
         QVERIFY(secondsFrom(utc(2026, 11, 28, 10, 59, 47), sun.begin) < kFew_s);
@@ -59,7 +63,7 @@ private slots:
         QVERIFY(secondsFrom(utc(2026, 6, 1, 3, 49, 28), winter.end) < kFew_s);
     }
 
-    void polarNight()
+    void polarNightHasNoTimes()
     {
         const SunTime day = utc(2026, 11, 28, 11, 0);
         QVERIFY(sunSpan(day, kTromso, kSunrise_deg) == SunSpan{});
@@ -76,7 +80,7 @@ private slots:
         QVERIFY(dusk > utc(2026, 11, 10, 0, 0) && dusk < utc(2026, 11, 15, 0, 0));
     }
 
-    void polarDay()
+    void polarDayHasNoTimes()
     {
         const SunSpan span = sunSpan(utc(2026, 6, 21, 3, 0), kTromso, kSunrise_deg);
         QVERIFY(!span.begin && !span.end && span.isAboveAtNoon);
@@ -85,7 +89,7 @@ private slots:
         QVERIFY(!sunSpan(utc(2026, 12, 21, 3, 0), pole, kCivilTwilight_deg).isAboveAtNoon);
     }
 
-    /** A day is the one round the nearest noon of the place, wherever midnight of UTC falls. */
+    /** The day is centred on the nearest noon of the place, wherever midnight UTC falls. */
     void daysOfThePlace()
     {
         const LatLon east{.latitude_deg = 10, .longitude_deg = 179};

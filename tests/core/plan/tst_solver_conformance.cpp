@@ -81,7 +81,7 @@ double waiting(const TvpProblem& problem, const VisitOrder& order)
 
 } // namespace
 
-/** What every back end owes its callers, without limits. A new one gets a row in `kAll`. */
+/** Requirements on every back end, without limits. A new back end gets a row in `kAll`. */
 class TestSolverConformance : public QObject
 {
     Q_OBJECT
@@ -92,7 +92,7 @@ private slots:
     /** This build has the back ends it was configured with, so no row is missing silently. */
     void buildHasTheExpectedBackEnds()
     {
-        for (const Contestant& contestant : kAll)
+        for (const BenchmarkEntry& contestant : kAll)
             if (contestant.backend)
                 QCOMPARE(made(contestant)->source(), sourceOf(*contestant.backend));
         const bool unsupported =
@@ -136,7 +136,7 @@ private slots:
         }
     }
 
-    /** By the other criterion, against every order; only CBC does without, and says so. */
+    /** Tests latency against every order; only CBC does not support it, and reports so. */
     void findsTheOptimumByLatency_data() { solvers_data(); }
     void findsTheOptimumByLatency()
     {
@@ -145,7 +145,8 @@ private slots:
                                                      icebergs, 0, Route::Open, icebergs % 2 == 0);
             problem.criterion = Criterion::Latency;
             problem.mu = 1;
-            QCOMPARE(solver()->whyNot(problem).has_value(), contestant().backend == Backend::Cbc);
+            QCOMPARE(solver()->unsupportedReason(problem).has_value(),
+                     contestant().backend == Backend::Cbc);
             if (contestant().backend == Backend::Cbc)
                 continue;
             VisitOrder order = ascending(icebergs);
@@ -179,7 +180,7 @@ private slots:
         QVERIFY(outcome.status == SolveStatus::Optimal || !contestant().proves);
     }
 
-    /** Sizes that cannot be tried out: the back ends check each other. */
+    /** At sizes too large to try out all orders, the back ends check each other. */
     void agreesWithTheDynamicProgramme_data()
     {
         QTest::addColumn<int>("contestant");
@@ -282,7 +283,10 @@ private slots:
         }
     }
 
-    /** One object on four threads, different problems: as if one after the other. */
+    /**
+     * One object on four threads with different problems gives the same results as one after the
+     * other.
+     */
     void solvesConcurrently_data() { solvers_data(); }
     void solvesConcurrently()
     {

@@ -3,7 +3,7 @@
 using namespace berg;
 using namespace berg::test;
 
-/** What every back end makes of limits: outcomes, with what has been found. */
+/** Limits are outcomes of every back end, with the result so far. */
 class TestSolverLimits : public QObject
 {
     Q_OBJECT
@@ -29,7 +29,7 @@ private slots:
     void limitsAreOutcomes_data()
     {
         QTest::addColumn<int>("contestant");
-        QTest::addColumn<int>("workLimit"); // -1: no time instead
+        QTest::addColumn<int>("workLimit"); // −1 means a time limit of 0 instead
         QTest::addColumn<bool>("withHint");
         forEach([](int index, const char* name) {
             for (const bool withHint : {false, true}) {
@@ -57,7 +57,7 @@ private slots:
         const SolveOutcome outcome = solver()->solve(problem, options);
         QCOMPARE(faultOf(contestant(), problem, outcome, optimum), QString());
         const StopReason limit = workLimit >= 0 ? StopReason::WorkLimit : StopReason::TimeLimit;
-        // A back end may be done before its first look at the limit.
+        // A back end may end before its first check of the limit.
         QVERIFY(outcome.reason == limit || outcome.status == SolveStatus::Optimal);
         if (withHint) {
             QVERIFY(outcome.status != SolveStatus::None);
@@ -68,7 +68,7 @@ private slots:
         }
     }
 
-    /** Cancelled by its own first report: what has been found is not lost. */
+    /** A solve cancelled by its own first report keeps its result. */
     void cancelledOnTheWay_data() { solvers_data(); }
     void cancelledOnTheWay()
     {

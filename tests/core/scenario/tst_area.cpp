@@ -1,4 +1,4 @@
-#include "core/bound/stays_inside.h"
+#include "core/bound/remains_in_area.h"
 #include "core/bound/zeta_bound.h"
 #include "core/io/files/run_json.h"
 #include "core/scenario/presets.h"
@@ -27,7 +27,7 @@ Scenario squareSea()
     return scenario;
 }
 
-/** Icebergs that drift, some unlike what is known of them, in an area that is soon left. */
+/** Drifting icebergs, some unlike their estimates, in an area that they soon leave. */
 Scenario leavingField(std::uint64_t seed, ObserverModel model)
 {
     Random random(seed, 320);
@@ -48,7 +48,7 @@ Scenario leavingField(std::uint64_t seed, ObserverModel model)
     return scenario;
 }
 
-/** To the end; counts the seconds at which what has left is in view. */
+/** Flies to the end and counts the seconds at which an iceberg that has left is in view. */
 Mission flown(const Scenario& scenario, int& seenOutside)
 {
     Mission mission(scenario, {.workLimit = 5000});
@@ -69,13 +69,13 @@ const MissionEvent* find(const Mission& mission, EventKind kind)
 
 } // namespace
 
-/** The set of icebergs: those that leave the area and come into it. */
+/** The set of icebergs as they leave and enter the area. */
 class TestArea : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void distances()
+    void distancesToEdgesByHand()
     {
         const std::vector<Point> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
         COMPARE_NEAR(distanceToEdges(square, Point(5, 4)), 4, 1e-12);
@@ -93,7 +93,7 @@ private slots:
         const MissionEvent* left = find(mission, EventKind::Left);
         QVERIFY(left != nullptr);
         QCOMPARE(left->iceberg, 1);
-        // 600 m beyond the edge less 50 m of its own radius: at (550 + 50) / 0.6 s.
+        // 600 m beyond the edge less its own radius of 50 m: at (550 + 50) / 0.6 s.
         COMPARE_NEAR(left->time_s, 600 / 0.6, 1.01);
         const Simulation& end = mission.simulation();
         QVERIFY(!end.active(1));
@@ -108,14 +108,14 @@ private slots:
         QVERIFY(replanned);
     }
 
-    /** What is outside is not monitored: nobody sights, loses or finds it until it is back. */
-    void outsideThereIsNothingToTell_data()
+    /** An iceberg outside is not monitored: it is not sighted, lost or found until it is back. */
+    void icebergsOutsideCauseNoEvents_data()
     {
         QTest::addColumn<ObserverModel>("model");
         QTest::newRow("simple") << ObserverModel::Simple;
         QTest::newRow("kalman") << ObserverModel::Kalman;
     }
-    void outsideThereIsNothingToTell()
+    void icebergsOutsideCauseNoEvents()
     {
         QFETCH(ObserverModel, model);
         int seenOutside = 0;
@@ -140,7 +140,7 @@ private slots:
         QVERIFY2(back >= 3, qPrintable(QString::number(back)));
     }
 
-    void comesBack()
+    void icebergComingBackIsMonitoredAgain()
     {
         Scenario scenario = squareSea();
         scenario.icebergs[1].position_m = {0, 2300};
@@ -152,7 +152,7 @@ private slots:
         const MissionEvent* back = find(mission, EventKind::Appeared);
         QVERIFY(back != nullptr);
         COMPARE_NEAR(back->time_s, 500, 1.01);
-        QVERIFY(find(mission, EventKind::Left) == nullptr); // it was never there
+        QVERIFY(find(mission, EventKind::Left) == nullptr); // it was never inside
     }
 
     void theUncertaintyOfOneOutsideGrowsOn()
@@ -175,7 +175,7 @@ private slots:
         QVERIFY(find(mission, EventKind::Left) == nullptr);
     }
 
-    void replays()
+    void flightWithAnAreaReplays()
     {
         Mission mission(squareSea());
         mission.advance(2000);
@@ -183,12 +183,12 @@ private slots:
         QVERIFY(compareRun(run, runOf(replay(run))).empty());
     }
 
-    /** The bound reckons only with icebergs that surely stay. */
-    void bound()
+    /** The bound counts only icebergs that surely stay. */
+    void boundCountsOnlyIcebergsThatStay()
     {
         const Scenario scenario = squareSea();
-        QVERIFY(staysInside(scenario, scenario.icebergs[0]));
-        QVERIFY(!staysInside(scenario, scenario.icebergs[1]));
+        QVERIFY(remainsInArea(scenario, scenario.icebergs[0]));
+        QVERIFY(!remainsInArea(scenario, scenario.icebergs[1]));
         Scenario one = scenario;
         one.icebergs.pop_back();
         QCOMPARE(zetaLowerBound(scenario, {.workLimit = 1'000'000}).zeta_m2s,
@@ -205,15 +205,15 @@ private slots:
         }
     }
 
-    /** Noise can carry an iceberg over the edge: near it none surely stays. */
-    void noiseNearTheEdge()
+    /** Noise can carry an iceberg over the edge, so none near it surely stays. */
+    void noIcebergNearTheEdgeSurelyStays()
     {
         Scenario scenario = squareSea();
         scenario.noise = true;
         scenario.icebergs[0].position_m = {1999.5, 0};
-        QVERIFY(!staysInside(scenario, scenario.icebergs[0]));
+        QVERIFY(!remainsInArea(scenario, scenario.icebergs[0]));
         scenario.icebergs[0].position_m = {1900, 0};
-        QVERIFY(staysInside(scenario, scenario.icebergs[0]));
+        QVERIFY(remainsInArea(scenario, scenario.icebergs[0]));
     }
 };
 

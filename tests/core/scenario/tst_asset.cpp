@@ -30,7 +30,7 @@ Asset platform(double east_m, double north_m)
     return asset;
 }
 
-/** Two icebergs alike, west and east of the UAV; the nearer one is in the west. */
+/** Two equal icebergs west and east of the UAV; the nearer one is in the west. */
 Scenario twoSides()
 {
     Scenario scenario = emptySea();
@@ -54,7 +54,7 @@ std::size_t alarmsOf(const Mission& mission)
 
 } // namespace
 
-/** SPEC of the asset: what is near it, or comes near, is more urgent; zeta stays as it is. */
+/** Icebergs near the asset, or approaching it, are more urgent; zeta is unchanged. */
 class TestAsset : public QObject
 {
     Q_OBJECT
@@ -65,14 +65,14 @@ private slots:
         const Asset asset = platform(0, 0);
         const RelativeMotion still{.offset_m = {1000, 0}, .velocity_mps = {0, 0}};
         COMPARE_NEAR(priority(asset, still), 1 + 20 * std::exp(-1.0), 1e-12);
-        // Comes within 500 m in the hour to come.
+        // This iceberg comes within 500 m in the next hour.
         const RelativeMotion coming{.offset_m = {3000, 500}, .velocity_mps = {-1, 0}};
         COMPARE_NEAR(priority(asset, coming), 1 + 20 * std::exp(-0.25), 1e-12);
         const RelativeMotion far{.offset_m = {90'000, 0}, .velocity_mps = {0, 0}};
         COMPARE_NEAR(priority(asset, far), 1, 1e-12);
     }
 
-    /** A ship that steams away from an iceberg is not threatened by it, and the other way round. */
+    /** A ship that steams away from an iceberg is not threatened by it, and vice versa. */
     void theAssetMayMove()
     {
         Asset ship = platform(0, 0);
@@ -94,7 +94,7 @@ private slots:
         }
     }
 
-    /** With the gain at 0 the flight is the same to the last bit. */
+    /** With gain 0 the flight is the same to the last bit. */
     void withoutGainNothingChanges()
     {
         for (const PolicyKind policy : {PolicyKind::Visitation, PolicyKind::Coverage}) {
@@ -111,7 +111,7 @@ private slots:
         }
     }
 
-    /** The weighted sum is beside zeta, which has no weights. */
+    /** The weighted sum is separate from zeta, which has no weights. */
     void weightedSumBesideZeta()
     {
         Scenario scenario = twoSides();
@@ -136,7 +136,7 @@ private slots:
                     .starts_with("time_s,sigma_sum_m2,zeta_m2s,weighted_sigma_sum_m2\n"));
     }
 
-    /** The zeta a plan with aim points promises is the one that is flown, without weights. */
+    /** An aimed plan predicts the zeta of the flight, without weights. */
     void predictedZetaHasNoWeights()
     {
         Scenario scenario = randomScenario(8, {.icebergs = 5});
@@ -147,7 +147,7 @@ private slots:
         const double predicted_m2s = planFromStart(scenario).predictedZeta_m2s.value();
         Mission mission(scenario);
         mission.advance(300);
-        // It is planned again on the way, for the better as a rule.
+        // The flight is replanned, usually for the better.
         QVERIFY(mission.metrics().zeta_m2s < 1.05 * predicted_m2s);
         QVERIFY(mission.metrics().zeta_m2s > 0.7 * predicted_m2s);
     }

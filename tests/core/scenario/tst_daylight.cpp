@@ -10,7 +10,7 @@ namespace {
 constexpr LatLon kBonavista{.latitude_deg = 48.65, .longitude_deg = -53.1};
 constexpr LatLon kLongyearbyen{.latitude_deg = 78.22, .longitude_deg = 15.65};
 
-/** Of 28 November 2026 or a day after it. */
+/** A time on 28 November 2026 or a day after it. */
 SunTime utc(int h, int min)
 {
     return sys_days(year(2026) / November / 28) + hours(h) + minutes(min);
@@ -34,7 +34,7 @@ class TestDaylight : public QObject
     Q_OBJECT
 
 private slots:
-    void byDay()
+    void noWarningByDay()
     {
         QVERIFY(daylightIssues(0, {.takeOff = utc(10, 30),
                                    .landing = utc(20, 10),
@@ -43,7 +43,7 @@ private slots:
                     .empty());
     }
 
-    void beforeAndAfter()
+    void flightsInTheDarkAreReported()
     {
         const FlightHours flight{
             .takeOff = utc(10, 20), .landing = utc(20, 20), .from = kBonavista, .to = kBonavista};
@@ -56,7 +56,7 @@ private slots:
             QVERIFY(issue.severity == Severity::Warning);
     }
 
-    /** What is aloft has taken off; the light was on the day before. */
+    /** A UAV aloft has already taken off; the light was on the day before. */
     void landingAfterMidnight()
     {
         QCOMPARE(
@@ -66,7 +66,7 @@ private slots:
                    "2026-11-28 20:16 UTC"}));
     }
 
-    void polarNight()
+    void polarNightNamesTheNextLight()
     {
         const std::vector<Issue> issues = daylightIssues(0, {.takeOff = utc(11, 0),
                                                              .landing = utc(12, 0),

@@ -11,13 +11,15 @@
 using namespace berg;
 using test::messageOf;
 
-/** What drift does before the icebergs are seen, in words. */
+/** Messages about drift before the icebergs are seen. */
 class TestDriftAdvice : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** Against points drawn: 40,000 of them, standard deviation of the share at most 0.0025. */
+    /**
+     * Compares with 40,000 random points; the standard deviation of the share is at most 0.0025.
+     */
     void chanceOfBeingInView_data()
     {
         QTest::addColumn<int>("shape");
@@ -42,23 +44,25 @@ private slots:
         }
         COMPARE_NEAR(chanceInView(sensor, sd_m), static_cast<double>(seen) / kDraws, 0.0075);
         QCOMPARE(chanceInView(sensor, 0), 1.0);
-        // 50 m aside, whichever way: a view as much smaller on each side.
+        // 50 m aside in any direction makes the view smaller by that on each side.
         QCOMPARE(chanceInView(sensor, sd_m, 50),
                  chanceInView({.fov_m = {300, 600}, .shape = sensor.shape}, sd_m));
         QCOMPARE(chanceInView(sensor, sd_m, 1000), 0.0);
     }
 
-    void seenLongAgo()
+    void icebergsSeenLongAgoAreReported()
     {
         Scenario scenario = withFittedDrift(randomScenario(3));
         scenario.icebergs[2].observed_s = 900; // 135 m
         QVERIFY(messageOf(scenario, IssueId::SeenLongAgo).empty());
+        // 2 x 0.15^2 x 36000^2 x (t/T - 1 + exp(-t/T)) m^2 with t/T = 0.2, times 2.4477^2.
         scenario.icebergs[2].observed_s = 7200;
         QCOMPARE(messageOf(scenario, IssueId::SeenLongAgo),
-                 std::string("2 h old: may be 1000 m away (2 x the field of view)"));
+                 std::string("2:00 h before the start; the iceberg may be 2600 m from this "
+                             "position, 4 times the field of view"));
     }
 
-    /** With a round of minutes nothing is lost; with one of an hour half of them are. */
+    /** With a round of minutes nothing is lost, with one of an hour half of the icebergs. */
     void theNextVisitIsForetold()
     {
         Scenario scenario = withFittedDrift(randomScenario(3));

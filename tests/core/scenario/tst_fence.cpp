@@ -21,7 +21,7 @@ private slots:
     void heightsDecide_data()
     {
         QTest::addColumn<double>("floor_m");
-        QTest::addColumn<double>("ceiling_m"); // 0: none
+        QTest::addColumn<double>("ceiling_m"); // 0 means no ceiling
         QTest::addColumn<bool>("isClosed");
         QTest::newRow("at every height") << 0.0 << 0.0 << true;
         QTest::newRow("up to its height") << 0.0 << 120.0 << true;
@@ -74,7 +74,7 @@ private slots:
         QVERIFY(!standoffArea({.position_m = {300, -200}}, 3600));
     }
 
-    /** Until the end of the run. */
+    /** The ring sweeps up to the end of the run. */
     void ringOfAShipIsAllThatItSweeps()
     {
         Scenario s;

@@ -31,7 +31,9 @@ FieldRequest request(int icebergs, std::vector<Point> area_m = rectangle(5000, 4
     return r;
 }
 
-/** Mean of a uniform variable on [low, high] over n draws must be within five standard errors. */
+/**
+ * Returns true if a mean over n draws is within five standard errors of that of a uniform variable.
+ */
 bool isMeanOfUniform(double sum, int n, double low, double high)
 {
     return std::abs(sum / n - (low + high) / 2) < 5 * (high - low) / std::sqrt(12.0 * n);
@@ -58,7 +60,7 @@ private slots:
         }
     }
 
-    /** The same places; of their velocities nothing is known but how they vary. */
+    /** Positions are the same; velocities are unknown except for their variation. */
     void driftAsFittedIsNotKnown()
     {
         FieldRequest r = request(12);

@@ -10,14 +10,14 @@ using namespace berg::test;
 
 namespace {
 
-/** A point that moves over the Earth: where it is now and where a moment later. */
+/** A point moving over the Earth: its position now and a moment later. */
 struct Path
 {
     double length_m = 0;
     double azimuth_deg = 0;
 };
 
-/** Over the Earth, of `path_m` at a place of the plane about an origin. */
+/** Path over the Earth of `path_m` at a place of the plane around an origin. */
 Path pathOverEarth(const LatLon& origin, const Point& from_m, const Point& path_m)
 {
     const LocalFrame frame(origin);

@@ -49,8 +49,9 @@ class TestOperation : public QObject
     Q_OBJECT
 
 private slots:
-    /** The example that goes with the formulas, by hand: 3 + 3 + 1 + 22 + 484 / 5.6638,
-     * 120 + 4 + 15.554 + 14.801. */
+    /**
+     * Example for the formulas by hand: 3 + 3 + 1 + 22 + 484 / 5.6638, 120 + 4 + 15.554 + 14.801.
+     */
     void widthsAreThoseOfTheFormulas()
     {
         const OperationVolume volume = operationVolume(eastward(), {});
@@ -158,7 +159,7 @@ private slots:
         Scenario s = eastward();
         s.airspace = {area};
         QCOMPARE(entered(s), std::size_t{isEntered});
-        s.startUtc.clear(); // then times do not tell
+        s.startUtc.clear(); // without a start, times of airspace have no effect
         area.fromUtc.clear();
         area.untilUtc.clear();
         Scenario always = s;

@@ -12,7 +12,9 @@ using namespace berg;
 
 namespace {
 
-/** Mean of a uniform variable on [low, high] over n draws must be within five standard errors. */
+/**
+ * Returns true if a mean over n draws is within five standard errors of that of a uniform variable.
+ */
 bool isMeanOfUniform(double sum, int n, double low, double high)
 {
     const double standardError = (high - low) / std::sqrt(12.0 * n);
@@ -50,8 +52,8 @@ private slots:
         }
     }
 
-    /** The same icebergs, known and seen otherwise. */
-    void regimes()
+    /** Regimes have the same icebergs with other knowledge and observations. */
+    void regimesDifferInTheirObserverAndVelocities()
     {
         const Scenario published = randomScenario(7);
         QVERIFY(published.observer.model == ObserverModel::Simple);
@@ -106,7 +108,7 @@ private slots:
         std::set<double> firstX_m;
         for (std::int64_t seed = 0; seed < 100; ++seed)
             firstX_m.insert(randomScenario(seed).icebergs[0].position_m.x());
-        QVERIFY(firstX_m.size() >= 99); // centimetres out of 5 km: one clash is not unlikely
+        QVERIFY(firstX_m.size() >= 99); // centimetres in 5 km: one collision is likely enough
     }
 
     void moreIcebergsKeepTheFirst()

@@ -1,7 +1,7 @@
 #include "core/base/random.h"
-#include "core/scenario/advice.h"
-#include "core/scenario/checks.h"
 #include "core/scenario/recovery.h"
+#include "core/scenario/scenario_warnings.h"
+#include "core/scenario/text_checks.h"
 #include "core/scenario/validate.h"
 #include "core/vehicle/uav_spec.h"
 #include "tests/support/scenario_builder.h"
@@ -67,8 +67,10 @@ private slots:
         }
     }
 
-    /** Six alike: the first is home a slot before its endurance ends, each further one a slot
-     * earlier. */
+    /**
+     * Six equal UAVs: the first is home a slot before its endurance ends, each further one a slot
+     * earlier.
+     */
     void alikeOnesLandOneAfterAnother()
     {
         Scenario s = emptySea();
@@ -83,7 +85,7 @@ private slots:
             std::ranges::all_of(withheldAtStart_s(s), [](double time_s) { return time_s == 0; }));
     }
 
-    /** A fleet too large for its endurance leaves each at least half of it. */
+    /** A fleet too large for its endurance leaves at least half of it to each UAV. */
     void halfOfTheEnduranceIsLeft()
     {
         Scenario s = emptySea();
@@ -95,7 +97,7 @@ private slots:
         QCOMPARE(std::ranges::max(withheld_s), 50.0);
     }
 
-    /** Each is planned home a slot earlier than the one before. */
+    /** Each UAV is planned home a slot earlier than the one before. */
     void validateWarnsOfThem()
     {
         Scenario s = emptySea();
@@ -115,7 +117,8 @@ private slots:
         for (const double withheld_s : {30.0, 60.0})
             expected.push_back({Severity::Warning,
                                 entryPath("uavs", expected.size()) + ".endurance_s",
-                                {.id = IssueId::RecoverySlot, .arguments = {withheld_s}}});
+                                {.id = IssueId::RecoverySlot,
+                                 .arguments = {Amount{withheld_s, Quantity::Seconds}}}});
         QVERIFY(warnings(s) == expected);
         Scenario layered = s;
         layered.uavs[1].spec.altitude_m += kLayerHeight_m;

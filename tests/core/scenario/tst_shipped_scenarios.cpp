@@ -42,7 +42,7 @@ bool hasFittedDrift(const Scenario& s)
            });
 }
 
-/** What one of the files is there to show. */
+/** The feature that a shipped file demonstrates. */
 struct Feature
 {
     const char* file;
@@ -105,13 +105,13 @@ class TestShippedScenarios : public QObject
     Q_OBJECT
 
 private slots:
-    void files_data()
+    void shippedFilesHaveHintsOnly_data()
     {
         QTest::addColumn<int>("row");
         for (std::size_t i = 0; i < kFeatures.size(); ++i)
             QTest::newRow(kFeatures[i].file) << static_cast<int>(i);
     }
-    void files()
+    void shippedFilesHaveHintsOnly()
     {
         QFETCH(const int, row);
         const Feature& feature = kFeatures[static_cast<std::size_t>(row)];
@@ -123,8 +123,8 @@ private slots:
         QVERIFY(feature.shows(s));
     }
 
-    /** What a file is there to show is seen when it is flown. */
-    void flights_data()
+    /** Some features show only in flight. */
+    void flightsShowTheirEvents_data()
     {
         QTest::addColumn<QList<EventKind>>("kinds");
         const auto row = [](const char* file, const QList<EventKind>& kinds) {
@@ -135,7 +135,7 @@ private slots:
         row("bonavista-lost", {EventKind::Lost, EventKind::Found});
         row("fram-strait-endurance", {EventKind::HomeBound, EventKind::Landed, EventKind::TookOff});
     }
-    void flights()
+    void flightsShowTheirEvents()
     {
         QFETCH(const QList<EventKind>, kinds);
         Mission mission(shipped(QTest::currentDataTag()));
@@ -147,14 +147,14 @@ private slots:
     }
 
     /** Icebergs are lost and found as they drift; a day is flown in less than a second. */
-    void realDrift_data()
+    void realDriftFlightsKeepTheirFigures_data()
     {
         QTest::addColumn<double>("zeta_m2s");
         QTest::addColumn<int>("visits");
         QTest::newRow("upernavik-real-drift") << 113'745'171.9 << 49;
         QTest::newRow("baffin-bay-day") << 7'570'453'409.3 << 368;
     }
-    void realDrift()
+    void realDriftFlightsKeepTheirFigures()
     {
         QFETCH(const double, zeta_m2s);
         QFETCH(const int, visits);

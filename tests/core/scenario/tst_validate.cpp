@@ -237,13 +237,13 @@ private slots:
             QVERIFY(validate(randomScenario(seed)).empty());
     }
 
-    void oneFinding_data()
+    void faultGivesExactlyOneFinding_data()
     {
         QTest::addColumn<int>("row");
         for (std::size_t i = 0; i < cases().size(); ++i)
             QTest::newRow(cases()[i].name) << static_cast<int>(i);
     }
-    void oneFinding()
+    void faultGivesExactlyOneFinding()
     {
         QFETCH(const int, row);
         const Case& expected = cases()[static_cast<std::size_t>(row)];
@@ -409,7 +409,8 @@ private slots:
         const std::vector<Issue> issues = validate(scenario);
         QCOMPARE(issues.size(), std::size_t{1});
         QCOMPARE(issues[0].field, std::string("airspace[0].until_utc"));
-        QCOMPARE(issues[0].message(), std::string("must not be earlier than airspace[0].from_utc"));
+        QCOMPARE(issues[0].message(),
+                 std::string("the airspace \"TRA West\" ends before it begins"));
         QVERIFY(issues[0].severity == Severity::Error);
         QVERIFY(unreadable(scenario).empty());
         for (const char* until : {"2026-05-01T06:00:30Z", ""}) {

@@ -15,13 +15,13 @@ using namespace berg;
 
 namespace {
 
-/** Answers so many times, then throws at each call, and answers again after `silent` of them. */
+/** Answers `good` solves, then throws at each of `silent` calls, then answers again. */
 class FaultySolver final : public TvpSolver
 {
 public:
     FaultySolver(int good, int silent) : m_good(good), m_silent(silent) {}
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
-    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
+    [[nodiscard]] std::optional<IssueReason> unsupportedReason(const TvpProblem&) const override
     {
         return std::nullopt;
     }
@@ -65,7 +65,7 @@ double zetaOf(const Scenario& scenario)
 
 } // namespace
 
-/** The autopilot flies whatever becomes of the planner: late, or not at all. */
+/** The autopilot flies on when the planner is late or fails. */
 class TestAutopilot : public QObject
 {
     Q_OBJECT
@@ -77,11 +77,11 @@ private slots:
         QCOMPARE(mission.advance(1000), AdvanceStatus::Finished);
         QVERIFY(mission.plans().size() > 5);
         QCOMPARE(failuresOf(mission), static_cast<std::ptrdiff_t>(mission.plans().size()) - 2);
-        // The third goes on with the order of the second.
+        // The third plan continues the order of the second.
         const std::vector<int>& second = mission.plans()[1].order;
         QVERIFY(mission.plans()[2].fellBack);
         QCOMPARE(mission.plans()[2].target, second[1]);
-        // So it still sees most of them.
+        // It still sees most icebergs.
         QVERIFY(mission.metrics().visits >= 6);
         const auto failure =
             std::find_if(mission.events().begin(), mission.events().end(),
@@ -93,10 +93,10 @@ private slots:
     {
         Mission mission(randomScenario(2), {}, std::make_unique<FaultySolver>(0, 1'000'000));
         QCOMPARE(mission.advance(1000), AdvanceStatus::Finished);
-        QVERIFY(mission.metrics().visits > 0); // the nearest one, each time
+        QVERIFY(mission.metrics().visits > 0); // the nearest iceberg each time
     }
 
-    void itRecovers()
+    void planningResumesWhenThePlannerRecovers()
     {
         Mission mission(randomScenario(2), {}, std::make_unique<FaultySolver>(1, 3));
         mission.advance(1000);
@@ -104,7 +104,9 @@ private slots:
         QVERIFY(!mission.plans().back().fellBack);
     }
 
-    /** A plan comes into force as late as the scenario says; until then the last one is flown. */
+    /**
+     * A plan comes into force after the scenario's delay; until then the previous plan is flown.
+     */
     void plansComeLate()
     {
         Mission mission(late(3, 12));
@@ -121,7 +123,7 @@ private slots:
                 if (made == plans.end())
                     break; // the run ends first
                 COMPARE_NEAR(made->time_s - plans[i].time_s, 12, 1e-6);
-                // The rest of the last plan is flown meanwhile.
+                // Meanwhile the rest of the previous plan is flown.
                 if (plans[i].reason == PlanReason::TargetReached && plans[i - 1].order.size() > 1)
                     QCOMPARE(plans[i].target, plans[i - 1].order[1]);
                 ++waits;
@@ -132,7 +134,7 @@ private slots:
         QCOMPARE(mission.metrics().replans, static_cast<int>(made));
     }
 
-    /** No gap in flight, whatever the policy and however late; and lateness costs little. */
+    /** With any policy and delay the flight has no gap, and the delay costs little. */
     void everyPolicyFliesOn_data()
     {
         QTest::addColumn<int>("policy");
@@ -149,7 +151,7 @@ private slots:
                             {.workLimit = 20'000});
             QCOMPARE(mission.advance(1000), AdvanceStatus::Finished);
             QVERIFY(mission.metrics().visits > 3);
-            // A plan or its interim for each reason: no flood of them either.
+            // There is one plan or its interim for each reason, and no more.
             QVERIFY(mission.plans().size() < 2 * mission.events().size() + 50);
         }
     }
@@ -189,7 +191,7 @@ private slots:
         }
     }
 
-    /** Slices of time must not matter with a plan pending either. */
+    /** The result does not depend on how calls divide the time, even with a pending plan. */
     void slicesDoNotMatter()
     {
         Mission whole(late(7, 6));
@@ -201,7 +203,7 @@ private slots:
         QVERIFY(sliced.simulation().state() == whole.simulation().state());
     }
 
-    /** Between two commands the turn rate is held. */
+    /** The turn rate is held between two commands. */
     void commandsAtTheirOwnRate()
     {
         Scenario scenario = randomScenario(4);
@@ -217,17 +219,17 @@ private slots:
             ++changes;
         }
         QVERIFY(changes > 50);
-        // As often as the steps is as without.
+        // A rate equal to the time step changes nothing.
         scenario.uavs[0].spec.autopilot_s = 0.1;
         Scenario plain = scenario;
         plain.uavs[0].spec.autopilot_s = 0;
         QCOMPARE(zetaOf(scenario), zetaOf(plain));
-        // Ten times as slow it still flies where it should.
+        // At a tenth of the rate it still reaches its targets.
         scenario.uavs[0].spec.autopilot_s = 1;
         QVERIFY(std::abs(zetaOf(scenario) / zetaOf(plain) - 1) < 0.1);
     }
 
-    void kept()
+    void ratesAndDelaysAreStoredAndChecked()
     {
         Scenario scenario = late(1, 2.5);
         scenario.uavs[0].spec.autopilot_s = 0.2;

@@ -4,30 +4,33 @@
 
 using namespace berg;
 
-/** What the UAVs can see from where they are. */
+/** Fields of view of the UAVs. */
 class TestCameras : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** Nothing is in view of a UAV on the ground, and so nothing should be: it loses no iceberg. */
+    /** A UAV on the ground has nothing in view and so loses no iceberg. */
     void seesNothingOnTheGround()
     {
         Cameras cameras(std::nullopt, {0, 0});
         cameras.add({});
         const Point place_m(20, 10);
-        cameras.point(0, {}, FlightMode::Leg);
+        cameras.setPose(0, {}, FlightMode::Leg);
         QCOMPARE(cameras.viewer(place_m), 0);
         QCOMPARE(firstWith(cameras.views(), place_m), 0);
         QCOMPARE(firstWith(cameras.middles(), place_m), 0);
-        cameras.point(0, {}, FlightMode::Ground);
+        cameras.setPose(0, {}, FlightMode::Ground);
         QCOMPARE(cameras.viewer(place_m), -1);
         QCOMPARE(firstWith(cameras.views(), place_m), -1);
         QCOMPARE(firstWith(cameras.middles(), place_m), -1);
     }
 
-    /** Near the edge of the view, in the next step; far away not before they may have met. */
-    void nextLookAtWhatIsInNoView()
+    /**
+     * An iceberg near the edge of the view is tested in the next step, one far away when they may
+     * have met.
+     */
+    void stepsUntilAnIcebergMayComeIntoView()
     {
         Cameras cameras(std::nullopt, {3, 4});
         cameras.add({.airspeed_mps = 20});

@@ -1,4 +1,4 @@
-// Flying to clusters: the closed loop.
+// Flights to clusters in closed loop.
 
 #include "core/sim/clusters.h"
 #include "core/sim/mission_instant.h"
@@ -16,7 +16,7 @@ using namespace berg::test;
 
 namespace {
 
-/** Known motion: without noise. */
+/** A scenario with known motion, without noise. */
 Scenario calmCrowd(std::int64_t seed, FovShape shape)
 {
     Scenario scenario = crowd(seed);
@@ -25,7 +25,7 @@ Scenario calmCrowd(std::int64_t seed, FovShape shape)
     return scenario;
 }
 
-/** At altitudes of their own, which is no part of this. */
+/** The UAVs have altitudes of their own, since separation is not tested here. */
 Scenario calmFleet(std::int64_t seed, int uavs)
 {
     Scenario scenario = calmCrowd(seed, FovShape::Body);
@@ -49,7 +49,7 @@ void addShapes()
     QTest::newRow("body in wind") << FovShape::Body << 10.0;
 }
 
-/** The true place of the iceberg is this one, whatever the estimate says. */
+/** Sets the true position of the iceberg, whatever its estimate. */
 void putElsewhere(Iceberg& iceberg, const Point& place_m)
 {
     iceberg.track = {.time_s = {0, 1e5}, .position_m = {place_m, place_m}};
@@ -82,7 +82,7 @@ private slots:
 
     void reachedWhenAllAreInView_data() { addShapes(); }
 
-    /** From any place and heading, each cluster there is: known motion, so it never fails. */
+    /** With known motion every cluster is reached, from any place and heading. */
     void reachedWhenAllAreInView()
     {
         QFETCH(FovShape, shape);
@@ -110,10 +110,12 @@ private slots:
         QVERIFY2(flown > 150, QByteArray::number(flown));
     }
 
-    void wholeMissions_data() { addShapes(); }
+    void missionsMissNoIceberg_data() { addShapes(); }
 
-    /** Planned again and again: orders are whole, what is reached is in view, nothing is missed. */
-    void wholeMissions()
+    /**
+     * Through many replans orders are complete, reached icebergs are in view and none is missed.
+     */
+    void missionsMissNoIceberg()
     {
         QFETCH(FovShape, shape);
         QFETCH(double, wind_mps);
@@ -163,7 +165,7 @@ private slots:
         }
         COMPARE_NEAR(both.uavs[0].distance_m(0, 1), 2000, 1e-9);
         COMPARE_NEAR(both.uavs[1].distance_m(0, 1), 2500, 1e-9); // half the time
-        // One that only the other UAV may visit makes the cluster that one's.
+        // An iceberg that only the other UAV may visit assigns the cluster to that UAV.
         scenario.icebergs[2].uav = "uav-2";
         QCOMPARE(clusteredRequest(Simulation(scenario)).uavs[0].available,
                  (std::vector{false, true}));
@@ -173,8 +175,11 @@ private slots:
         QVERIFY(clusteredRequest(Simulation(scenario)).clusters.empty());
     }
 
-    /** Two and three UAVs: nothing is in two orders, what is reached is in view, none is missed. */
-    void wholeMissionsOfFleets()
+    /**
+     * With two and three UAVs no iceberg is in two orders, reached ones are in view and none is
+     * missed.
+     */
+    void missionsOfFleetsMissNoIceberg()
     {
         int reached = 0;
         for (int seed = 1; seed <= 10; ++seed) {
@@ -206,7 +211,7 @@ private slots:
         QVERIFY2(reached > 30, QByteArray::number(reached));
     }
 
-    /** One of the two is not where it is believed to be: the other is seen, and it stays single. */
+    /** One of two members is not at its estimate: the other is seen, and it stays single. */
     void membersThatAreNotThereAreFlownToAlone()
     {
         Scenario scenario = pairAhead();
@@ -234,8 +239,8 @@ private slots:
         QVERIFY(simulation.state().unclustered.empty());
     }
 
-    /** Round the inner corner of a fence, where the way is longer than it is straight. */
-    void roundAFence()
+    /** The path round the inner corner of a fence is longer than the straight line. */
+    void clusterBehindAFenceCornerIsReached()
     {
         Scenario scenario = emptySea();
         scenario.clusters = true;
@@ -258,7 +263,7 @@ private slots:
         QCOMPARE(simulation.planReason(), PlanReason::TargetReached);
     }
 
-    /** An autopilot that steers once a minute does not get there: the cluster ends all the same. */
+    /** An autopilot that steers once a minute misses the cluster, which ends as overdue. */
     void overdueWithoutBeingFlownOver()
     {
         Scenario scenario = pairAhead();
@@ -292,7 +297,7 @@ private slots:
         }));
     }
 
-    /** What has come into view while the plan was made is no member any more. */
+    /** Icebergs that came into view while the plan was made are no longer members. */
     void plansThatComeLateHoldWhatIsLeft()
     {
         for (int seed = 1; seed <= 10; ++seed) {
@@ -316,14 +321,14 @@ private slots:
         Scenario scenario = crowd(1);
         scenario.planner.policy = PolicyKind::Visitation;
         Mission mission(scenario);
-        int told = 0;
+        int reported = 0;
         mission.setIncumbentListener([&](const PlanEvent& plan) {
             QCOMPARE(plan.order.size(), std::size_t{14});
             QVERIFY(!plan.clusters.empty());
-            ++told;
+            ++reported;
         });
         mission.advance(0);
-        QVERIFY(told > 0);
+        QVERIFY(reported > 0);
     }
 };
 

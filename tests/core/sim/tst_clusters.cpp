@@ -19,7 +19,7 @@ using namespace berg::test;
 
 namespace {
 
-/** A UAV at the origin, flying east, that sees 300 m. */
+/** A UAV at the origin that flies east and sees 300 m. */
 ClusterRules rules()
 {
     return {.time_s = 100, .cover_m = 300};
@@ -59,13 +59,13 @@ Circle circleAt(const std::vector<Track>& tracks, std::span<const int> members, 
 
 } // namespace
 
-/** What is made one node, and what becomes of it in plans. */
+/** Formation of clusters and their use in plans. */
 class TestClusters : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void sizes()
+    void surelySeenDistanceOfEachShape()
     {
         QCOMPARE(surelySeen_m({.fov_m = {600, 400}, .shape = FovShape::Body}), 200.0);
         QCOMPARE(surelySeen_m({.fov_m = {300, 400}, .shape = FovShape::North}), 150.0);
@@ -75,7 +75,7 @@ private slots:
     void whatOneViewCovers_data()
     {
         QTest::addColumn<double>("apart_m");
-        QTest::addColumn<double>("drift_mps"); // apart
+        QTest::addColumn<double>("drift_mps"); // away from each other
         QTest::addColumn<double>("sigma_m2");
         QTest::addColumn<bool>("together");
         // 600 m less twice 10 m for the flying and twice 2 sqrt(4 + growth) m; 2400 m away, which
@@ -102,7 +102,7 @@ private slots:
         QCOMPARE(clustersFor(tracks, rules()), (together ? Groups{{0, 1}} : Groups{}));
     }
 
-    /** Tight before wide: 1 could be with 0 or with 2. */
+    /** Tight groups form before wide ones: 1 could join 0 or 2. */
     void theNearestFindEachOther()
     {
         const std::vector<Track> tracks{trackAt({2000, 0}), trackAt({2000, 500}),
@@ -110,16 +110,16 @@ private slots:
         QCOMPARE(clustersFor(tracks, rules()), (Groups{{1, 2}}));
     }
 
-    void notInsideATurn()
+    void noClusterInsideTheTurningCircle()
     {
-        // The tightest turn has 106 m: its middle is where the UAV cannot be at once.
+        // The tightest turn has 106 m; the UAV cannot be at its centre at once.
         const std::vector<Track> beside{trackAt({0, 10}), trackAt({0, 240})};
         QVERIFY(clustersFor(beside, rules()).empty());
         const std::vector<Track> ahead{trackAt({400, 10}), trackAt({400, 240})};
         QCOMPARE(clustersFor(ahead, rules()), (Groups{{0, 1}}));
     }
 
-    void notWhereTheFenceIsTooNear()
+    void noClusterTooCloseToTheFence()
     {
         const std::vector<Track> tracks{trackAt({1000, 100}), trackAt({1000, 300})};
         ClusterRules fenced = rules();
@@ -134,8 +134,8 @@ private slots:
         QCOMPARE(clustersFor(tracks, fenced), (Groups{{0, 1}}));
     }
 
-    /** A cluster suits every UAV that may visit all of it. */
-    void ofSeveralUavs()
+    /** A cluster suits every UAV that may visit all members. */
+    void clustersSuitEveryUavThatMayVisit()
     {
         const std::vector<Track> tracks{trackAt({2000, 0}), trackAt({2000, 450})};
         std::vector<ClusterRules> uavs{rules(), rules()};
@@ -148,7 +148,7 @@ private slots:
         QVERIFY(clustersOf(tracks, uavs).empty());
     }
 
-    void areGroupsThatOneViewCovers()
+    void randomClustersFitOneView()
     {
         Random random(21);
         int found = 0;
@@ -204,7 +204,7 @@ private slots:
         }
     }
 
-    void offNothingChanges()
+    void withoutClustersTheRequestIsUnchanged()
     {
         Scenario scenario = pairAhead();
         scenario.clusters = false;
@@ -226,7 +226,7 @@ private slots:
         QCOMPARE(request.uavs[0].available, (std::vector<bool>{true, true}));
     }
 
-    /** The priorities near an asset count for each member. */
+    /** Priorities near an asset apply to each member. */
     void sigmasAreWeighted()
     {
         Scenario scenario = pairAhead();
@@ -238,7 +238,7 @@ private slots:
         QVERIFY(priority(simulation.observer(), 0) > 1);
     }
 
-    /** A cluster is part of a sortie as a whole, or not at all. */
+    /** A sortie contains a cluster as a whole or not at all. */
     void sortiesHoldWholeClusters()
     {
         const Groups clusters{{0, 2}};
@@ -312,7 +312,7 @@ private slots:
         QCOMPARE(answer.uavs[0].order, (std::vector<int>{0, 2, 1}));
         QCOMPARE(answer.clusters, (Groups{{0, 2}}));
         QCOMPARE(answer.solvedIds, (std::vector<int>{0, 1}));
-        // As warm start: the cluster stands where its first member stood.
+        // The cluster takes the place of its first member in a warm start.
         SolverScript script;
         Planner warm({.policy = PolicyKind::Visitation}, std::make_unique<ScriptedSolver>(script));
         (void)warm.plan(request, {});
@@ -320,7 +320,7 @@ private slots:
         QCOMPARE(script.options.back().hint, (FleetPlan{{1, 3, 2}}));
     }
 
-    /** A planner that throws: the members are still flown to. */
+    /** If the planner throws, the members are still flown to. */
     void fallsBackToTheClusters()
     {
         const PlanRequest request = clusteredRequest(Simulation(pairAhead()));

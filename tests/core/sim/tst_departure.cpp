@@ -12,8 +12,9 @@ using namespace berg;
 
 namespace {
 
-/** Two to five UAVs at one place, or that fly off near it, in wind, with autopilots of several
- * rates. */
+/**
+ * Two to five UAVs at one place, or departing near it, in wind and with different autopilot rates.
+ */
 class StartCase
 {
 public:
@@ -47,7 +48,7 @@ public:
     std::vector<Departing> uavs;
 
 private:
-    std::deque<SafetyGuard> m_guards; // they stay where they are
+    std::deque<SafetyGuard> m_guards; // addresses must not change
 };
 
 } // namespace
@@ -57,7 +58,7 @@ class TestDeparture : public QObject
     Q_OBJECT
 
 private slots:
-    /** As flown, command by command: once apart they stay so, and end in discs that are clear. */
+    /** Flown command by command, UAVs that were once apart stay so and end in clear discs. */
     void onceApartTheyStayApart()
     {
         int found = 0;

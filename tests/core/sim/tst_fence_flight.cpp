@@ -33,7 +33,7 @@ std::ptrdiff_t samplesOutside(const Mission& mission)
 
 } // namespace
 
-/** The area as a geofence. */
+/** Flights with the area as a geofence. */
 class TestFenceFlight : public QObject
 {
     Q_OBJECT
@@ -64,10 +64,10 @@ private slots:
             QVERIFY2(samplesOutside(mission) == 0, qPrintable(QString("seed %1").arg(seed)));
             visits += mission.metrics().visits;
         }
-        QVERIFY(visits > 12 * scenarios); // and all the same it visits
+        QVERIFY(visits > 12 * scenarios); // and icebergs are still visited
     }
 
-    /** Too near to turn: said before the start, and told of in flight, out and in again. */
+    /** A start too close to turn is reported before the flight, and the crossings in flight. */
     void leavingTheFenceIsAnEvent()
     {
         for (int k = 0; k < 60; ++k) {
@@ -102,7 +102,7 @@ private slots:
         }
     }
 
-    /** However it leaves: a turn and the way back, not along the edge. */
+    /** After leaving it turns and comes straight back, not along the edge. */
     void itComesStraightBack_data()
     {
         QTest::addColumn<double>("heading_deg");
@@ -115,7 +115,7 @@ private slots:
         Scenario s = fencedScenario(1, {4, -3});
         s.area_m = {{-3000, -3000}, {3000, -3000}, {3000, 3000}, {-3000, 3000}};
         s.uavs[0].position_m = {2990, 0};
-        s.uavs[0].heading_deg = heading_deg; // from north
+        s.uavs[0].heading_deg = heading_deg; // clockwise from north
         for (Iceberg& iceberg : s.icebergs)
             iceberg.position_m = {0, 0};
         s.duration_s = 300;
@@ -151,7 +151,7 @@ private slots:
         for (int seed = 1; seed <= 20; ++seed) {
             Mission mission(fencedScenario(seed), {.sampleInterval_s = 0.1});
             mission.advance(200);
-            // The circle over ground grows with the wind: a little, and from well inside.
+            // The circle over ground grows a little with the wind, starting well inside.
             if (distanceToEdges(mission.scenario().area_m,
                                 mission.simulation().uav(0).pose.position_m) < 600)
                 continue;
@@ -161,7 +161,7 @@ private slots:
         }
     }
 
-    /** The plan reckons with the way round, so it goes on with what is on this side. */
+    /** The plan includes the detour, so it first visits icebergs on this side. */
     void legsAreAsLongAsTheWayRound()
     {
         Scenario s = fencedScenario(1);
@@ -176,8 +176,10 @@ private slots:
         QVERIFY(std::abs(request.uavs[0].distance_m(0, 2) - 2500) < 1e-9);
     }
 
-    /** With a reach radius below the turn radius some icebergs cannot be met: none of them holds
-     * the UAV up. */
+    /**
+     * With a reach radius below the turn radius some icebergs cannot be reached; none of them stops
+     * the flight.
+     */
     void nothingIsTriedForEver()
     {
         for (int seed = 1; seed <= 20; ++seed) {
@@ -196,7 +198,7 @@ private slots:
         }
     }
 
-    /** Corners of a search pattern that lie outside are left out. */
+    /** Corners of a search pattern outside the fence are left out. */
     void searchesEndInsideTheFence()
     {
         std::ptrdiff_t ended = 0;

@@ -19,13 +19,13 @@ Scenario calm()
 
 } // namespace
 
-/** What a UAV of a fleet does without the others. */
+/** Behaviour of one UAV of a fleet without the others. */
 class TestFleetAlone : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** Each time that both are in the air within the separation is an event, from take-off on. */
+    /** Every approach of two UAVs in the air below the separation is an event, from take-off on. */
     void takingOffTogetherIsClose()
     {
         Scenario s = calm();
@@ -58,7 +58,7 @@ private slots:
         }
     }
 
-    /** While the other one is on a long leg, what is beside the idle one is not left alone. */
+    /** While the other UAV is on a long leg, the idle one visits icebergs near it. */
     void theIdleOneHasWhatNobodyFliesTo()
     {
         Scenario s = calm();
@@ -84,13 +84,15 @@ private slots:
             longest_s = std::max(longest_s, idle_s);
         }
         QVERIFY2(longest_s <= 60, qPrintable(QString::number(longest_s))); // was 1900
-        // The other one's leg is left alone.
+        // The other UAV's leg continues.
         const auto plansOfOther = std::ranges::count(mission.plans(), 0, &PlanEvent::uav);
         QVERIFY2(plansOfOther <= 10, qPrintable(QString::number(plansOfOther)));
     }
 
-    /** Velocities that change move the anchor of an estimate at each step, which is no sighting:
-     * the idle one circled for ever beside two icebergs that nobody flew to. */
+    /**
+     * Changing velocities move the anchor of an estimate at each step, which once counted as a
+     * sighting: the idle UAV then circled for ever beside two icebergs without a visitor.
+     */
     void changingVelocitiesLeaveNobodyIdle()
     {
         Scenario s;
@@ -117,11 +119,11 @@ private slots:
             return event.kind == EventKind::Reached && event.uav == 1;
         });
         QCOMPARE(visits, 4); // was 0
-        // Was 33 % more. What is not known grows a little otherwise.
+        // It was 33 % more. Unknown values grow a little differently.
         QVERIFY(std::abs(change.metrics().zeta_m2s / stay.metrics().zeta_m2s - 1) < 0.1);
     }
 
-    /** One command in ten seconds: held turn rates made it swing, 5 visits in an hour. */
+    /** With one command in ten seconds held turn rates made it oscillate: 5 visits in an hour. */
     void slowAutopilotsFollowTheLeg()
     {
         Scenario s = calm();

@@ -1,7 +1,7 @@
 #include "core/io/files/run_json.h"
 #include "core/plan/policy/policy.h"
-#include "core/scenario/advice.h"
 #include "core/scenario/presets.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/sim/mission_instant.h"
 #include "core/sim/plan_requests.h"
 #include "core/sim/policy_forecast.h"
@@ -21,7 +21,7 @@ using namespace berg::test;
 
 namespace {
 
-/** A random field with UAVs that start 1.5 km apart, each in an altitude layer. */
+/** A random field whose UAVs start 1.5 km apart, each in its own altitude layer. */
 Scenario fleetScenario(std::int64_t seed, int uavs, int icebergs = 12)
 {
     Scenario scenario = randomScenario(seed, {.icebergs = icebergs});
@@ -69,8 +69,7 @@ private slots:
                     << policy.value << uavs;
     }
 
-    /** At each instant the targets differ, and a re-planning tells every UAV, or one without a
-     * target alone. */
+    /** Targets differ at each instant, and a replan covers every UAV, or a UAV without a target. */
     void everyPolicyFliesAFleet()
     {
         QFETCH(PolicyKind, policy);
@@ -87,13 +86,13 @@ private slots:
                     QVERIFY2(targets.insert(target).second, qPrintable(QString::number(until_s)));
         }
         QVERIFY(mission.metrics().visits > 5);
-        // One for each UAV, or for those alone that had no target.
-        std::map<double, std::vector<int>> told;
+        // Each UAV has a plan, or only UAVs without a target have one.
+        std::map<double, std::vector<int>> reported;
         for (const PlanEvent& plan : mission.plans())
-            told[plan.time_s].push_back(plan.uav);
-        for (const auto& [time_s, uavsTold] : told) {
-            QVERIFY(std::ranges::is_sorted(uavsTold));
-            const bool isForAll = static_cast<int>(uavsTold.size()) == uavs;
+            reported[plan.time_s].push_back(plan.uav);
+        for (const auto& [time_s, uavsReported] : reported) {
+            QVERIFY(std::ranges::is_sorted(uavsReported));
+            const bool isForAll = static_cast<int>(uavsReported.size()) == uavs;
             QVERIFY(isForAll || time_s > 0);
         }
         QVERIFY(static_cast<int>(mission.plans().size()) <= mission.metrics().replans * uavs);
@@ -117,7 +116,7 @@ private slots:
         QVERIFY(byOther > 5);
     }
 
-    /** Legs that a plan does not change go on as they were: the guidance does not start again. */
+    /** Legs that a plan does not change continue without a restart of the guidance. */
     void anUnchangedLegGoesOn()
     {
         const Mission mission = flownToEnd(fleetScenario(1, 2));
@@ -146,7 +145,7 @@ private slots:
         QVERIFY(two_m2s < 0.85 * one_m2s);
     }
 
-    /** A UAV that may visit nothing and is far away changes nothing for the other one. */
+    /** A distant UAV that may visit nothing does not affect the other. */
     void aBystanderChangesNothing()
     {
         Scenario scenario = fleetScenario(5, 2);
@@ -191,7 +190,7 @@ private slots:
         const int handed = first->order[1];
         const std::string& id = scenario.icebergs[static_cast<std::size_t>(handed)].id;
         mission.intervene({.assigned = Assignment{.iceberg = id, .uav = "uav-2"}});
-        QCOMPARE(mission.simulation().world().body(handed).assignedUav, 1);
+        QCOMPARE(mission.simulation().world().parameters(handed).assignedUav, 1);
         mission.advance(scenario.duration_s);
         bool isPlanned = false;
         for (const PlanEvent& plan : mission.plans()) {
@@ -201,12 +200,12 @@ private slots:
             isPlanned = isPlanned || (isIn && plan.uav == 1 && plan.time_s >= 60);
         }
         QVERIFY(isPlanned);
-        // Read back and flown again it is the same flight.
+        // Reading the run file and replaying it gives the same flight.
         const RunFile run = runFromJson(runToJson(runOf(mission)), "run");
         QVERIFY(run == runOf(mission));
         QVERIFY(runOf(replay(run)) == run);
-        QCOMPARE(instantAt(mission, 50).simulation.world().body(handed).assignedUav, -1);
-        QCOMPARE(instantAt(mission, 70).simulation.world().body(handed).assignedUav, 1);
+        QCOMPARE(instantAt(mission, 50).simulation.world().parameters(handed).assignedUav, -1);
+        QCOMPARE(instantAt(mission, 70).simulation.world().parameters(handed).assignedUav, 1);
     }
 
     void handingOverToNobodyIsRefused()
@@ -232,7 +231,7 @@ private slots:
         QTest::newRow("latency") << PolicyKind::Latency << false;
     }
 
-    /** Endurance, wind, measurements, an area and late plans all at once. */
+    /** Combines endurance, wind, measurements, an area and late plans. */
     void lookingBackAndFlyingAgainAreBitForBit()
     {
         QFETCH(PolicyKind, policy);
@@ -267,7 +266,7 @@ private slots:
         }
     }
 
-    /** Home in time, every one of them, whatever the others do. */
+    /** Every UAV is home in time, whatever the others do. */
     void everyUavIsHomeInTime()
     {
         for (const int seed : {1, 2, 3}) {
@@ -294,7 +293,7 @@ private slots:
         }
     }
 
-    /** An iceberg that another UAV sees by chance is not flown to any more. */
+    /** An iceberg seen by another UAV by chance is no longer a target. */
     void aTargetSeenByAnotherIsGivenUp()
     {
         Scenario scenario = emptySea(200);
@@ -313,7 +312,7 @@ private slots:
         });
         QVERIFY(given != mission.plans().end());
         QCOMPARE(given->target, -1);
-        // Not counted as a visit of the first UAV, which was far away.
+        // This does not count as a visit of the first UAV, which was far away.
         const std::vector<MissionEvent> reached = eventsOf(mission, EventKind::Reached);
         QVERIFY(std::ranges::none_of(reached, [&](const MissionEvent& event) {
             return event.iceberg == 0 && event.time_s <= given->time_s;
@@ -331,7 +330,7 @@ private slots:
                 drawnZeta_m2s(alone, PolicyKind::Visitation, 0).value());
     }
 
-    /** What the solver said of the whole fleet: gap, mu and distance belong to one another. */
+    /** Gap, mu and distance of an event describe the solve of the whole fleet. */
     void plansTellWhatTheSolverSaid()
     {
         const Scenario scenario = fleetScenario(1, 3, 40);
@@ -345,7 +344,7 @@ private slots:
         double reward_m2 = 0;
         for (const PlanEvent& plan : mission.plans()) {
             QVERIFY(plan.bound && plan.gap && plan.mu > 0);
-            QCOMPARE(plan.status, SolveStatus::Feasible); // so the gap is worth telling
+            QCOMPARE(plan.status, SolveStatus::Feasible); // so there is a gap to report
             COMPARE_NEAR(*plan.gap, (plan.objective - *plan.bound) / (plan.objective + 41 * sum_m2),
                          1e-9);
             const auto k = static_cast<std::size_t>(plan.uav);
@@ -363,7 +362,9 @@ private slots:
         COMPARE_NEAR(plan.mu * plan.distance_m - plan.objective, reward_m2, 1e-6);
     }
 
-    /** A UAV waits for one kept for it that is too far away, and asks for no plan meanwhile. */
+    /**
+     * A UAV waits for its assigned iceberg that is too far away, and requests no plan meanwhile.
+     */
     void whatIsOutOfReachIsNotAskedFor()
     {
         Scenario scenario = emptySea(300);
@@ -389,7 +390,7 @@ private slots:
         }
     }
 
-    /** The fleet's change of plan: what both visit is the same, zeta that of all. */
+    /** The change of a fleet's plan compares equal visits, and zeta over all UAVs. */
     void changesAreOfTheFleet()
     {
         const Mission mission = flownToEnd(fleetScenario(9, 2));

@@ -1,6 +1,6 @@
 #include "core/io/files/run_json.h"
-#include "core/scenario/advice.h"
 #include "core/scenario/presets.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/sim/mission_instant.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/file_texts.h"
@@ -32,7 +32,7 @@ Intervention command(const char* uav, FlightOrder order)
     return {.commanded = UavCommand{.uav = uav, .order = order}};
 }
 
-/** Read back, flown again and looked back at it is the same flight. */
+/** Reading, replaying and restoring give the same flight. */
 void replays(const Mission& mission)
 {
     const RunFile run = runFromJson(runToJson(runOf(mission)), "run");
@@ -44,7 +44,7 @@ void replays(const Mission& mission)
 
 } // namespace
 
-/** What an operator tells one UAV in flight. */
+/** Operator's orders to one UAV in flight. */
 class TestFlightOrders : public QObject
 {
     Q_OBJECT
@@ -64,7 +64,7 @@ private slots:
         QTest::newRow("wind") << 15.0;
     }
 
-    /** A command each minute misses home for ever. */
+    /** One command per minute would miss home for ever. */
     void returnsWithASlowAutopilot()
     {
         QFETCH(double, wind_mps);
@@ -84,7 +84,7 @@ private slots:
         }
     }
 
-    /** It flies home, lands and stays there, until it is told to resume. */
+    /** The UAV flies home, lands and stays there until an order to resume. */
     void returnNow()
     {
         QFETCH(double, endurance_s);
@@ -98,7 +98,7 @@ private slots:
         mission.intervene(command("u1", FlightOrder::ReturnNow));
         QCOMPARE(mission.simulation().uav(0).mode, FlightMode::Home);
         mission.advance(61);
-        // What it was to visit is planned for the other one at once.
+        // Its remaining icebergs are planned for the other UAV at once.
         const PlanEvent& plan = mission.plans().back();
         QCOMPARE(plan.uav, 1);
         QCOMPARE(plan.time_s, 60.0);
@@ -157,7 +157,7 @@ private slots:
         replays(mission);
     }
 
-    /** The endurance goes first; on the ground it stays. */
+    /** The endurance has priority; on the ground the UAV stays. */
     void holdingEndsAtHome()
     {
         Scenario s = withUavs(1);

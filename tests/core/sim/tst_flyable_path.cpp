@@ -11,7 +11,7 @@ using namespace berg;
 
 namespace {
 
-constexpr double kLate_s = 3; ///< predictions are of straight lines and whole turns
+constexpr double kLate_s = 3; ///< tolerance for straight legs and whole turns
 
 Scenario coverageScenario(int seed)
 {
@@ -25,7 +25,7 @@ FlyablePath pathOf(const ExportSource& source, const UavOrder& order)
     return flyOrder(presentScene(source, 0), order, false);
 }
 
-/** The first icebergs that the plan sees, at the times foretold, `now_s` after take-off. */
+/** Compares the first sightings with the times predicted by the plan, `now_s` after take-off. */
 void compareSightings(const FlyablePath& path, const std::vector<int>& order,
                       const std::vector<double>& sightings_s, std::size_t count, double now_s)
 {
@@ -39,7 +39,7 @@ void compareSightings(const FlyablePath& path, const std::vector<int>& order,
 
 } // namespace
 
-/** Orders flown for exports; those in straight legs are tested with the content of exports. */
+/** Orders flown for exports. Straight legs are tested with the content of exports. */
 class TestFlyablePath : public QObject
 {
     Q_OBJECT
@@ -71,12 +71,12 @@ private slots:
         }
     }
 
-    /** Of the plan in force, from where the UAV is, the turn it is in included. */
+    /** The plan in force is followed from the UAV's present position and turn. */
     void aimsAreFollowedFromNowOn()
     {
         Scenario scenario = coverageScenario(2);
         for (Iceberg& iceberg : scenario.icebergs)
-            iceberg.q_m2ps = 0; // nothing but what is foretold
+            iceberg.q_m2ps = 0; // no growth beyond the prediction
         const PlanAnswer start = planFromStart(scenario);
         Mission mission(scenario);
         mission.advance(137);
@@ -86,11 +86,11 @@ private slots:
         QVERIFY(!order.legs.empty());
         const FlyablePath path = pathOf(source, order);
         QVERIFY(path.track.front().state.position_m == mission.simulation().uav(0).pose.position_m);
-        // Later ones at the edge of the view may come into it a pass earlier or later.
+        // Later icebergs at the edge of the view may be seen one pass earlier or later.
         compareSightings(path, plan.order, plan.outlook->sightings_s, 6, 137);
     }
 
-    /** Members of a cluster that are seen on the way to another iceberg are not visited again. */
+    /** Members of a cluster seen on the path to another iceberg are not visited again. */
     void everyIcebergIsVisitedOnce()
     {
         Scenario scenario = randomScenario(1, {.icebergs = 3});
@@ -110,14 +110,14 @@ private slots:
         QVERIFY((seen == std::multiset<int>{0, 1, 2}));
     }
 
-    /** Planned for one speed, not for another. */
+    /** Aimed legs for another airspeed are not used. */
     void anotherSpeedIsFlownStraight()
     {
         const Scenario scenario = coverageScenario(1);
         const PlanAnswer plan = planFromStart(scenario);
         const ExportSource source{.scenario = scenario, .plan = plan};
         const ExportContent slow =
-            exportContent(source, {.what = ExportWhat::Path, .airspeed_mps = 20});
+            exportContent(source, {.what = ExportScope::Path, .airspeed_mps = 20});
         UavOrder order = presentOrder(source, 0);
         order.legs.clear();
         Scenario scene = presentScene(source, 0);

@@ -20,7 +20,7 @@ Scenario calm()
     return s;
 }
 
-/** One iceberg whose velocity nobody knows: it is lost on the way to it. */
+/** One iceberg of unknown velocity that is lost during the approach. */
 Scenario lostOnTheWay()
 {
     Scenario s = calm();
@@ -39,7 +39,7 @@ Scenario lostOnTheWay()
     return s;
 }
 
-/** Icebergs with doubtful velocities, two UAVs that have to come home. */
+/** Icebergs of uncertain velocity and two UAVs that must come home. */
 Scenario doubtfulField(std::int64_t seed)
 {
     Scenario s = randomScenario(seed);
@@ -58,7 +58,7 @@ Scenario doubtfulField(std::int64_t seed)
     return s;
 }
 
-/** Icebergs with doubtful velocities, one UAV whose plans search. */
+/** Icebergs of uncertain velocity and one UAV whose plans include searches. */
 Scenario searchedByPlan(std::int64_t seed)
 {
     Scenario s = randomScenario(seed, {.icebergs = 8});
@@ -70,7 +70,7 @@ Scenario searchedByPlan(std::int64_t seed)
     return s;
 }
 
-/** Two icebergs should be at one place, and are not. */
+/** Two icebergs are absent from their estimated place. */
 Scenario gone()
 {
     Scenario s = searchedByPlan(1);
@@ -85,7 +85,7 @@ Scenario gone()
     return s;
 }
 
-/** One to four icebergs, every second one up to 2 km from where it should be. */
+/** One to four icebergs, every second one up to 2 km from its estimate. */
 Scenario fewAndElsewhere(std::uint64_t seed)
 {
     Random random(seed, 310);
@@ -115,7 +115,7 @@ Scenario fewAndElsewhere(std::uint64_t seed)
     return s;
 }
 
-/** Whether an iceberg is lost, and nobody searches for it, nor does a plan. */
+/** Returns true if an iceberg is lost while no UAV and no plan searches for it. */
 bool hasUnsearched(const Simulation& world)
 {
     for (int i = 0; i < world.icebergCount(); ++i) {
@@ -139,7 +139,7 @@ int countOf(const Mission& mission, EventKind kind)
     return static_cast<int>(std::ranges::count(mission.events(), kind, &MissionEvent::kind));
 }
 
-/** One step to what is nearest; how many plans that took. */
+/** Flies one step towards the nearest iceberg and returns the number of plans needed. */
 int flyStep(Simulation& world)
 {
     int plans = 0;
@@ -154,13 +154,13 @@ int flyStep(Simulation& world)
 
 } // namespace
 
-/** Icebergs that are not where they should be: who searches, and for how long nobody does. */
+/** Icebergs away from their estimates: searches, and periods without one. */
 class TestLostAgain : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** It stayed on the ground for ever, the iceberg lost and nobody allowed to look. */
+    /** The UAV stayed on the ground for ever, with an iceberg lost and no search permitted. */
     void whoWentHomeComesBackToSearch()
     {
         Mission mission(lostOnTheWay(), {.workLimit = 20'000});
@@ -177,7 +177,7 @@ private slots:
         QTest::newRow("kalman") << ObserverModel::Kalman;
     }
 
-    /** Whoever reports it: it is planned for again, and nobody searches for it. */
+    /** A reported iceberg is planned again, and no search continues. */
     void reportedIsFound()
     {
         QFETCH(ObserverModel, model);
@@ -198,8 +198,7 @@ private slots:
         QCOMPARE(countOf(mission, EventKind::Found), 1);
     }
 
-    /** What has no time to change in does not vary; a run that says so is the same when replayed.
-     */
+    /** Without a time constant the velocity does not vary; a run file with such values replays. */
     void variationWithoutItsTimeIsNone()
     {
         Iceberg iceberg{.velocitySpread_mps = 0.1};
@@ -208,10 +207,10 @@ private slots:
         QCOMPARE(initialTrack(iceberg, ObserverModel::Kalman).velocitySpread_mps, 0.1);
     }
 
-    /** Lost is searched for by one UAV that flies; given up is kept for later. */
+    /** One flying UAV searches for a lost iceberg; a search given up is stored. */
     void whatIsLostIsSearchedFor()
     {
-        int handedOn = 0;
+        int passedOn = 0;
         int losses = 0;
         for (int seed = 1; seed <= 36; ++seed) {
             Mission mission(doubtfulField(seed), {.workLimit = 20'000});
@@ -229,7 +228,7 @@ private slots:
                     const bool isLost =
                         world.active(i) && world.track(i).status == TrackStatus::Lost;
                     QCOMPARE(isLost, searching >= 0);
-                    handedOn += before >= 0 && searching >= 0 && before != searching ? 1 : 0;
+                    passedOn += before >= 0 && searching >= 0 && before != searching ? 1 : 0;
                     before = searching;
                     const std::vector<Search>& givenUp = world.observer().searches().givenUp();
                     const bool isKept =
@@ -241,10 +240,10 @@ private slots:
             losses += countOf(mission, EventKind::Lost);
         }
         QVERIFY2(losses >= 8, qPrintable(QString::number(losses)));
-        QVERIFY2(handedOn >= 1, qPrintable(QString::number(handedOn)));
+        QVERIFY2(passedOn >= 1, qPrintable(QString::number(passedOn)));
     }
 
-    /** When the rest is fresh the search is worth while again. */
+    /** After the other icebergs have been seen a search is worthwhile again. */
     void givenUpIsNotForEver()
     {
         int again = 0;
@@ -269,8 +268,10 @@ private slots:
         QVERIFY2(again >= 5, qPrintable(QString::number(again)));
     }
 
-    /** A pattern flown in vain leaves no chance where it begins: a UAV with nothing else to do
-     * circled for the rest of the flight, up to 2281 s. */
+    /**
+     * A pattern flown in vain leaves no probability at its start: a UAV without other targets
+     * circled for the rest of the flight, up to 2281 s.
+     */
     void whoHasNothingElseSearches()
     {
         int losses = 0;
@@ -295,18 +296,19 @@ private slots:
         QVERIFY2(losses > 40, qPrintable(QString::number(losses)));
     }
 
-    /** Plans were made for what the log still held: a loss that nobody had read asked for one at
-     * each step. */
+    /**
+     * Events still unread by the log triggered plans: an unread loss requested one at each step.
+     */
     void readingTheLogChangesNothing()
     {
         for (int seed = 1; seed <= 4; ++seed) {
             Simulation read(doubtfulField(seed));
             Simulation unread = read;
-            std::vector<EventKind> told;
+            std::vector<EventKind> reported;
             int plans = 0;
-            const auto take = [&told](Simulation& world) {
-                for (const MissionEvent& event : world.acceptEvents())
-                    told.push_back(event.kind);
+            const auto take = [&reported](Simulation& world) {
+                for (const MissionEvent& event : world.drainEvents())
+                    reported.push_back(event.kind);
             };
             while (!read.finished()) {
                 plans += flyStep(read);
@@ -315,15 +317,15 @@ private slots:
                 QCOMPARE(plans, 0);
                 QVERIFY(read.state() == unread.state());
             }
-            const std::vector<EventKind> all = std::exchange(told, {});
+            const std::vector<EventKind> all = std::exchange(reported, {});
             take(unread);
-            QVERIFY(told == all);
+            QVERIFY(reported == all);
             QVERIFY(std::ranges::count(all, EventKind::Lost) > 0);
             QVERIFY(std::ranges::count(all, EventKind::HomeBound) > 0);
         }
     }
 
-    /** What a plan looks for has not been given up, however many are lost at once. */
+    /** Searches in plans are not given up, however many icebergs are lost. */
     void whatThePlanSearchesIsNotGivenUp()
     {
         Mission mission(gone(), {.workLimit = 20'000});
@@ -337,7 +339,7 @@ private slots:
         QCOMPARE(countOf(mission, EventKind::GivenUp), 0);
     }
 
-    /** A place is worth flying to as far as looks on the way over it would show the iceberg. */
+    /** A search place counts by the probability that samples on the pass show the iceberg. */
     void placesCountOnWhatLooksShow()
     {
         Scenario s = gone();
@@ -351,7 +353,8 @@ private slots:
             world.observer().tracks().begin();
         QVERIFY(lost < 8);
         const auto iceberg = static_cast<std::size_t>(lost);
-        const std::vector<SearchPlace> places = planRequest(world).uavs[0].picture->places[iceberg];
+        const std::vector<SearchPlace> places =
+            planRequest(world).uavs[0].prediction->places[iceberg];
         QVERIFY(!places.empty());
         const double isThere = world.observer()
                                    .searches()
@@ -359,12 +362,14 @@ private slots:
                                    ->path.likeliestPlaces(270, 1)
                                    .front()
                                    .chance;
-        // Half the view of 600 m at 22 m/s: 0.68 looks.
+        // Half the view of 600 m at 22 m/s takes 0.68 samples.
         QVERIFY(std::abs(places.front().chance - isThere * 300 / 22 / 20) < 1e-12);
     }
 
-    /** Another policy searches with a pattern, and nobody on the way home: what is left is given
-     * up, and the log says so. */
+    /**
+     * Other policies search with a pattern, and UAVs flying home do not search: remaining searches
+     * are given up, and the log reports it.
+     */
     void whatNoPlanSearchesIsGivenUp_data()
     {
         QTest::addColumn<bool>("goesHome");
@@ -398,7 +403,10 @@ private slots:
         QVERIFY2(left >= 4, qPrintable(QString::number(left)));
     }
 
-    /** The simple observer too: a beacon 0.3 m/s off its dead reckoning held the UAV for ever. */
+    /**
+     * With the simple observer too, an iceberg missing at its estimate is lost: a beacon drifting
+     * 0.3 m/s off its dead reckoning held the UAV for ever.
+     */
     void anEmptyPlaceIsAFinding()
     {
         Scenario s = calm();
@@ -419,7 +427,7 @@ private slots:
         QVERIFY2(last_s > 10'000, qPrintable(QString::number(last_s))); // was 1770
     }
 
-    /** Its diameter is the first number, where places to search are planned too. */
+    /** The first number of its field of view is the diameter, also for planned search places. */
     void aDiskHasOneExtent()
     {
         Scenario s = randomScenario(1, {.icebergs = 6});

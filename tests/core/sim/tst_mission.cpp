@@ -19,7 +19,7 @@ class FailingSolver final : public TvpSolver
 public:
     explicit FailingSolver(int good) : m_good(good) {}
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
-    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
+    [[nodiscard]] std::optional<IssueReason> unsupportedReason(const TvpProblem&) const override
     {
         return std::nullopt;
     }
@@ -38,13 +38,13 @@ private:
     mutable int m_solves = 0;
 };
 
-/** Notes of each solve whether it is one in flight. */
+/** Records whether each solve is one in flight. */
 class NotingSolver final : public TvpSolver
 {
 public:
     explicit NotingSolver(std::vector<bool>& inFlight) : m_inFlight(inFlight) {}
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
-    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
+    [[nodiscard]] std::optional<IssueReason> unsupportedReason(const TvpProblem&) const override
     {
         return std::nullopt;
     }
@@ -151,7 +151,7 @@ private slots:
         QVERIFY(checked > 10);
     }
 
-    /** A solver that returns no order: the rest of the last plan is flown, and the log says so. */
+    /** If a solver fails, the rest of the previous plan is flown and the log reports it. */
     void fallsBackToTheLastPlan()
     {
         Mission mission(randomScenario(16), {}, std::make_unique<FailingSolver>(1));
@@ -165,7 +165,7 @@ private slots:
             QCOMPARE(plans[i].status, SolveStatus::None);
             QCOMPARE(plans[i].stop, StopReason::TimeLimit);
             QVERIFY(plans[i].target >= 0);
-            // What is left of the first plan, in its order.
+            // The rest of the first plan, in its order.
             auto place = first.begin();
             for (const int iceberg : plans[i].order) {
                 place = std::find(place, first.end(), iceberg);
@@ -174,7 +174,7 @@ private slots:
         }
     }
 
-    /** The rest has a small part of the work; but for the first with other settings. */
+    /** Later solves get a small part of the work, except the first with new settings. */
     void onlyTheFirstPlanIsNotInFlight()
     {
         std::vector<bool> inFlight;
@@ -191,7 +191,7 @@ private slots:
         QVERIFY(!inFlight[before]);
     }
 
-    /** Not even a first plan: the autopilot still has somewhere to go. */
+    /** Without any plan the autopilot still has a target. */
     void fliesWithoutAnyPlan()
     {
         Mission mission(randomScenario(16), {}, std::make_unique<FailingSolver>(0));
@@ -218,7 +218,7 @@ private slots:
         std::set<int> targets;
         for (const PlanEvent& plan : mission.plans())
             targets.insert(plan.target);
-        // `nearest` is known to get stuck between a few; every other one goes round.
+        // `nearest` may get stuck between a few icebergs; every other policy visits all of them.
         QVERIFY(targets.size() >= (scenario.planner.policy == PolicyKind::Nearest ? 2U : 5U));
     }
 
@@ -229,8 +229,8 @@ private slots:
         scenario.planner.policy = PolicyKind::Tour;
         Mission mission(scenario);
         flyToEnd(mission);
-        // Twice round: the successor of an iceberg in the cycle never changes, up to icebergs that
-        // were passed over because they were in view.
+        // After two laps the successor of an iceberg in the cycle never changes, except for
+        // icebergs in view, which are skipped.
         const std::vector<int>& cycle = mission.plans()[0].order;
         int backward = 0;
         for (std::size_t i = 1; i < mission.plans().size(); ++i) {
@@ -241,7 +241,8 @@ private slots:
             const auto to = placeOf(mission.plans()[i].target);
             backward += to <= from ? 1 : 0;
         }
-        // Ascending but for one step back a lap, and a lap visits most of the 12.
+        // The order ascends except for one step back per lap, and a lap visits most of the 12
+        // icebergs.
         const auto visits = static_cast<int>(mission.plans().size());
         QVERIFY2(backward >= 2 && 8 * backward <= visits,
                  qPrintable(QString("%1 of %2").arg(backward).arg(visits)));
@@ -271,13 +272,13 @@ private slots:
                 return plan.time_s == 200.0 && plan.reason == PlanReason::Intervention;
             });
         QCOMPARE(replanned, 1);
-        // tau = 0: the plan made on the spot goes to the most uncertain iceberg first.
+        // With tau = 0 the immediate plan goes to the most uncertain iceberg first.
         for (const PlanEvent& plan : steered.plans())
             if (plan.time_s == 200.0 && plan.reason == PlanReason::Intervention)
                 QCOMPARE(plan.mu, 0.0);
     }
 
-    /** As if it were in view for this instant, and planned anew without the need to go there. */
+    /** A reported iceberg counts as in view now, and the new plan need not visit it. */
     void reportedSightingIsBelieved()
     {
         const Scenario scenario = randomScenario(3, {.icebergs = 6});
@@ -296,7 +297,7 @@ private slots:
         QVERIFY(mission.events().back().reported);
         mission.advance(50.1);
         QCOMPARE(mission.plans().size(), plans + 1);
-        QVERIFY(mission.plans().back().target != target); // it is of no interest any more
+        QVERIFY(mission.plans().back().target != target); // it is no longer a target
     }
 
     void unknownSightingIsRefused()
@@ -311,7 +312,7 @@ private slots:
         QVERIFY(mission.interventions().empty());
     }
 
-    /** An intervention while a plan is due must leave the same trace as in a replay. */
+    /** An intervention while a plan is due leaves the same record as in a replay. */
     void interventionsBeforeAPlanRepeat()
     {
         const auto intervene = [](Mission& mission) {
@@ -319,7 +320,7 @@ private slots:
             mission.intervene({.tau = 3.0});
         };
         Mission live(randomScenario(23));
-        intervene(live); // nothing is planned yet
+        intervene(live); // no plan yet
         flyToEnd(live);
         Mission replayed(randomScenario(23));
         replayed.advance(0);
@@ -330,7 +331,7 @@ private slots:
         QCOMPARE(live.plans()[2].reason, PlanReason::Intervention);
     }
 
-    /** Nothing about it counts from then on, and the area does not bring it back. */
+    /** A removed iceberg no longer counts, and the area does not restore it. */
     void removedIcebergIsLeftAlone()
     {
         Scenario scenario = randomScenario(19);
@@ -359,7 +360,7 @@ private slots:
         QVERIFY_THROWS_EXCEPTION(Error, mission.intervene({.removed = "nobody"}));
     }
 
-    /** Nor is it looked for: it was lost, or is missed where it is believed to be. */
+    /** A removed iceberg is not searched for, whether it was lost or is missed at its estimate. */
     void removedIcebergIsNotSearchedFor()
     {
         Scenario scenario = randomScenario(19);
@@ -437,7 +438,7 @@ private slots:
         }
     }
 
-    void noIcebergs()
+    void missionWithoutIcebergsHoldsItsPlace()
     {
         Mission mission(test::emptySea(60));
         flyToEnd(mission);
@@ -454,29 +455,29 @@ private slots:
         QCOMPARE(planFromStart(scenario).uavs[0].order, mission.plans().at(0).order);
     }
 
-    /** The first plan with aim points is told of while it is made, with its legs. */
+    /** The listener gets the first aimed plan while it is being made, with its legs. */
     void incumbentsHaveLegs()
     {
         Scenario scenario = randomScenario(5);
         scenario.planner.policy = PolicyKind::Coverage;
         Mission mission(scenario, {.workLimit = 100'000});
-        std::vector<PlanEvent> told;
-        mission.setIncumbentListener([&](const PlanEvent& plan) { told.push_back(plan); });
+        std::vector<PlanEvent> reported;
+        mission.setIncumbentListener([&](const PlanEvent& plan) { reported.push_back(plan); });
         mission.advance(0);
-        QVERIFY(!told.empty());
-        QVERIFY(!told.front().legs.empty());
-        QCOMPARE(told.front().target, told.front().order.front());
+        QVERIFY(!reported.empty());
+        QVERIFY(!reported.front().legs.empty());
+        QCOMPARE(reported.front().target, reported.front().order.front());
         const PlanEvent& plan = mission.plans().front();
         QVERIFY(plan.outlook.has_value());
         QCOMPARE(plan.distance_m, 22 * plan.outlook->sightings_s.back());
-        const std::size_t first = told.size();
+        const std::size_t first = reported.size();
         mission.advance(200);
         QVERIFY(mission.plans().size() > 2);
-        QCOMPARE(told.size(), first); // later ones take a moment only
+        QCOMPARE(reported.size(), first); // later ones take a moment only
         QVERIFY(mission.plans().back().zeta_m2s > 0);
     }
 
-    /** As a study flies: noise drawn once for all settings, and nothing kept but the numbers. */
+    /** Studies draw the noise once for all settings and store only the figures. */
     void noiseDrawnOnceServesManyMissions()
     {
         Scenario scenario = randomScenario(23);

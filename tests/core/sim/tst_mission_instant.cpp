@@ -15,7 +15,7 @@ struct Change
     Intervention intervention;
 };
 
-/** Interventions of every kind, two of them at one instant, one where a plan is due anyway. */
+/** Interventions of every kind, two at one instant and one where a plan is due anyway. */
 std::vector<Change> changes()
 {
     Iceberg added;
@@ -61,14 +61,16 @@ void compareWithFlight(const MissionInstant& instant, const Mission& then)
 
 } // namespace
 
-/** Any instant looked back at is the one that was flown, bit for bit. */
+/** A restored instant equals the flight bit for bit. */
 class TestMissionInstant : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** With a planning delay: a plan that things had overtaken asked for another one for all, which
-     * looking back left out. */
+    /**
+     * With a planning delay, a plan with unavailable targets requested another one for all UAVs,
+     * which the restored instant omitted.
+     */
     void overtakenPlansAreTheSame()
     {
         const test::RandomFleet fleet(88);
@@ -84,7 +86,9 @@ private slots:
                      qPrintable(QString::number(20 * (k + 1))));
     }
 
-    /** Looking back left a UAV to be planned alone that the new tau planned with all others. */
+    /**
+     * The restored instant planned a UAV separately that the new tau had planned with all others.
+     */
     void changesAreTheSameForAUavThatIsPlannedAlone()
     {
         Scenario scenario = test::emptySea(900);

@@ -17,7 +17,7 @@ std::vector<Point> squareRound(const Point& middle_m, double half_m)
             middle_m + Point(half_m, half_m), middle_m + Point(-half_m, half_m)};
 }
 
-/** `fencedScenario` with areas of 300 to 900 m about some of its icebergs and between them. */
+/** `fencedScenario` with areas of 300 to 900 m around some of its icebergs and between them. */
 Scenario scenarioWithAreas(std::int64_t seed, const Point& wind_mps, bool isFenced)
 {
     Scenario s = fencedScenario(seed, wind_mps);
@@ -48,7 +48,7 @@ Scenario icebergInAnArea()
     return s;
 }
 
-/** Of all samples, ten a second. */
+/** Least distance over all samples, ten per second. */
 double nearest_m(const Mission& mission, const Point& place_m)
 {
     double least_m = 1e9;
@@ -118,7 +118,7 @@ private slots:
         QVERIFY2(visits > 10 * scenarios, qPrintable(QString::number(visits)));
     }
 
-    /** The view is 600 m wide: it sees 300 m into an area, and needs some of it for its turn. */
+    /** The view is 600 m wide: it reaches 300 m into an area, and the turn takes some of that. */
     void icebergNearTheEdgeIsSeenFromOutside()
     {
         Scenario s = icebergInAnArea();
@@ -169,7 +169,7 @@ private slots:
         QVERIFY(visitsOf(mission, 1) >= 1);
     }
 
-    /** An asset that gets a ring in flight, and one that loses it. */
+    /** An asset may get a ring in flight, or lose it. */
     void ringCanChangeInFlight()
     {
         Scenario s = icebergInAnArea();
@@ -193,7 +193,7 @@ private slots:
         QVERIFY(visitsOf(without, 0) >= 1);
     }
 
-    /** It is told, and the UAV leaves by the shortest way. */
+    /** The event is reported, and the UAV leaves by the shortest path. */
     void ringComesOverTheUav()
     {
         Scenario s = icebergInAnArea();

@@ -1,7 +1,7 @@
 #include "core/bound/zeta_bound.h"
 #include "core/io/files/run_json.h"
+#include "core/scenario/initial_truth.h"
 #include "core/scenario/presets.h"
-#include "core/scenario/true_start.h"
 #include "core/sim/mission_instant.h"
 #include "core/sim/visits.h"
 #include "tests/support/approx.h"
@@ -34,7 +34,7 @@ Scenario measuredField(std::int64_t seed, double velocitySd_mps)
     return scenario;
 }
 
-/** A field whose velocities are not known and change. */
+/** A field of unknown, changing velocities. */
 Scenario changingField(std::int64_t seed, double time_s)
 {
     Scenario scenario = measuredField(seed, 0.15);
@@ -46,7 +46,7 @@ Scenario changingField(std::int64_t seed, double time_s)
     return scenario;
 }
 
-/** One iceberg ahead that has a beacon: it is truly so far north of where it is believed to be. */
+/** One iceberg ahead with a beacon, truly `off_m` north of its estimate. */
 Scenario ghost(double off_m)
 {
     Scenario scenario = emptySea(2000);
@@ -64,7 +64,7 @@ Mission flownToEnd(const Scenario& scenario)
     return mission;
 }
 
-/** What is known of the first iceberg when it is found again. */
+/** Returns the track of the first iceberg when it is found again. */
 Track whenFound(const Scenario& scenario)
 {
     Mission mission(scenario);
@@ -75,7 +75,7 @@ Track whenFound(const Scenario& scenario)
     return mission.simulation().track(0);
 }
 
-/** Written, read and flown again. */
+/** Writes, reads and replays the flight. */
 bool isSameFlight(const Mission& mission)
 {
     const RunFile run = runOf(mission);
@@ -91,7 +91,9 @@ class TestObservedWorld : public QObject
     Q_OBJECT
 
 private slots:
-    /** Known velocity and start, perfect measurements at each step: the paper's model. */
+    /**
+     * With known velocity and start and perfect measurements at each step it is the paper's model.
+     */
     void agreesWithTheSimpleModel_data()
     {
         QTest::addColumn<PolicyKind>("policy");
@@ -117,7 +119,7 @@ private slots:
         }
     }
 
-    /** In flight the filters are consistent: the mean error squared is what sigma says. */
+    /** The filters are consistent in flight: the mean squared error equals sigma. */
     void sigmaIsTheErrorSquared()
     {
         double error = 0;
@@ -144,7 +146,7 @@ private slots:
                  qPrintable(QString::number(error / samples)));
     }
 
-    /** Six hours after its last sighting at 0.1 m/s it is known to 2.2 km, not to 23 m. */
+    /** Six hours after its last sighting at 0.1 m/s the iceberg is known to 2.2 km, not to 23 m. */
     void theAgeOfASightingCountsItsVelocity()
     {
         Scenario scenario = emptySea(100);
@@ -168,7 +170,7 @@ private slots:
         double places = 0;
         double both = 0;
         for (const Iceberg& iceberg : scenario.icebergs) {
-            const TrueStart truth = trueStart(iceberg, scenario.observer, 7, true);
+            const InitialTruth truth = initialTruth(iceberg, scenario.observer, 7, true);
             const Point off_m = truth.position_m - iceberg.position_m;
             places += off_m.squaredNorm() / (2 * track.sigma_m2);
             both += off_m.dot(truth.velocity_mps - iceberg.velocity_mps) / (2 * track.mixed_m2ps);
@@ -178,7 +180,7 @@ private slots:
         COMPARE_NEAR(both / 500, 1, 0.14);
     }
 
-    /** Ten hours after its last sighting a velocity that changes has been forgotten. */
+    /** Ten hours after its last sighting a changing velocity has been forgotten. */
     void theAgeOfASightingCountsHowItsVelocityChanges()
     {
         Scenario scenario = emptySea(100);
@@ -199,7 +201,7 @@ private slots:
         COMPARE_NEAR(std::sqrt(track.velocity_m2ps2), 0.15 * std::sqrt(1 - std::exp(-2.0)), 0.001);
         DriftVariances drawn;
         for (const Iceberg& iceberg : scenario.icebergs) {
-            const TrueStart truth = trueStart(iceberg, scenario.observer, 7, true);
+            const InitialTruth truth = initialTruth(iceberg, scenario.observer, 7, true);
             const Point off_m = truth.position_m - iceberg.position_m;
             const Point off_mps = truth.velocity_mps - iceberg.velocity_mps;
             drawn.position_m2 += off_m.squaredNorm() / 1000;
@@ -210,12 +212,12 @@ private slots:
         COMPARE_NEAR(drawn.position_m2 / track.sigma_m2, 1, 0.14);
         COMPARE_NEAR(drawn.mixed_m2ps / track.mixed_m2ps, 1, 0.14);
         COMPARE_NEAR(drawn.velocity_m2ps2 / track.velocity_m2ps2, 1, 0.14);
-        scenario.observer.model = ObserverModel::Simple; // which knows velocities
+        scenario.observer.model = ObserverModel::Simple; // this observer knows velocities
         COMPARE_NEAR(Simulation(scenario).track(0).sigma_m2, expected.position_m2, 1e-6);
         QCOMPARE(Simulation(scenario).track(0).velocityTime_s, 0.0);
     }
 
-    /** Visits are where the icebergs truly were, drawn as the simulation drew them. */
+    /** Visits are at the true positions that the simulation drew. */
     void visitsAreWhereTheyTrulyWere()
     {
         Scenario scenario = changingField(3, 36'000);
@@ -228,8 +230,8 @@ private slots:
         }
     }
 
-    /** With velocities that change: errors are what sigma says, runs replay, the bound holds. */
-    void changingVelocities()
+    /** With changing velocities errors agree with sigma, runs replay and the bound holds. */
+    void changingVelocitiesAgreeWithSigma()
     {
         double error = 0;
         int samples = 0;
@@ -259,8 +261,10 @@ private slots:
                  qPrintable(QString::number(error / samples)));
     }
 
-    /** With measurements an iceberg is reached where it is believed to be, once it has been seen;
-     * where it truly is nobody knows. */
+    /**
+     * With measurements an iceberg is reached at its estimate once it has been seen, since its true
+     * position is unknown.
+     */
     void reachedByTheEstimate()
     {
         Scenario scenario = emptySea(400);
@@ -281,8 +285,7 @@ private slots:
         QVERIFY(!isBelievedWithin(instantAt(mission, now.time_s() - 0.2).simulation));
     }
 
-    /** A radius larger than the view: what has not been seen is not reached, so it may be planned.
-     */
+    /** With a radius larger than the view, an unseen iceberg is not reached and may be planned. */
     void reachedOnceItIsSeen()
     {
         Scenario scenario = emptySea(400);
@@ -330,21 +333,22 @@ private slots:
         QVERIFY((end.observer().estimate_m(0) - end.truth_m(0)).norm() < 100);
         const auto lost = std::find_if(mission.events().begin(), mission.events().end(),
                                        [](const auto& e) { return e.kind == EventKind::Lost; });
-        // Not before the estimate was in the middle of the view, 150 m.
+        // It is not lost before its estimate was in the middle of the view, 150 m.
         QVERIFY(lost->time_s >= 2850 / 22.0 - 1 && lost->time_s < 3000 / 22.0 + 2);
         for (const PlanReason reason : {PlanReason::Lost, PlanReason::Found})
             QVERIFY(std::any_of(mission.plans().begin(), mission.plans().end(),
                                 [reason](const PlanEvent& p) { return p.reason == reason; }));
     }
 
-    /** How far it is from where it should be tells how it drifts. */
+    /** Its distance from the estimate reveals its drift. */
     void whereItIsFoundTellsItsVelocity()
     {
         Scenario scenario = ghost(500);
         Iceberg& iceberg = scenario.icebergs[0];
         iceberg.observed_s = 3600;
         iceberg.velocitySd_mps = 0.3;
-        iceberg.track.position_m[1].y() += 10'000 * 500.0 / 3600; // as since it was seen
+        // Drifted since the last sighting.
+        iceberg.track.position_m[1].y() += 10'000 * 500.0 / 3600;
         const Track track = whenFound(scenario);
         const double error_mps = (track.velocity_mps - Point(0, 500.0 / 3600)).norm();
         QVERIFY2(error_mps < 0.01, qPrintable(QString::number(error_mps)));
@@ -352,7 +356,7 @@ private slots:
         QVERIFY(track.mixed_m2ps > 0);
     }
 
-    /** Where it cannot have drifted to tells nothing: the velocity that was given is doubted. */
+    /** At an impossible place the sighting reveals no drift; the given velocity is doubted. */
     void whereItCannotBeTellsNoVelocity()
     {
         const Track track = whenFound(ghost(500));
@@ -368,8 +372,10 @@ private slots:
         QCOMPARE(count(flownToEnd(scenario), EventKind::Found), 1);
     }
 
-    /** The others are flown to, and between them it is searched for again; the one given up is not
-     * planned, but counts in zeta. */
+    /**
+     * The other icebergs are visited, with more searches in between. The one given up is not
+     * planned but counts in zeta.
+     */
     void givenUpWhenItIsNowhere()
     {
         const Mission mission = flownToEnd(ghost(20000));
@@ -396,7 +402,7 @@ private slots:
         QCOMPARE(count(mission, EventKind::Found), 0);
     }
 
-    /** A search ends as soon as another iceberg promises more. */
+    /** A search ends as soon as another iceberg gains more. */
     void abandonedForMore()
     {
         Scenario scenario = ghost(20000);
@@ -414,7 +420,7 @@ private slots:
         QVERIFY2(impatient_s + 60 < patient_s, qPrintable(QString::number(patient_s)));
     }
 
-    /** A single look in vain is not the end where looks often show nothing. */
+    /** A single missed sample does not mean a loss if the detection probability is low. */
     void missedDetectionsAreNotLosses()
     {
         Scenario scenario = emptySea(120);
@@ -426,7 +432,7 @@ private slots:
         QVERIFY(mission.simulation().track(0).sigma_m2 < 5); // measured every other second
     }
 
-    /** With unknown velocities the search finds more of the lost ones than nothing does. */
+    /** With unknown velocities searches find more lost icebergs than chance does. */
     void searchingPays()
     {
         const auto recovered = [](SearchPattern search) {

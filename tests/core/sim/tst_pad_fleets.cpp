@@ -43,8 +43,8 @@ Point inBox_m(Random& random, const Point& middle_m)
 }
 
 /**
- * The way home of the first UAV leads between two no-fly areas, where no circle has room, or far
- * round them; the two others fly to and fro on both sides.
+ * The path home of the first UAV leads between two no-fly areas, without room for a circle, or far
+ * around them. The two others fly to and fro on both sides.
  */
 Scenario withPassage(std::uint64_t seed)
 {
@@ -81,13 +81,16 @@ Scenario withPassage(std::uint64_t seed)
 
 } // namespace
 
-/** UAVs that have to land on one pad, or past each other. */
+/** UAVs that share a pad or must pass each other to land. */
 class TestPadFleets : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** BERGWATCH_FLEET_CASES of them; with 500 less than one landing of a hundred takes reserve. */
+    /**
+     * Flies BERGWATCH_FLEET_CASES fleets. With 500, fewer than one landing in a hundred uses
+     * reserve.
+     */
     void allLandInTimeAndApart()
     {
         const int cases = qEnvironmentVariableIntValue("BERGWATCH_FLEET_CASES");
@@ -112,7 +115,7 @@ private slots:
                  qPrintable(QString("%1 of %2").arg(reserves).arg(landings)));
     }
 
-    /** Nobody is due before another one: whoever goes first goes first to the end. */
+    /** No UAV is due before another; the first one stays first to the end. */
     void orderedHomeAtOnceAllLand()
     {
         for (std::uint64_t seed = 1; seed <= 40; ++seed) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kAirspeed_mps = 20;
 
-/** Standing icebergs with sigma and q of their own, the UAV at the origin. */
+/** Standing icebergs, each with its own sigma and q, and the UAV at the origin. */
 struct Sea
 {
     WorldState state{.uavs = std::vector<UavState>(1)};
@@ -47,7 +47,7 @@ Sea randomWorld(std::uint64_t seed, int icebergs)
     return world;
 }
 
-/** Sum of sigma dt in small steps, each sigma set to zero when its time has come. */
+/** Sums sigma dt in small steps and sets each sigma to zero at its time. */
 double integratedZeta(const Sea& world, const PlanForecast& forecast, double horizon_s)
 {
     constexpr double kStep_s = 0.01;
@@ -73,13 +73,13 @@ double integratedZeta(const Sea& world, const PlanForecast& forecast, double hor
     return zeta_m2s;
 }
 
-/** Four icebergs in a row ahead of the UAV, seen only from near by. */
+/** Four icebergs in a row ahead of the UAV, visible only at close range. */
 Scenario rowOfIcebergs(double duration_s, PolicyKind policy)
 {
     Scenario scenario = test::emptySea(duration_s);
     scenario.uavs.front().fov_m = {80, 80};
     scenario.planner.policy = policy;
-    scenario.planner.tau = 50; // the shortest way
+    scenario.planner.tau = 50; // shortest path
     for (int i = 0; i < 4; ++i)
         test::addIceberg(scenario, 3000.0 * (i + 1), 0, 5 + 3.0 * i).q_m2ps = 0.05;
     return scenario;
@@ -104,7 +104,7 @@ class TestPlanForecast : public QObject
     Q_OBJECT
 
 private slots:
-    /** What the filter predicts: an uncertain velocity adds to sigma, before a visit and after. */
+    /** An uncertain velocity adds to sigma before and after a visit, as the filter predicts. */
     void sigmaGrowsAsTheFilterPredicts()
     {
         Sea world;
@@ -204,7 +204,9 @@ private slots:
                                  static_cast<void>(forecastPlan(world.start(), {order}, 10)));
     }
 
-    /** Straight legs, no noise, a small field of view: the flight does what is forecast. */
+    /**
+     * With straight legs, no noise and a small field of view the flight agrees with the forecast.
+     */
     void aFlightComesOutAsForecast()
     {
         const double duration_s = 12000 / 22.0 + 60; // the last visit, and a little more
@@ -238,7 +240,10 @@ private slots:
                              {{after.begin(), after.end()}}, 1000)[0]);
     }
 
-    /** Both orders from one instant, those that only the new one visits last in the old one. */
+    /**
+     * Both orders start at one instant; icebergs that only the new one visits come last in the old
+     * one.
+     */
     void changeComparesFlights()
     {
         const Sea world = randomWorld(3, 4);
@@ -259,7 +264,10 @@ private slots:
         COMPARE_NEAR(back->zeta_m2s, -change->zeta_m2s, 1e-9);
     }
 
-    /** The shortest way, then the most uncertain first: longer, and from where the UAV is. */
+    /**
+     * Changing from the shortest path to the most uncertain first makes the order longer, measured
+     * from the UAV.
+     */
     void anInterventionIsAChange()
     {
         Mission mission(rowOfIcebergs(1000, PolicyKind::Visitation));
@@ -271,9 +279,9 @@ private slots:
         QCOMPARE(plan.order, (std::vector<int>{3, 2, 1, 0}));
         QVERIFY(plan.change);
         QCOMPARE(plan.change->before, (std::vector<int>{0, 1, 2, 3}));
-        // To the last of the row in both cases; then back to the first of it.
+        // Both fly to the last of the row, then back to the first of it.
         COMPARE_NEAR(plan.change->distance_m, 9000, 1e-6);
-        mission.intervene({.tau = 0.01}); // plans again, the same
+        mission.intervene({.tau = 0.01}); // gives the same plan
         mission.advance(60);
         QCOMPARE(mission.plans().size(), std::size_t{3});
         QVERIFY(!mission.plans().back().change);
@@ -282,13 +290,13 @@ private slots:
     void reachingTheTargetIsNoChange()
     {
         Mission mission(rowOfIcebergs(300, PolicyKind::Path));
-        mission.advance(300); // past two of them
+        mission.advance(300); // past two icebergs
         QVERIFY(mission.metrics().visits >= 2);
         for (const PlanEvent& plan : mission.plans())
             QVERIFY(!plan.change);
     }
 
-    /** Fixed routes keep those in view in their order, and those just reached. */
+    /** Fixed routes keep icebergs in view, and those just reached, in their order. */
     void aFixedRouteNeverChanges()
     {
         for (const PolicyKind policy : {PolicyKind::Tour, PolicyKind::Path}) {

@@ -40,7 +40,8 @@ private slots:
         QVERIFY(drawn_m2s > 0);
         QCOMPARE(drawnZeta_m2s(scenario, policy, 0).value(), drawn_m2s);
         scenario.planner.policy = policy == PolicyKind::Tour ? PolicyKind::Path : PolicyKind::Tour;
-        QCOMPARE(drawnZeta_m2s(scenario, policy, 0).value(), drawn_m2s); // not what is chosen
+        // The scenario's own policy does not matter.
+        QCOMPARE(drawnZeta_m2s(scenario, policy, 0).value(), drawn_m2s);
     }
 
     void followsTau()
@@ -51,7 +52,7 @@ private slots:
         QVERIFY(drawnZeta_m2s(scenario, PolicyKind::Visitation, 0).value() != one_m2s);
     }
 
-    /** Where a beacon will have been is not known before. */
+    /** The recorded track of a beacon is not known before the flight. */
     void recordedTracksAreNotForeseen()
     {
         Scenario plain = randomScenario(13, {.icebergs = 4});
@@ -66,8 +67,8 @@ private slots:
                  drawnZeta_m2s(plain, PolicyKind::Nearest, 0).value());
     }
 
-    /** The same whether the flight itself has noise, and never that of its own seed. */
-    void drawnWorlds()
+    /** The worlds do not depend on the noise setting, and never have the scenario's own seed. */
+    void drawnWorldsRepeatByNumber()
     {
         Scenario scenario = randomScenario(15, {.icebergs = 6});
         scenario.observer.model = ObserverModel::Kalman;

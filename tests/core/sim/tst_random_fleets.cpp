@@ -4,14 +4,14 @@
 
 using namespace berg::test;
 
-/** Many things at once: what nobody would have thought of to put together. */
+/** Random combinations of many features. */
 class TestRandomFleets : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** By hand, 2000 of them: `bench_loop`. */
-    void haveNoFaults()
+    /** `bench_loop` runs 2000 of them. */
+    void randomFleetsFlyWithoutFaults()
     {
         int losses = 0;
         int sorties = 0;
@@ -26,8 +26,8 @@ private slots:
         QVERIFY(sorties > 20);
     }
 
-    /** The same with velocities that change, which once looked like sightings at each step. */
-    void changingVelocitiesMakeNoFaults()
+    /** Changing velocities once looked like sightings at each step. */
+    void randomFleetsWithChangingVelocitiesFlyWithoutFaults()
     {
         for (std::uint64_t seed = 1; seed <= 25; ++seed) {
             const FleetFaults faults = faultsOf(seed, true);
@@ -36,7 +36,7 @@ private slots:
         }
     }
 
-    /** Its kept route had the iceberg with a UAV that was on its way home: plans every second. */
+    /** A fixed route assigned the iceberg to a UAV flying home: plans were made every second. */
     void assignedIcebergsAreFlownTo()
     {
         const FleetFaults faults = faultsOf(777014);

@@ -33,13 +33,13 @@ Scenario seaWithTrack(double duration_s = 500)
 
 } // namespace
 
-/** An iceberg with a recorded track is where the record says; what is known of it is not. */
+/** An iceberg with a recorded track is where the record says, while its estimate is not. */
 class TestRecordedTrack : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** What is exported of the flight is where it was met on its track. */
+    /** Exported visits are at positions on the track. */
     void flownVisitsLieOnTheTrack()
     {
         Mission mission(seaWithTrack());
@@ -53,7 +53,7 @@ private slots:
         QVERIFY(met > 0);
     }
 
-    void positionAtATime_data()
+    void icebergIsWhereTheTrackSays_data()
     {
         QTest::addColumn<double>("time_s");
         QTest::addColumn<double>("east_m");
@@ -65,7 +65,7 @@ private slots:
         QTest::newRow("held after") << 450.0 << 2850.0 << 360.0;
     }
 
-    void positionAtATime()
+    void icebergIsWhereTheTrackSays()
     {
         QFETCH(double, time_s);
         QFETCH(double, east_m);
@@ -77,7 +77,7 @@ private slots:
         QVERIFY((mission.simulation().truth_m(1) - expected_m).norm() < 1e-9); // rounding of steps
     }
 
-    /** The other icebergs have the noise they would have without. */
+    /** Other icebergs have the same noise as without a track. */
     void othersAreUndisturbed()
     {
         Scenario plain = seaWithTrack();
@@ -102,7 +102,7 @@ private slots:
         mission.advance(200);
         const Simulation& world = mission.simulation();
         QVERIFY((world.observer().estimate_m(0) - Point(50'100, 50)).norm() < 1e-6);
-        QVERIFY((world.truth_m(0) - Point(50'000, -600)).norm() < 1e-6); // the current is in it
+        QVERIFY((world.truth_m(0) - Point(50'000, -600)).norm() < 1e-6); // includes the current
         QVERIFY(world.track(0).sigma_m2 > 0);
     }
 
@@ -151,7 +151,7 @@ private slots:
         QVERIFY(compareRun(read, runOf(replay(read))).empty());
     }
 
-    void appearsLater()
+    void icebergAddedInFlightFollowsItsTrack()
     {
         Scenario scenario = seaWithTrack();
         Iceberg added = scenario.icebergs[1];
@@ -170,7 +170,7 @@ private slots:
         QVERIFY(read == scenario);
     }
 
-    void faults_data()
+    void faultyTracksAreReported_data()
     {
         QTest::addColumn<QByteArray>("track");
         QTest::addColumn<QByteArray>("field");
@@ -192,7 +192,7 @@ private slots:
         row("a late time", R"({"time_s": [0,1e10], "position_m": [[0,0],[1,1]]})", ".time_s[1]");
     }
 
-    void faults()
+    void faultyTracksAreReported()
     {
         QFETCH(QByteArray, track);
         QFETCH(QByteArray, field);
@@ -206,7 +206,7 @@ private slots:
         QCOMPARE(error->issues().size(), std::size_t{1});
     }
 
-    void tooLong()
+    void trackWithTooManyPointsIsReported()
     {
         Scenario scenario = seaWithTrack();
         RecordedTrack& track = scenario.icebergs[1].track;

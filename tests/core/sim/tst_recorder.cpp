@@ -25,7 +25,7 @@ Scenario twoIcebergs(double duration_s)
     return scenario;
 }
 
-/** Flies to iceberg 0 until the end, recording at time 0 and after every step. */
+/** Flies to iceberg 0 until the end and records at time 0 and after every step. */
 void recordAll(Simulation& simulation, Recorder& recorder,
                const std::function<void(Simulation&)>& afterStep = {})
 {
@@ -89,7 +89,7 @@ private slots:
                          1e-12);
     }
 
-    /** Each sample against the simulation at that instant, flown a second time. */
+    /** Compares each sample with the simulation at that instant in a second flight. */
     void samplesAreTheStates()
     {
         const Scenario scenario = twoIcebergs(120);
@@ -128,7 +128,7 @@ private slots:
         QVERIFY(!recorder.icebergs(row - 1)[1].inView); // left behind
     }
 
-    /** Rows in any order, whatever happens to the icebergs between them, and not all in memory. */
+    /** Rows can be read in any order, whatever happens between them. */
     void rowsAreTheStates_data()
     {
         QTest::addColumn<ObserverModel>("model");
@@ -181,12 +181,14 @@ private slots:
             QVERIFY(isState(other, jumping.at(other)));
         }
         std::size_t row = 0;
-        recorder.handOn([&](const Sample&, std::span<const IcebergSample> icebergs) {
+        recorder.streamTo([&](const Sample&, std::span<const IcebergSample> icebergs) {
             QVERIFY(isState(row++, icebergs));
         });
     }
 
-    /** A search takes as much as 70 tracks: a day of 40 lost icebergs made a file of 715 MB. */
+    /**
+     * A search takes as much space as 70 tracks: a day with 40 lost icebergs made a file of 715 MB.
+     */
     void keyframesOfSearchesAreFew()
     {
         Scenario scenario = emptySea(4 * 3600);
@@ -208,7 +210,7 @@ private slots:
         QVERIFY2(tracks < Recorder::kMostKeyframeTracks + 10'000, std::to_string(tracks).c_str());
     }
 
-    /** 32 bytes for each iceberg of each row were 830 MB for 300 icebergs and a day. */
+    /** 32 bytes per iceberg and row were 830 MB for 300 icebergs and a day. */
     void rowsTakeLittleRoom()
     {
         Scenario scenario = twoIcebergs(300);
@@ -247,8 +249,10 @@ private slots:
         QVERIFY(keyframes[3].state() == simulation.state()); // the end, between two keyframes
     }
 
-    /** The same end, rows and places of a flight with 251 keyframes of 1000 icebergs, of which one
-     * in four stays. */
+    /**
+     * A flight with 251 keyframes of 1000 icebergs, of which one in four stays, has the same end,
+     * rows and positions.
+     */
     void keyframesAreBounded()
     {
         Scenario scenario = twoIcebergs(250);
@@ -281,7 +285,7 @@ private slots:
         }
     }
 
-    /** Of 1101 keyframes of 50 UAVs every other one stays. */
+    /** Every other one of 1101 keyframes with 50 UAVs stays. */
     void keyframesOfAFleetAreBounded()
     {
         Scenario scenario = emptySea(110);
@@ -306,7 +310,7 @@ private slots:
         QCOMPARE(keyframes.back().step(), std::int64_t{1100});
     }
 
-    /** An end that is due anyway is kept once. */
+    /** An end that is also due is stored once. */
     void endIsKeptOnce()
     {
         const Scenario scenario = twoIcebergs(120);
@@ -317,7 +321,7 @@ private slots:
         QCOMPARE(recorder.samples().size(), std::size_t{121});
     }
 
-    /** Added in flight: no entry before, one in every row after. */
+    /** An iceberg added in flight is missing in earlier rows and present in every later one. */
     void addedIcebergHasNoPast()
     {
         const Scenario scenario = twoIcebergs(10);
@@ -334,12 +338,12 @@ private slots:
         QCOMPARE(recorder.samples().size(), std::size_t{11});
         for (std::size_t row = 0; row <= 10; ++row)
             QCOMPARE(recorder.icebergs(row).size(), std::size_t{row <= 4 ? 2U : 3U});
-        // Added at 4.5 s: the first row with it is that of 5 s.
+        // It was added at 4.5 s, so the row at 5 s is the first to contain it.
         COMPARE_NEAR(recorder.icebergs(5)[2].sigma_m2, 3 + 0.025 * 0.5, 1e-12);
         QVERIFY(recorder.icebergs(5)[2].truth_m == late.position_m);
     }
 
-    /** An iceberg of the scenario that appears later has rows from the start, marked so. */
+    /** An iceberg that appears later has marked rows from the start. */
     void notYetAppearedIsMarked()
     {
         Scenario scenario = twoIcebergs(10);

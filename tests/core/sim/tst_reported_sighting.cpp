@@ -17,7 +17,7 @@ Scenario field(ObserverModel model)
     return scenario;
 }
 
-/** Not in view at this instant of the flight, for long. */
+/** Returns an iceberg that has long been out of view at this instant. */
 int longUnseen(const Simulation& simulation)
 {
     int found = 0;
@@ -29,7 +29,7 @@ int longUnseen(const Simulation& simulation)
 
 } // namespace
 
-/** Icebergs that somebody else saw a while ago. */
+/** Icebergs sighted by somebody else in the past. */
 class TestReportedSighting : public QObject
 {
     Q_OBJECT
@@ -65,7 +65,7 @@ private slots:
         QVERIFY(!after.inView);
     }
 
-    /** An old report about an iceberg that is in view teaches nothing. */
+    /** An old report about an iceberg in view adds nothing. */
     void whatIsKnownBetterStays()
     {
         const Scenario scenario = field(ObserverModel::Simple);
@@ -79,7 +79,7 @@ private slots:
         QCOMPARE(mission.interventions().size(), std::size_t{1});
     }
 
-    void isReplayed()
+    void reportedSightingReplays()
     {
         const Scenario scenario = field(ObserverModel::Kalman);
         Mission mission(scenario);

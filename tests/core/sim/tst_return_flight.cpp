@@ -1,4 +1,4 @@
-#include "core/scenario/advice.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission.h"
 #include "tests/support/return_case.h"
@@ -9,7 +9,7 @@ using namespace berg;
 
 namespace {
 
-/** What came of one sortie. */
+/** Result of one sortie. */
 struct Sortie
 {
     bool isInside = true;
@@ -44,7 +44,7 @@ bool isCalledUnsafe(const Scenario& s)
            });
 }
 
-/** A corner of the fence points inwards between the UAV and home, which lies behind it. */
+/** A corner of the fence points inwards between the UAV and its home behind it. */
 Scenario homeBehindACorner()
 {
     Scenario s;
@@ -67,13 +67,13 @@ Scenario homeBehindACorner()
 
 } // namespace
 
-/** The way home inside a geofence. */
+/** Return flights inside a geofence. */
 class TestReturnFlight : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** Left and right chosen anew at each command took it straight away from home, 174 s late. */
+    /** Choosing the side anew at each command led straight away from home, 174 s late. */
     void homeBehindACornerIsReachedInTime()
     {
         const Scenario s = homeBehindACorner();
@@ -84,7 +84,7 @@ private slots:
         QVERIFY(*sortie.landed_s <= s.uavs.front().spec.endurance_s);
     }
 
-    /** BERGWATCH_RETURN_CASES of them. */
+    /** Flies BERGWATCH_RETURN_CASES cases. */
     void allAreHomeInTimeAndInside_data()
     {
         QTest::addColumn<int>("kind");
@@ -112,8 +112,7 @@ private slots:
         QVERIFY2(safe > 0.85 * all, qPrintable(QString::number(safe)));
     }
 
-    /** Commands of the path that was proven are all that it knows, with something to visit: at the
-     * end of them it is home, and stays there. */
+    /** A UAV that only follows its proven path, despite targets, ends at home and stays there. */
     void pathFlownToItsEndEndsAtHome()
     {
         const test::ReturnCase returning(3469, test::ReturnCase::WithAreas);
@@ -124,7 +123,7 @@ private slots:
         QVERIFY(sortie.landed_s && *sortie.landed_s <= s.uavs.front().spec.endurance_s);
     }
 
-    /** The other way round: where no start is safe, that is said. */
+    /** Conversely, a start without a safe return is reported. */
     void noSafeStartIsAFinding()
     {
         Scenario s = homeBehindACorner();
@@ -142,7 +141,7 @@ private slots:
         QVERIFY(flown(s).landed_s);
     }
 
-    /** Home between the sorties as well, whatever the heading it landed with. */
+    /** The UAV is also home between sorties, whatever the heading at landing. */
     void everySortieIsHomeInTime()
     {
         int landings = 0;

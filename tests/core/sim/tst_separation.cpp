@@ -1,4 +1,4 @@
-#include "core/scenario/advice.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission_instant.h"
 #include "tests/support/fleet_case.h"
@@ -25,7 +25,7 @@ Scenario pairOf(const Point& second_m, double heading_deg)
     return s;
 }
 
-/** After so many seconds. */
+/** Least distance from `from_s` on. */
 double leastFrom_s(const Scenario& s, double from_s)
 {
     double least_m = 1e9;
@@ -44,14 +44,16 @@ double leastFrom_s(const Scenario& s, double from_s)
 
 } // namespace
 
-/** UAVs of one altitude layer. */
+/** UAVs in one altitude layer. */
 class TestSeparation : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** BERGWATCH_FLEET_CASES of them; not kept apart, the nearest two passed at less than 1 m. A
-     * few of them wait for long even so, where there are not enough icebergs for all. */
+    /**
+     * Flies BERGWATCH_FLEET_CASES fleets. Without separation the closest two passed at less than 1
+     * m. A few UAVs wait for long where there are too few icebergs.
+     */
     void randomFleetsKeepTheirDistance()
     {
         const int cases = qEnvironmentVariableIntValue("BERGWATCH_FLEET_CASES");
@@ -70,8 +72,10 @@ private slots:
         }
     }
 
-    /** Those on the way home turned towards the pad and with each other, side by side, for a
-     * thousand seconds; others circled in the path of one that had to land. */
+    /**
+     * UAVs on the path home turned to the pad side by side for a thousand seconds; others circled
+     * in the path of one that had to land.
+     */
     void noneIsKeptFromHome_data()
     {
         QTest::addColumn<int>("seed");
@@ -100,7 +104,7 @@ private slots:
             QVERIFY(std::ranges::any_of(mission.events(), [uav](const MissionEvent& event) {
                 return event.kind == EventKind::Reached && event.uav == uav && event.time_s < 300;
             }));
-        // Looked back at, it is the same flight.
+        // The restored flight is the same.
         Mission until(s);
         until.advance(95);
         QVERIFY(instantAt(mission, 95).simulation.state() == until.simulation().state());
@@ -117,7 +121,7 @@ private slots:
         QTest::newRow("towards each other") << 150.0 << 0.0 << 270.0;
     }
 
-    /** An event says so; within a minute they are, and stay so. */
+    /** An event reports it; within a minute they are apart and stay so. */
     void thoseThatStartTooNearGetApart()
     {
         QFETCH(double, east_m);
@@ -133,7 +137,7 @@ private slots:
         }));
     }
 
-    /** Of one pad: the second one takes off when the first has gone. */
+    /** On one pad the second UAV takes off when the first has left. */
     void onePadIsUsedInTurn()
     {
         Scenario s = pairOf({0, 1500}, 90);
@@ -153,7 +157,7 @@ private slots:
         QVERIFY(takeOffs >= 4);
     }
 
-    /** Those that have the layer, or the sea, for themselves fly as if nobody watched. */
+    /** UAVs alone in their layer or at sea fly as without separation. */
     void nobodyElseIsTouched()
     {
         for (const int seed : {1, 2}) {
@@ -171,7 +175,7 @@ private slots:
         }
     }
 
-    /** What flies by itself is not commanded: there the event is all. */
+    /** Poses from outside are not commanded; there is only the event. */
     void posesFromOutsideAreOnlyWatched()
     {
         Scenario s = emptySea(60);
@@ -188,7 +192,7 @@ private slots:
                                               DubinsState{.position_m = {1000, 0}}});
             QVERIFY(simulation.uav(0).pose.position_m == Point(x_m, 0));
             std::ranges::copy_if(
-                simulation.acceptEvents(), std::back_inserter(close),
+                simulation.drainEvents(), std::back_inserter(close),
                 [](const MissionEvent& event) { return event.kind == EventKind::Close; });
         }
         QCOMPARE(close.size(), std::size_t{1});
@@ -196,7 +200,7 @@ private slots:
         QVERIFY(simulation.fleet().closest_m().value() < 195);
     }
 
-    /** They fly apart from the start on. */
+    /** They separate from the start on. */
     void theStartCountsAsClosest()
     {
         Scenario s = pairOf({0, 1}, 225);

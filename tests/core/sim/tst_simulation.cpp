@@ -15,7 +15,7 @@ using test::emptySea;
 
 namespace {
 
-/** Flies to the iceberg given whenever a plan is asked for, until `done` or the end. */
+/** Flies to the given iceberg at every request for a plan until `done` or the end. */
 template <class Done>
 bool flyTo(Simulation& simulation, int iceberg, const Done& done)
 {
@@ -54,12 +54,13 @@ private slots:
         QVERIFY_THROWS_EXCEPTION(std::logic_error, simulation.advanceStep());
     }
 
-    /** The turn is flown to the side it was planned for, to its end, then the line. */
+    /** The turn is flown to the planned side and to its end, then the line. */
     void aimedLegIsFlownAsPlanned()
     {
         Scenario scenario = emptySea(400);
         addIceberg(scenario, 3000, 0);
-        for (const double turn_rad : {2.0, -4.28318530717958647}) { // one course, either way round
+        // One course, turned to from either side.
+        for (const double turn_rad : {2.0, -4.28318530717958647}) {
             Simulation simulation(scenario);
             const Point along(std::cos(turn_rad), std::sin(turn_rad));
             const double side = turn_rad > 0 ? 1 : -1;
@@ -75,7 +76,7 @@ private slots:
                 simulation.advanceStep();
                 QVERIFY(simulation.uav(0).u_radps * turn_rad > 0);
             }
-            // The step in which the turn ends goes on along the line.
+            // The step in which the turn ends continues along the line.
             const Point beyond_m = simulation.uav(0).pose.position_m - exit_m;
             QVERIFY(std::abs(cross(along, beyond_m)) < 0.1);
             QVERIFY(along.dot(beyond_m) > -0.01 && along.dot(beyond_m) < 2.21);
@@ -117,13 +118,15 @@ private slots:
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::Overdue);
         QVERIFY(std::abs(simulation.time_s() - 52.1) < 1e-9); // two seconds later, the next step
-        simulation.setTarget(0, 0);                           // without an aim nothing is overdue
+        simulation.setTarget(0, 0); // without an aim nothing can be overdue
         QVERIFY(!simulation.uav(0).aim);
         simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::None);
     }
 
-    /** Straight ahead: in view 300 m before the iceberg, sigma and zeta in closed form. */
+    /**
+     * Flying straight ahead the iceberg is in view 300 m early; sigma and zeta have a closed form.
+     */
     void oneIcebergAhead()
     {
         Scenario scenario = emptySea(400);
@@ -207,7 +210,7 @@ private slots:
         QVERIFY(std::abs(simulation.track(2).sigma_m2 - (5 + 0.025 * simulation.time_s())) < 1e-9);
     }
 
-    /** Reach smaller than the turning circle: nothing may orbit for ever. */
+    /** With a reach smaller than the turning circle nothing may orbit for ever. */
     void smallReachIsReached_data()
     {
         QTest::addColumn<double>("heading_deg");
@@ -234,7 +237,7 @@ private slots:
             scenario.reachRadius_m = reach_m;
         addIceberg(scenario, 70, 210).velocity_mps = {0.3, -0.2};
         Simulation simulation(scenario);
-        if (!byView) // at the start it is in the large view: out of the way first
+        if (!byView) // at the start it is in the large view
             simulation = Simulation([&] {
                 Scenario far = scenario;
                 far.icebergs[0].position_m = {150, 420};
@@ -274,7 +277,7 @@ private slots:
                       [](const Simulation& s) { return s.planReason() == PlanReason::Appeared; }));
         QCOMPARE(simulation.time_s(), 100.0);
         QVERIFY(simulation.active(1));
-        // Unseen since t = 0: sigma0 + q t.
+        // It has been unseen since t = 0, so sigma is sigma0 + q t.
         QVERIFY(std::abs(simulation.track(1).sigma_m2 - (3 + 0.05 * 100)) < 1e-9);
         QCOMPARE(planRequest(simulation).ids, (std::vector<int>{0, 1}));
     }
@@ -299,7 +302,7 @@ private slots:
         QVERIFY((simulation.observer().estimate_m(1) - simulation.truth_m(1)).norm() < 1e-6);
     }
 
-    /** In wind the flown time of a long leg is that of the wind triangle. */
+    /** A long leg in wind takes the time of the wind triangle. */
     void windTriangle_data()
     {
         QTest::addColumn<Point>("wind_mps");
@@ -321,7 +324,7 @@ private slots:
         QVERIFY2(std::abs(simulation.time_s() - expected_s) < 0.01 * expected_s,
                  qPrintable(QString("%1 against %2").arg(simulation.time_s()).arg(expected_s)));
         QVERIFY(std::abs(simulation.uav(0).pose.position_m.y()) < 5);
-        // The same wind is what planning counts with: air distance U t.
+        // Planning uses the same wind, as air distance U t.
         const double air_m = planRequest(Simulation(scenario)).uavs[0].distance_m(0, 1);
         QVERIFY(std::abs(air_m - 22 * flightTime_s({20000, 0}, 22, wind_mps)) < 1e-6);
     }
@@ -337,7 +340,7 @@ private slots:
         QVERIFY((simulation.observer().estimate_m(0) - simulation.truth_m(0)).norm() < 1e-6);
     }
 
-    /** The truth depends on seed and iceberg alone, not on the time step or where the UAV flies. */
+    /** The truth depends on seed and iceberg only, not on the time step or the UAV's path. */
     void truthIsTheSameForEveryTimeStep()
     {
         Scenario scenario = randomScenario(3);
@@ -364,7 +367,7 @@ private slots:
         QVERIFY(first.state() == second.state());
     }
 
-    /** Icebergs that are far away are not tested at every step; nobody may notice. */
+    /** Distant icebergs are not tested at every step, which must have no effect. */
     void nothingInViewIsOverlooked_data()
     {
         QTest::addColumn<FovShape>("shape");
@@ -422,8 +425,10 @@ private slots:
         QVERIFY(same);
     }
 
-    /** What is seen depends on the poses alone: those of a flight on record, given from outside,
-     * give its sightings and its zeta, whatever the autopilot wants. */
+    /**
+     * Sightings depend on the poses only: poses of a recorded flight given from outside reproduce
+     * its sightings and zeta, whatever the autopilot commands.
+     */
     void posesFromOutsideReplaceTheModel()
     {
         for (const bool isWilful : {false, true}) {

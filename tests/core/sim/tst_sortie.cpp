@@ -1,6 +1,6 @@
 #include "core/bound/zeta_bound.h"
 #include "core/io/files/run_json.h"
-#include "core/scenario/advice.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission_instant.h"
 #include "core/sim/plan_requests.h"
@@ -49,7 +49,7 @@ std::vector<double> timesOf(const Mission& mission, EventKind kind)
     return times_s;
 }
 
-/** Endurance left at each landing, before the reserve. */
+/** Endurance left at each landing, reserve excluded. */
 std::vector<double> margins_s(const Mission& mission)
 {
     std::vector<double> margins_s;
@@ -62,7 +62,7 @@ std::vector<double> margins_s(const Mission& mission)
     return margins_s;
 }
 
-/** Of the legs that ended with the way home, those whose target had not been reached. */
+/** Number of legs that ended with the return although the target had not been reached. */
 int brokenPromises(const Mission& mission)
 {
     int broken = 0;
@@ -77,7 +77,7 @@ int brokenPromises(const Mission& mission)
 
 } // namespace
 
-/** Endurance, the way home, the turn-around and the next sortie. */
+/** Endurance, return, turn-around and the next sortie. */
 class TestSortie : public QObject
 {
     Q_OBJECT
@@ -126,7 +126,8 @@ private slots:
         const std::vector<double> landings_s = timesOf(mission, EventKind::Landed);
         QVERIFY(landings_s.size() >= 2);
         QVERIFY(landings_s[0] <= kEndurance_s - 300 - 60 - 40);
-        QVERIFY(landings_s[0] > kEndurance_s - 300 - 60 - 40 - 250); // and no earlier than needed
+        // And no earlier than necessary.
+        QVERIFY(landings_s[0] > kEndurance_s - 300 - 60 - 40 - 250);
         const std::vector<double> starts_s = timesOf(mission, EventKind::TookOff);
         QVERIFY(starts_s[0] - landings_s[0] >= 40 + 200 + 60);
         QVERIFY(starts_s[0] - landings_s[0] < 40 + 200 + 60 + 2);
@@ -154,7 +155,8 @@ private slots:
         }
     }
 
-    /** Whatever the aircraft, the time step and the wind: it is home in time, or has been warned.
+    /**
+     * Whatever the aircraft, time step and wind, the UAV is home in time or a warning was given.
      */
     void noLateReturnIsASurprise()
     {
@@ -208,7 +210,7 @@ private slots:
         QVERIFY((state.pose.position_m - *s.uavs[0].home_m).norm() <= kLandingRadius_m + 3);
         QVERIFY(std::abs(state.ground_s - 150) < 0.2);
         QVERIFY(!homeMargin_s(ground.simulation));
-        // It does not move, and is sent off with a plan made for that.
+        // It does not move, and takes off with a plan made for that.
         const MissionInstant later = instantAt(mission, tookOff_s[0] - 1);
         QVERIFY(later.simulation.uav(0).pose == state.pose);
         QCOMPARE(later.simulation.uav(0).flown_m, state.flown_m);
@@ -218,7 +220,7 @@ private slots:
         QVERIFY(std::abs(plan->time_s - tookOff_s[0]) < 1e-6);
     }
 
-    /** On whole seconds it takes off later, not earlier, than steps of a second allow. */
+    /** With steps of a second it takes off later, never earlier. */
     void theTurnAroundIsNotCutShort()
     {
         for (const double turnaround_s : {0.3, 100.3, 100.7}) {
@@ -233,7 +235,7 @@ private slots:
         }
     }
 
-    /** Its camera is off: even what drifts over home is not seen, and zeta goes on. */
+    /** Its camera is off: icebergs that drift over home stay unseen, and zeta increases. */
     void nothingIsSeenFromTheGround()
     {
         Scenario s = enduring(3);
@@ -274,7 +276,7 @@ private slots:
         QVERIFY(trips >= 40);
     }
 
-    /** A plan of many icebergs does not promise more than one sortie can hold. */
+    /** A plan with many icebergs promises no more than one sortie can reach. */
     void notAllOfAPlanIsForThisSortie()
     {
         Scenario s = enduring(1);
@@ -282,7 +284,7 @@ private slots:
         const Mission mission = flownWithin(s);
         const PlanEvent& first = mission.plans().front();
         QVERIFY(*first.thisSortie < static_cast<int>(first.order.size()));
-        // What it does promise is reached before the UAV turns home.
+        // The icebergs promised are reached before the UAV turns home.
         const double home_s = timesOf(mission, EventKind::HomeBound).at(0);
         const std::vector<double> reached_s = timesOf(mission, EventKind::Reached);
         const auto reached = std::count_if(reached_s.begin(), reached_s.end(),
@@ -299,7 +301,7 @@ private slots:
         const Mission mission = flownWithin(s);
         for (const PlanEvent& plan : mission.plans())
             QVERIFY(plan.target != 0);
-        // With the near one in view there is nothing left to fly to: it waits on the ground.
+        // With the near iceberg in view there is no target left: it waits on the ground.
         QVERIFY(!timesOf(mission, EventKind::HomeBound).empty());
         const PlanRequest request = planRequest(Simulation(s));
         QVERIFY(!request.uavs[0].available[0]);
@@ -317,14 +319,14 @@ private slots:
         QCOMPARE(mission.simulation().uav(0).mode, FlightMode::Ground);
     }
 
-    /** A wind that keeps it from home is said so, at once; one that does not is coped with. */
+    /** A wind that prevents a timely return is reported at once; a weaker one is handled. */
     void windMayMakeItLate()
     {
         Scenario s = enduring(4);
         Mission late(s);
         late.advance(800);
         QVERIFY(*homeMargin_s(late.simulation()) > 0);
-        late.intervene({.wind_mps = Point(20, 0)}); // home is in the west
+        late.intervene({.wind_mps = Point(20, 0)}); // home is to the west
         QCOMPARE(late.simulation().uav(0).mode, FlightMode::Home);
         QVERIFY(*homeMargin_s(late.simulation()) < 0);
         late.advance(801);
@@ -354,7 +356,7 @@ private slots:
         const double landed_s = timesOf(mission, EventKind::Landed).at(0);
         changed.advance(landed_s + 1);
         QVERIFY(std::abs(timesOf(changed, EventKind::Landed).at(0) - landed_s) < 1e-6);
-        changed.advance(3600); // and it is planned with them at take-off
+        changed.advance(3600); // it is planned with them at take-off
         QVERIFY(timesOf(changed, EventKind::TookOff).size() >= 1);
     }
 
@@ -383,7 +385,7 @@ private slots:
         }
     }
 
-    /** The plan of a take-off comes as late as any other; until then the last one is flown. */
+    /** The plan at take-off has the same delay as others; until then the previous plan is flown. */
     void takeOffsWaitForTheirPlan()
     {
         Scenario s = enduring(6);
@@ -414,7 +416,7 @@ private slots:
         QVERIFY(sliced.simulation().state() == whole.simulation().state());
     }
 
-    /** The bound is of any flight, and one with landings sees no more than one without. */
+    /** The bound covers any flight, and a flight with landings sees no more than one without. */
     void boundOnZetaStaysBelow()
     {
         Scenario s = enduring(2);

@@ -19,7 +19,7 @@ Uav uavOf()
     return uav;
 }
 
-/** East from the origin and on: all is of this sortie unless said. */
+/** A path east from the origin; all of it belongs to this sortie unless changed. */
 PlannedPath pathTo(std::initializer_list<double> east_m)
 {
     PlannedPath path{.places_m = {{0, 0}}};
@@ -29,7 +29,10 @@ PlannedPath pathTo(std::initializer_list<double> east_m)
     return path;
 }
 
-/** Independent of the code: other random numbers, the time by components of a straight leg. */
+/**
+ * An independent computation with other random numbers and the time by components of a straight
+ * leg.
+ */
 double percentileBySampling(const PlannedPath& path, double airspeed_mps, double usable_s)
 {
     std::mt19937_64 engine(7);
@@ -77,7 +80,7 @@ private slots:
     {
         const Uav uav = uavOf();
         PlannedPath path = pathTo({3000, 12000});
-        path.thisSortie = 2; // the second one is left for the next
+        path.thisSortie = 2; // the second place is left for the next sortie
         const SortieOutlook outlook = sortieOutlook({}, uav, path);
         COMPARE_NEAR(outlook.noReturn.value().time_s, 400.0, 1e-3);
         COMPARE_NEAR(outlook.noReturn->path_m.back().x(), 8000.0, 0.02);
@@ -90,8 +93,10 @@ private slots:
         COMPARE_NEAR(sortieOutlook({}, uav, downWind).noReturn.value().time_s, 300.0, 1e-3);
     }
 
-    /** A wall across the straight path home: 3-4-5 triangles round its end, and what the fence adds
-     * for turning there. */
+    /**
+     * A wall crosses the straight path home: 3-4-5 triangles round its end, plus the turns that the
+     * fence adds.
+     */
     void theWayHomeLeadsRoundTheFence()
     {
         Uav uav = uavOf();
@@ -104,13 +109,14 @@ private slots:
             std::vector<std::vector<Point>>{
                 {{2990, -4000}, {3010, -4000}, {3010, 4000}, {2990, 4000}}});
         const double round_s = sortieOutlook({}, uav, path).margin_s.value();
-        // Both ways 2 x 5000 m in place of 6000 m; a corner is passed some circle's radius outside.
+        // Both paths are 2 x 5000 m in place of 6000 m; a corner is passed outside at about a turn
+        // radius.
         QVERIFY2(round_s < 200 - 2 * 200 && round_s > 200 - 2 * 225, QByteArray::number(round_s));
         QVERIFY(sortieOutlook({}, uav, path).noReturn);
         QVERIFY(lowMargin_s(uav, path).value() < round_s);
     }
 
-    /** Too late already: where it is. */
+    /** If it is already too late, the point of no return is the present position. */
     void noReturnMayBeBehind()
     {
         PlannedPath path = pathTo({100});
@@ -136,7 +142,8 @@ private slots:
         path.wind_mps = wind_mps;
         const double expected_s = percentileBySampling(path, 20, 800);
         const double margin_s = sortieOutlook({}, uav, path).margin_s.value();
-        // The 5th percentile of 1,000 draws has a standard deviation of 2.1/sqrt(1000) of theirs.
+        // The 5th percentile of 1,000 draws has a standard deviation of 2.1/sqrt(1000) times that
+        // of a draw.
         COMPARE_NEAR(lowMargin_s(uav, path).value(), expected_s, 0.25 * (margin_s - expected_s));
         QVERIFY(expected_s < margin_s);
         QCOMPARE(lowMargin_s(uav, path), lowMargin_s(uav, path));
@@ -150,7 +157,7 @@ private slots:
         // 3 of 4 km out and back are outside; half of a chord 600 m off the station is 800 m.
         COMPARE_NEAR(sortieOutlook(scenario, uav, pathTo({4000})).noContact_s, 300.0, 1e-9);
         scenario.groundStation->position_m = {2000, 600};
-        uav.spec.endurance_s = 0; // no way home
+        uav.spec.endurance_s = 0; // no path home
         COMPARE_NEAR(sortieOutlook(scenario, uav, pathTo({4000})).noContact_s, (4000.0 - 1600) / 20,
                      1e-9);
         scenario.groundStation->position_m = {2000, 2000};
@@ -180,7 +187,7 @@ private slots:
         QVERIFY(issues[1].message().find("90 s") != std::string::npos);
     }
 
-    /** 22 m/s against 17: one wind in twenty is stronger than the UAV is fast. */
+    /** At 22 m/s against a wind of 17 m/s, one wind in twenty exceeds the airspeed. */
     void windTooStrongToComeHomeIsSaid()
     {
         Uav uav;

@@ -10,7 +10,7 @@ using namespace berg::test;
 
 namespace {
 
-/** Distance by which `visit` misses: the iceberg is there, and the UAV flew its airspeed. */
+/** Error of a visit: distance to the iceberg, and difference in distance flown through the air. */
 struct Miss
 {
     double iceberg_m = 0;
@@ -18,8 +18,8 @@ struct Miss
 };
 
 /**
- * Independent of the flight-time formula: over a leg of t seconds the UAV's way through the air,
- * ground track less wind drift, is as long as U t.
+ * Independent of the flight-time formula: over a leg of t seconds the path through the air, ground
+ * track less wind drift, has length U t.
  */
 Miss missOf(const Scenario& scenario, const Visit& last, const Visit& visit)
 {
@@ -50,7 +50,7 @@ class TestVisits : public QObject
     Q_OBJECT
 
 private slots:
-    void plannedMeetings_data()
+    void plannedVisitsMeetTheIcebergs_data()
     {
         QTest::addColumn<double>("windEast_mps");
         QTest::addColumn<double>("windNorth_mps");
@@ -63,7 +63,7 @@ private slots:
         QTest::newRow("velocities that fade") << 3.0 << 7.0 << -0.4 << 100.0;
     }
 
-    void plannedMeetings()
+    void plannedVisitsMeetTheIcebergs()
     {
         QFETCH(double, windEast_mps);
         QFETCH(double, windNorth_mps);
@@ -115,7 +115,7 @@ private slots:
         QVERIFY(plannedVisits(scenario, planOf({})).empty());
     }
 
-    /** A plan is exported as far as one sortie flies it, and then home. */
+    /** An exported plan covers one sortie and ends at home. */
     void enduranceEndsAtHome()
     {
         Scenario scenario = fourIcebergs();
@@ -129,7 +129,7 @@ private slots:
             flightTime_s(all[4].position_m - all[3].position_m, 22, scenario.wind_mps);
         QVERIFY(std::abs(all[4].time_s - all[3].time_s - back_s) < 1e-9);
 
-        // Just not enough for the last one, when turns and reserves are counted.
+        // The endurance is just too short for the last iceberg, turns and reserves included.
         scenario.uavs[0].spec.endurance_s = all[4].time_s;
         const std::vector<Visit> fewer = plannedVisits(scenario, planOf({0, 1, 2, 3}));
         QVERIFY(fewer.size() < all.size());
@@ -160,8 +160,8 @@ private slots:
         QCOMPARE(plannedVisits(scenario, planOf({0})).at(0).time_s, 0.0);
     }
 
-    /** True positions at the instant of each event, as the simulation had them. */
-    void flownMeetings_data()
+    /** Visits are at the simulation's true positions at the instant of each event. */
+    void flownVisitsAreAtTruePositions_data()
     {
         QTest::addColumn<double>("dt_s");
         QTest::addColumn<bool>("noise");
@@ -171,7 +171,7 @@ private slots:
         QTest::newRow("no noise") << 0.1 << false;
     }
 
-    void flownMeetings()
+    void flownVisitsAreAtTruePositions()
     {
         QFETCH(double, dt_s);
         QFETCH(bool, noise);

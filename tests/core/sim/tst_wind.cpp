@@ -28,13 +28,13 @@ Point windFrom(int direction, int directions)
 
 } // namespace
 
-/** Wind in closed loop: what the planner reckons with is what is flown. */
+/** Wind in closed loop: the flight agrees with the planner's assumptions. */
 class TestWind : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** What a velocity fades to is the current, also where it is constant and not in the file. */
+    /** Velocities fade to the current, also where it is constant and not in the file. */
     void runsInACurrentRoundTrip()
     {
         Scenario scenario = randomScenario(3);
@@ -46,8 +46,8 @@ private slots:
     }
 
     /**
-     * In a uniform wind the part of the time of a leg that changes sign with its direction adds up
-     * along an order to what depends on the ends alone: no order is better for it at its stops.
+     * In a uniform wind the part of leg times that changes sign with direction depends only on the
+     * ends of an order, so no order gains by it at its stops.
      */
     void helpAndHindranceTelescope()
     {
@@ -71,7 +71,7 @@ private slots:
         }
     }
 
-    /** An iceberg that drifts across is met on the leg: the crab is that of wind minus drift. */
+    /** An iceberg drifting across is met on the leg: the crab angle is that of wind minus drift. */
     void crabsForTheDriftOfTheTarget()
     {
         for (const double drift_mps : {-1.5, 1.5}) {
@@ -88,7 +88,7 @@ private slots:
         }
     }
 
-    /** A long leg in wind from all sides, until the iceberg comes into view. */
+    /** A long leg in wind from all sides, until the iceberg is in view. */
     void longLegsTakeTheTimePlanned_data()
     {
         QTest::addColumn<int>("direction");
@@ -109,15 +109,15 @@ private slots:
         QCOMPARE(mission.metrics().visits, 1);
         QVERIFY2(std::abs(mission.simulation().time_s() / planned_s - 1) < 0.03,
                  qPrintable(QString::number(mission.simulation().time_s() / planned_s)));
-        // The planner is charged the same: air distance U t.
+        // The planner's cost is the same air distance U t.
         const PlanRequest request = planRequest(Simulation(scenario));
         COMPARE_NEAR(request.uavs[0].distance_m(0, 1),
                      22 * flightTime_s({8000, 0}, 22, scenario.wind_mps), 1e-9);
     }
 
     /**
-     * Legs of whole missions, turns and drift included, by the model of `coverage`: those that end
-     * as planned, not with an iceberg that had just left the view and came back into it.
+     * Legs of whole missions, turns and drift included, by the model of `coverage`. Only legs that
+     * end as planned count, not those whose iceberg came back into a view it had just left.
      */
     void legsOfMissionsTakeTheTimePlanned()
     {
@@ -142,7 +142,7 @@ private slots:
                  qPrintable(QString::number(flown_s / planned_s)));
     }
 
-    /** Against the wind is not with the wind: the order depends on it. */
+    /** The order depends on the direction of the wind. */
     void theOrderFollowsTheWind()
     {
         Scenario scenario = emptySea();
@@ -180,7 +180,7 @@ private slots:
         QVERIFY(instantAt(mission, 60).simulation.motion(0).wind_mps == Point(0, 0));
     }
 
-    /** Icebergs out of reach are left alone for long: not longer than the new wind allows. */
+    /** Icebergs out of reach are not tested for long, but no longer than a new wind permits. */
     void nothingIsOverlookedWhenTheWindTurns()
     {
         Scenario scenario = randomScenario(9);

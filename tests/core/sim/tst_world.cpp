@@ -5,7 +5,7 @@
 
 using namespace berg;
 
-/** The truth: what time it is, and where the icebergs are. */
+/** The true state: time and positions of icebergs. */
 class TestWorld : public QObject
 {
     Q_OBJECT
@@ -20,7 +20,7 @@ private slots:
         QTest::newRow("a second") << 1.0 << 1;
         QTest::newRow("longer") << 2.0 << 1;
     }
-    /** Step by step, and where a replay goes to. */
+    /** Whole seconds are counted in single steps and in the jumps of a replay. */
     void wholeSecondsAreEverySoManySteps()
     {
         QFETCH(double, dt_s);

@@ -66,7 +66,9 @@ private slots:
         }
     }
 
-    /** Uniform in 5000 m x 5000 m, seen through the distances, 5 standard errors. */
+    /**
+     * Positions are uniform in 5000 m x 5000 m, tested through distances with 5 standard errors.
+     */
     void tableOneIsUniform()
     {
         Mean between_m2;
@@ -110,7 +112,7 @@ private slots:
         QVERIFY(a.distance_m != tableOneProblem(8, 12).distance_m);
     }
 
-    void paperTable()
+    void paperTableIsAsPrinted()
     {
         const std::vector<std::array<double, 3>> table2{
             {2, 0.02, 0.03},  {6, 0.18, 0.42},     {10, 0.64, 1.50},
@@ -123,7 +125,7 @@ private slots:
         }
     }
 
-    /** Sizes in ascending order, each once, whatever the order they were given in. */
+    /** Rows have ascending sizes, each once, whatever the order given. */
     void rowsBySizeThenSolver()
     {
         std::vector<std::size_t> done;
@@ -158,7 +160,7 @@ private slots:
         }
     }
 
-    /** All but the seconds is the same at every run, and the objective is that of the optima. */
+    /** Everything but the seconds repeats, and the objective is that of the optima. */
     void resultsRepeat()
     {
         const BenchmarkSpec spec{
@@ -178,7 +180,7 @@ private slots:
         }
     }
 
-    /** Who cannot finish a size is not given a larger one; the others are. */
+    /** A solver that cannot finish a size gets no larger one; the others do. */
     void noLargerSizeAfterAnUnfinishedOne()
     {
         const BenchmarkSpec spec{.sizes = {3, 21, 22},
@@ -204,8 +206,8 @@ private slots:
         QVERIFY(benchmarkSolvers().front() == kExact);
     }
 
-    /** Without a second to spend nothing is solved, and nothing waits. */
-    void noBudget()
+    /** Without any time nothing is solved and nothing waits. */
+    void withoutBudgetNothingIsSolved()
     {
         const BenchmarkSpec spec{
             .sizes = {4, 12}, .solvers = {kExact, kHeuristic}, .repeat = 100000000, .budget_s = 0};
@@ -236,7 +238,7 @@ private slots:
         }
     }
 
-    void backEndThatCannot()
+    void sizeBeyondABackEndIsNoted()
     {
         const BenchmarkSpec spec{
             .sizes = {500}, .solvers = {kExact}, .repeat = 3, .budget_s = 1000};
@@ -260,13 +262,13 @@ private slots:
         };
         const std::vector<BenchmarkRow> rows =
             runBenchmark(spec, under.get_token(), stopAfterThree);
-        QCOMPARE(rows.size(), std::size_t{2}); // what was done is kept
+        QCOMPARE(rows.size(), std::size_t{2}); // rows so far are returned
         QCOMPARE(rows[0].instances, 2);
         QCOMPARE(rows[1].instances, 1);
         QCOMPARE(rows[1].seconds.n, 1);
     }
 
-    /** The instances are those of seeds 1 .. repeat: their optimum is what brute force finds. */
+    /** The instances are those of seeds 1 to `repeat`: brute force finds the same optimum. */
     void instancesAreSolvable()
     {
         for (std::uint64_t seed = 1; seed <= 4; ++seed) {

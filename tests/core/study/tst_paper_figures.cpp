@@ -11,7 +11,7 @@ class TestPaperFigures : public QObject
     Q_OBJECT
 
 private slots:
-    /** Table 1 and Table 2 of the paper. */
+    /** Figure 3 agrees with Table 1 and Table 2 of the paper. */
     void figure3AsPrinted()
     {
         const std::vector<BenchmarkSolver> solvers{{.backend = Backend::Exact}};
@@ -58,7 +58,7 @@ private slots:
         QCOMPARE(figure4(scenario).name, std::string("Figure 4"));
     }
 
-    /** The flights of Figure 5 are members of Figure 4: the lowest of the curve, and the path. */
+    /** Figure 5 shows two flights of Figure 4: the lowest of the curve, and the path. */
     void figure5OfAFlownFigure4()
     {
         Scenario scenario = randomScenario(1, {.icebergs = 5, .size_m = {3000, 2500}});

@@ -14,7 +14,7 @@ using namespace berg;
 
 namespace {
 
-/** Thrown by the job of that index. */
+/** Exception of the job with this index. */
 class JobFailure : public std::runtime_error
 {
 public:
@@ -25,7 +25,7 @@ public:
     std::size_t index;
 };
 
-/** Lets other threads go first, most probably. */
+/** Most probably lets other threads go first. */
 void giveWay()
 {
     for (int k = 0; k < 200; ++k)
@@ -63,7 +63,7 @@ private slots:
         }
     }
 
-    /** Three jobs that wait for each other can only end when three threads are at work. */
+    /** Three jobs that wait for each other can only end if three threads run. */
     void jobsRunAtTheSameTime()
     {
         std::atomic<int> present{0};
@@ -84,7 +84,7 @@ private slots:
     {
         QFETCH(int, threads);
         if (threads == 0)
-            return; // one per core: as many as the machine has
+            return; // one per core of this machine
         std::mutex mutex;
         std::set<std::thread::id> seen;
         const auto note = [&](std::size_t) {
@@ -102,7 +102,7 @@ private slots:
     void progressCountsUpOneAtATime()
     {
         QFETCH(int, threads);
-        std::vector<std::size_t> progress; // unguarded: it is never called by two threads at once
+        std::vector<std::size_t> progress; // needs no lock: never called by two threads at once
         std::atomic<int> inside{0};
         bool overlapped = false;
         const auto onProgress = [&](std::size_t done) {
@@ -121,7 +121,7 @@ private slots:
 
     void exceptionOfTheSmallestIndex_data() { addThreads(); }
 
-    /** Every job from 5 on fails; the one reported must not depend on who was first or last. */
+    /** Every job from 5 on fails; the reported one must not depend on their order. */
     void exceptionOfTheSmallestIndex()
     {
         QFETCH(int, threads);
@@ -158,7 +158,7 @@ private slots:
             ++begun;
             if (i == 5)
                 throw JobFailure(i);
-            std::this_thread::yield(); // 100,000 chances for the failure to be noted
+            std::this_thread::yield(); // 100,000 chances to notice the failure
         };
         QVERIFY_THROWS_EXCEPTION(JobFailure, (void)forEachIndex(kCount, job, {.threads = threads}));
         QVERIFY(begun >= 6 && begun < kCount);
@@ -178,7 +178,7 @@ private slots:
 
     void failureOfTheReportIsThrownHere_data() { addThreads(); }
 
-    /** It is called on the threads of the pool, where nothing would catch it. */
+    /** `onProgress` runs on the threads of the pool, where nothing would catch it. */
     void failureOfTheReportIsThrownHere()
     {
         QFETCH(int, threads);
@@ -206,7 +206,7 @@ private slots:
 
     void stopUnderWay_data() { addThreads(); }
 
-    /** Jobs after number 10 end only once it has asked to stop: no thread begins a second one. */
+    /** Jobs after number 10 end only after the stop request, so no thread starts a second one. */
     void stopUnderWay()
     {
         QFETCH(int, threads);
@@ -225,7 +225,7 @@ private slots:
             QVERIFY(begun <= 10 + threads);
     }
 
-    /** A stop that comes with the last job finds everything done. */
+    /** A stop during the last job comes after everything is done. */
     void stopAtTheEndIsComplete()
     {
         std::stop_source source;

@@ -103,7 +103,7 @@ private slots:
         COMPARE_NEAR(b.decile9, values[90], 1e-14);
     }
 
-    /** The standard error says how far the mean of a sample lies from the truth. */
+    /** The standard error is the distance of a sample mean from the truth. */
     void standardErrorIsWhatItSays()
     {
         Random random(2);
@@ -178,7 +178,7 @@ private slots:
         QVERIFY(!isSurelyLower(Values{80, 180, 280}, reference));
         QVERIFY(isSurelyLower(Values{80, 162, 320}, reference));
         QVERIFY(!isSurelyLower(reference, Values{80, 162, 320}));
-        QVERIFY(!isSurelyLower(Values{80}, Values{100})); // one pair is sure of nothing
+        QVERIFY(!isSurelyLower(Values{80}, Values{100})); // one pair proves nothing
         QVERIFY(!isSurelyLower(reference, reference));
     }
 
@@ -192,7 +192,7 @@ private slots:
         QVERIFY(!isSurelyLowest(best, std::vector<std::vector<double>>{best, {70, 200, 400}}));
     }
 
-    /** 19 of 20 intervals of normal samples hold the true mean, also for few values. */
+    /** 19 of 20 intervals of normal samples contain the true mean, also for few values. */
     void intervalCoversTheTruth()
     {
         Random random(3);

@@ -12,7 +12,7 @@ using namespace berg::test;
 
 namespace {
 
-/** Three scenarios, two of them drawn, twice each; four settings: 24 missions. */
+/** Three scenarios, two of them random, twice each; four settings: 24 missions. */
 StudySpec smallSpec()
 {
     return {.name = "small",
@@ -32,7 +32,7 @@ bool isStuck(const Scenario& scenario, PolicyKind policy)
         ->stuck;
 }
 
-/** Stops a flight when so many missions are done. */
+/** Returns options that stop a flight after `missions` missions. */
 StudyOptions stoppingAfter(std::size_t missions, std::stop_source& source, int threads = 1)
 {
     return {.threads = threads,
@@ -50,7 +50,7 @@ class TestStudy : public QObject
     Q_OBJECT
 
 private slots:
-    /** Refused before it takes the memory. */
+    /** Settings beyond the limit are rejected before they take memory. */
     void settingsBeyondAllLimits()
     {
         StudySpec spec{.random = 1};
@@ -65,7 +65,7 @@ private slots:
 
     void settingsInOrder()
     {
-        // Visitation by tau as given, then the others as given.
+        // Visitation with each tau in the given order precedes the other policies.
         const std::vector<StudySetting> expected{{PolicyKind::Visitation, 0.5},
                                                  {PolicyKind::Visitation, 2},
                                                  {PolicyKind::Nearest, std::nullopt},
@@ -89,7 +89,7 @@ private slots:
         QCOMPARE(missionCount({}), std::size_t{0});
     }
 
-    /** Scenario-major, then run; each outcome is that of the mission anybody would fly. */
+    /** Cases are ordered by scenario, then run, and each outcome equals a separate mission. */
     void casesArePaired()
     {
         const StudySpec spec = smallSpec();
@@ -122,7 +122,7 @@ private slots:
         QVERIFY(one == flown(smallSpec(), {.threads = 7}));
     }
 
-    /** One case only: its settings are spread over the threads. */
+    /** With a single case its settings are spread over the threads. */
     void oneCaseOnManyThreads()
     {
         StudySpec spec = smallSpec();
@@ -161,7 +161,7 @@ private slots:
             progress.push_back(done);
         };
         flown(smallSpec(), {.threads = 3, .onProgress = onProgress});
-        QCOMPARE(progress.size(), std::size_t{25}); // the start too
+        QCOMPARE(progress.size(), std::size_t{25}); // including the call at the start
         for (std::size_t i = 0; i < progress.size(); ++i)
             QCOMPARE(progress[i], i);
     }
@@ -197,7 +197,7 @@ private slots:
         QCOMPARE(flownCount(study), std::size_t{0});
     }
 
-    /** What has been flown is kept when the caller's own work fails. */
+    /** Outcomes so far are retained when the caller's own work fails. */
     void keptWhenSomethingThrows()
     {
         const auto onProgress = [](const Study&, std::size_t done, std::size_t) {
@@ -233,8 +233,8 @@ private slots:
         QVERIFY(merge(parts) == flown(smallSpec()));
     }
 
-    /** More shards than cases: some have nothing to do. */
-    void emptyShard()
+    /** With more shards than cases some have no work. */
+    void shardWithoutCasesIsComplete()
     {
         Study study{.spec = smallSpec()};
         QVERIFY(fly(study, {.shard = {.index = 9, .count = 9}}));
@@ -301,7 +301,7 @@ private slots:
         QCOMPARE(changed([](StudySpec& s) { s.scenarios[0].seed = 9; }), std::string("scenarios"));
     }
 
-    /** The last of many scenarios is faulty: nothing is flown before that is found. */
+    /** The last of many scenarios is faulty, which is reported before anything is flown. */
     void badScenarioIsReportedFirst()
     {
         Study study{.spec = smallSpec()};
@@ -315,7 +315,7 @@ private slots:
     {
         Study study{.spec = smallSpec()};
         study.spec.scenarios[0].planner.backend = Backend::Cbc;
-        study.spec.policies.push_back(PolicyKind::Latency); // not in any of its MILPs
+        study.spec.policies.push_back(PolicyKind::Latency); // no MILP supports it
         QCOMPARE(codeOf([&] { fly(study); }), std::string("Unsupported"));
         QCOMPARE(flownCount(study), std::size_t{0});
     }
@@ -375,7 +375,7 @@ private slots:
         QCOMPARE(error->issues().at(0).field, std::string("outcomes"));
     }
 
-    void seedsOfRuns()
+    void runsHaveSeedsOfTheirOwn()
     {
         QCOMPARE(seedOfRun(42, 0), 42);
         std::set<std::int64_t> seeds;
@@ -391,8 +391,8 @@ private slots:
         QCOMPARE(seedOfRun(42, 3), static_cast<std::int64_t>(Random(42, 3).bits() >> 11U));
     }
 
-    /** Between two of three icebergs, the third so far that nearest-first never goes there. */
-    void stuckOnTwo()
+    /** The UAV alternates between two of three icebergs; nearest-first never goes to the third. */
+    void twoTargetsAreStuck()
     {
         Scenario scenario = emptySea(1000);
         addIceberg(scenario, 1500, 0);
@@ -403,7 +403,7 @@ private slots:
         QCOMPARE(isStuck(scenario, PolicyKind::Path), false);
     }
 
-    /** Circling while both are in view is no third iceberg. */
+    /** Circling while both are in view is not a third iceberg. */
     void stuckOnTwoThatAreSeenTogether()
     {
         Scenario scenario = emptySea(1000);
@@ -415,7 +415,7 @@ private slots:
         for (const PlanEvent& plan : mission.plans())
             if (plan.time_s >= 500)
                 targets.insert(plan.target);
-        QVERIFY((targets == std::set<int>{-1, 0, 1})); // the case asked for
+        QVERIFY((targets == std::set<int>{-1, 0, 1})); // the intended case
         QCOMPARE(isStuck(scenario, PolicyKind::Visitation), true);
     }
 };

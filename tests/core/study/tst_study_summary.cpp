@@ -8,7 +8,7 @@ using namespace berg;
 
 namespace {
 
-/** A study that was never flown: the outcomes are made up. Settings: tau 0.5, 1, 2, then path. */
+/** A study with invented outcomes. Settings: tau 0.5, 1, 2, then path. */
 Study madeUp(int cases)
 {
     Study study;
@@ -81,7 +81,7 @@ private slots:
         QVERIFY(!summarise(madeUp(2), 1).recommendation);
     }
 
-    /** Another tau of the same policy counts as any other setting. */
+    /** Another tau of the same policy counts like any other setting. */
     void aSettingIsRecommendedThatBeatsEveryOther()
     {
         Study study = madeUp(3);
@@ -94,13 +94,13 @@ private slots:
         COMPARE_NEAR(found.relative.mean, (0.8 + 160.0 / 201 + 0.8) / 3 - 1, 1e-12);
         QCOMPARE(found.contenders, (std::vector<std::size_t>{0}));
 
-        setZeta(study, 1, {160, 130, 222, 240}); // one case speaks for tau = 1
+        setZeta(study, 1, {160, 130, 222, 240}); // one case favours tau = 1
         const Recommendation open = summarise(study, 1).recommendation.value();
         QVERIFY(!open.best);
         QCOMPARE(open.contenders, (std::vector<std::size_t>{0, 1}));
     }
 
-    /** Round tour of the picture: the lowest mean, behind another setting case by case. */
+    /** The round tour has the lowest mean but loses to another setting case by case. */
     void theLowestMeanAloneIsNoReason()
     {
         Study study = madeUp(3);
@@ -112,7 +112,7 @@ private slots:
         QVERIFY(!found.best);
     }
 
-    /** As tau = 0 and most uncertain first often do. */
+    /** tau = 0 and most uncertain first often fly the same. */
     void settingsThatFlyTheSameShareTheRecommendation()
     {
         Study study = madeUp(3);
@@ -142,7 +142,10 @@ private slots:
         QVERIFY(!found.best);
     }
 
-    /** Relative to tau = 1: -0.1, 0.1, 0 for tau = 2; t(2) = 4.3027, standard error 0.1/sqrt(3). */
+    /**
+     * Relative to tau = 1 the values of tau = 2 are -0.1, 0.1, 0; t(2) = 4.3027, standard error
+     * 0.1/sqrt(3).
+     */
     void differencesAreTakenCaseByCase()
     {
         const StudySummary summary = summarise(threeCases(), 1);
@@ -165,7 +168,7 @@ private slots:
         QCOMPARE(itself.lowerShare, 0.0); // equal is not lower
     }
 
-    /** A share of nothing is no number: such a case counts in the absolute figures only. */
+    /** A share of 0 does not exist: such a case counts in the absolute figures only. */
     void aReferenceOfZero()
     {
         Study study = threeCases();
@@ -191,7 +194,7 @@ private slots:
         QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)summarise(threeCases(), 4));
     }
 
-    /** Best: 2 with 90, 0.5 with 190, and of three equal ones the smallest, 0.5 with 400. */
+    /** Best values: 2 with 90, 0.5 with 190, and of three equal ones the smallest, 0.5 with 400. */
     void bestTauOfEachCase()
     {
         const StudySummary summary = summarise(threeCases(), 1);
@@ -222,7 +225,7 @@ private slots:
         QCOMPARE(summary.cases.size(), std::size_t{2});
     }
 
-    /** A case that lacks one setting counts for none of them. */
+    /** A case without one of the settings counts for none. */
     void incompleteCasesAreLeftOut()
     {
         Study study = madeUp(5);
@@ -264,7 +267,7 @@ private slots:
         QCOMPARE(path.high, path.mean);
     }
 
-    /** Nothing to be uncertain of: all zeta are 0, and no setting differs from another. */
+    /** There is no uncertainty: every zeta is 0, and no setting differs from another. */
     void zetaOfZero()
     {
         Study study = madeUp(2);
@@ -296,7 +299,7 @@ private slots:
         QCOMPARE(usualReference(spec), static_cast<std::size_t>(expected));
     }
 
-    /** Against the textbook: sums of x and x^2, and t(19) = 2.093024 from a table. */
+    /** Compares with the textbook formula: sums of x and x^2, and t(19) = 2.093024 from a table. */
     void pairedIntervalByAnotherFormula()
     {
         Random random(4);
@@ -319,7 +322,7 @@ private slots:
         COMPARE_NEAR(relative.low, sum / kCases - half, 1e-8);
     }
 
-    /** What pairing is for: the same values in other pairs have the same mean, a wider interval. */
+    /** Pairing matters: the same values in other pairs have the same mean but a wider interval. */
     void pairingNarrowsTheInterval()
     {
         constexpr std::size_t kCases = 12;

@@ -24,7 +24,7 @@ class TestZetaPrediction : public QObject
     Q_OBJECT
 
 private slots:
-    /** 1 to 21: the 5th percentile of 21 values is the second, the 95th the last but one. */
+    /** The 5th percentile of the values 1 to 21 is the second value, the 95th the last but one. */
     void meanAndRange()
     {
         std::vector<double> drawn_m2s;
@@ -36,7 +36,7 @@ private slots:
         COMPARE_NEAR(prediction.most_m2s, 20, 1e-12);
     }
 
-    /** Whoever makes it, on however many threads. */
+    /** The prediction does not depend on the number of threads. */
     void isThatOfTheDrawnFlights()
     {
         const Scenario scenario = shortFlight();

@@ -12,10 +12,10 @@ using namespace berg;
 
 namespace {
 
-/** As fitted to a beacon of the Canadian Ice Service. */
+/** Process fitted to a beacon of the Canadian Ice Service. */
 constexpr DriftProcess kFitted{
     .q_m2ps = 0.025, .velocitySpread_mps = 0.15, .velocityTime_s = 36'000};
-/** Changes within the minutes of a test. */
+/** Process that changes within the minutes of a test. */
 constexpr DriftProcess kQuick{.q_m2ps = 0.01, .velocitySpread_mps = 0.2, .velocityTime_s = 300};
 
 DriftSpec specOf(const DriftProcess& process, const Point& velocity_mps, const Point& mean_mps)
@@ -33,7 +33,7 @@ Point noise(Random& random, double deviation)
     return {deviation * x, deviation * random.normal()};
 }
 
-/** The differential equations of the variances, and the integral of P, by Runge and Kutta. */
+/** Solves the differential equations of the variances, and the integral of P, by Runge-Kutta. */
 struct Integrated
 {
     DriftVariances at;
@@ -65,7 +65,10 @@ struct Integrated
     }
 };
 
-/** Chi-square with four degrees of freedom for a consistent filter: see `tst_kalman_track`. */
+/**
+ * Is chi-square distributed with four degrees of freedom for a consistent filter; see
+ * `tst_kalman_track`.
+ */
 double estimationError(const Track& track, const Point& position_m, const Point& velocity_mps,
                        double time_s)
 {
@@ -81,7 +84,7 @@ double estimationError(const Track& track, const Point& position_m, const Point&
 
 } // namespace
 
-/** Velocities that are not the same for ever: an Ornstein-Uhlenbeck process along each axis. */
+/** Tests variable velocities: an Ornstein-Uhlenbeck process along each axis. */
 class TestChangingVelocity : public QObject
 {
     Q_OBJECT
@@ -115,7 +118,7 @@ private slots:
         COMPARE_NEAR(positionIntegral_m2s(start, process, span_s) / numeric.integral_m2s, 1, 1e-9);
     }
 
-    /** What is known exactly at first, in a step and in many: nothing cancels. */
+    /** The start is known exactly; one step and many give the same result, so nothing cancels. */
     void smallStepsLoseNothing()
     {
         DriftProcess process = kFitted;
@@ -127,7 +130,7 @@ private slots:
         COMPARE_NEAR(stepped.position_m2 / once.position_m2, 1, 1e-9);
         COMPARE_NEAR(stepped.mixed_m2ps / once.mixed_m2ps, 1, 1e-9);
         COMPARE_NEAR(stepped.velocity_m2ps2 / once.velocity_m2ps2, 1, 1e-9);
-        // Leading terms: 2 S^2 t^3 / (3 T), S^2 t^2 / T, 2 S^2 t / T.
+        // The leading terms are 2 S^2 t^3 / (3 T), S^2 t^2 / T, 2 S^2 t / T.
         const DriftVariances soon = grown({}, process, 0.1);
         COMPARE_NEAR(soon.position_m2 / (0.0225 * 2e-3 / 3 / 36'000), 1, 1e-5);
         COMPARE_NEAR(soon.mixed_m2ps / (0.0225 * 1e-2 / 36'000), 1, 1e-5);
@@ -149,7 +152,7 @@ private slots:
                      1, 1e-5);
     }
 
-    /** Once known to 0.02 m/s; a day later it is worth no more than no look at all. */
+    /** A velocity known to 0.02 m/s is worth no more a day later than no measurement at all. */
     void aLearnedVelocityIsForgotten()
     {
         Track track{.velocity_mps = {0.3, 0},
@@ -165,12 +168,12 @@ private slots:
         COMPARE_NEAR((track.velocity_mps - Point(0, 0.1)).norm(), std::sqrt(0.1) * std::exp(-2.4),
                      1e-9);
         COMPARE_NEAR(std::sqrt(track.velocity_m2ps2), 0.15, 0.001);
-        // 8 km: what the beacon has moved by in a day.
+        // The beacon moved by 8 km in a day.
         COMPARE_NEAR(std::sqrt(track.sigma_m2), 7950, 50);
     }
 
     /** Spread and covariance of the true motion are those of the closed form. */
-    void theTruthSpreadsAsForetold()
+    void theTruthSpreadsAsPredicted()
     {
         constexpr int kRuns = 4000;
         constexpr double kSpan_s = 900;
@@ -185,14 +188,18 @@ private slots:
             sum.mixed_m2ps += place_m.dot(speed_mps) / (2 * kRuns);
             sum.velocity_m2ps2 += speed_mps.squaredNorm() / (2 * kRuns);
         }
-        // 8000 squares: standard deviation sqrt(2 / 8000) = 0.016, three of them.
+        // The standard deviation over 8000 squares is sqrt(2 / 8000) = 0.016; three of them are
+        // allowed.
         const DriftVariances expected = grown({}, kQuick, kSpan_s);
         COMPARE_NEAR(sum.position_m2 / expected.position_m2, 1, 0.048);
         COMPARE_NEAR(sum.mixed_m2ps / expected.mixed_m2ps, 1, 0.06);
         COMPARE_NEAR(sum.velocity_m2ps2 / expected.velocity_m2ps2, 1, 0.048);
     }
 
-    /** The same for every time step, and the white noise is that of a constant velocity. */
+    /**
+     * The truth is the same for every time step, and the white noise is that of a constant
+     * velocity.
+     */
     void theTruthIsTheSameForAllSteps()
     {
         const DriftSpec spec = specOf(kQuick, {0.5, 0}, {0.1, 0});
@@ -219,18 +226,18 @@ private slots:
     }
 
     /**
-     * Consistency over 100 runs, looks of 15 s every 200 s and noisy measurements: the mean NEES
-     * lies in its 95 % chi-square band (400 degrees of freedom) at four of five instants at least
-     * and in the 99.9 % band at all.
+     * Tests consistency over 100 runs, with samples during 15 s every 200 s and noisy measurements:
+     * the mean NEES lies in its 95 % chi-square band (400 degrees of freedom) at four of five
+     * instants at least and in the 99.9 % band at all.
      */
-    void consistent_data()
+    void estimatesAreConsistent_data()
     {
         QTest::addColumn<double>("spread_mps");
         QTest::addColumn<double>("time_s");
         QTest::newRow("as fitted") << 0.15 << 36'000.0;
         QTest::newRow("quick") << 0.2 << 300.0;
     }
-    void consistent()
+    void estimatesAreConsistent()
     {
         QFETCH(double, spread_mps);
         QFETCH(double, time_s);

@@ -28,12 +28,12 @@ class TestClosestApproach : public QObject
     Q_OBJECT
 
 private slots:
-    void byHand()
+    void approachAndEntryByHand()
     {
         const RelativeMotion crossing{.offset_m = {-1000, 300}, .velocity_mps = {2, 0}};
         COMPARE_NEAR(closestApproach(crossing, kHorizon_s).time_s, 500, 1e-12);
         COMPARE_NEAR(closestApproach(crossing, kHorizon_s).distance_m, 300, 1e-12);
-        // 400 m abeam of the centre on a circle of 500 m: 300 m off the course.
+        // The entry is 400 m before abeam on a circle of 500 m, 300 m off the course.
         COMPARE_NEAR(entryTime_s(crossing, 500, kHorizon_s).value(), 300, 1e-9);
         QVERIFY(!entryTime_s(crossing, 299, kHorizon_s));
     }
@@ -59,8 +59,8 @@ private slots:
         QCOMPARE(entryTime_s(still, 700, kHorizon_s).value(), 0.0);
     }
 
-    /** Against looking at every second. */
-    void againstSampling()
+    /** Compares with sampling at every second. */
+    void agreesWithSampling()
     {
         Random random(5, 0);
         int entered = 0;

@@ -15,7 +15,7 @@ constexpr double kQ_m2ps = 0.025; // Table 3
 
 const DriftSpec kSpec{.position_m = {1000, -2000}, .velocity_mps = {0.3, -0.1}};
 
-/** Error of the dead reckoning, truth less known motion, of one iceberg. */
+/** Error of dead reckoning of one iceberg: truth minus known motion. */
 Point wander_m(const DriftSpec& spec, std::uint64_t seed, const std::string& id, double time_s)
 {
     DriftModel drift(spec, seed, id, true);
@@ -71,7 +71,8 @@ private slots:
                                          : wander_m(kSpec, 1, "berg-" + std::to_string(i), time_s));
         const Spread spread = spreadOf(errors_m);
         const double expected_m2 = kQ_m2ps * time_s;
-        // 5 sigma: of a mean sqrt(v/n), of a variance v sqrt(2/n), of a covariance v/sqrt(n).
+        // The limits are 5 sigma: of a mean sqrt(v/n), of a variance v sqrt(2/n), of a covariance
+        // v/sqrt(n).
         const double root = std::sqrt(spread.n);
         for (const int axis : {0, 1}) {
             COMPARE_NEAR(spread.mean(axis), 0, 5 * std::sqrt(expected_m2) / root);
@@ -81,7 +82,7 @@ private slots:
         COMPARE_NEAR(spread.covariance, 0, 5 * expected_m2 / root);
     }
 
-    /** White noise: what happens from 50 s to 100 s has nothing to do with what was before. */
+    /** White noise: the increments from 50 s to 100 s are independent of those before. */
     void incrementsAreIndependent()
     {
         std::vector<Point> products;
@@ -160,7 +161,7 @@ private slots:
             if (second > 0)
                 bend_m = std::max(bend_m, (b_m - 2 * a_m + at_m[4 * second - 4]).norm());
         }
-        QVERIFY(bend_m > 0.1); // and it does bend at the grid points
+        QVERIFY(bend_m > 0.1); // the path bends at the grid points
     }
 
     void withoutNoiseItIsDeadReckoning()
@@ -204,7 +205,7 @@ private slots:
         }
     }
 
-    /** An iceberg that starts later takes its noise from its own start, shifted and unchanged. */
+    /** An iceberg that starts later uses its noise from its own start, shifted and unchanged. */
     void startsLater()
     {
         DriftSpec later = kSpec;
@@ -217,7 +218,7 @@ private slots:
         QVERIFY(c.position_m(123.4) == kSpec.position_m);
     }
 
-    /** Drawn at once or as it goes, and beyond what was drawn: the same numbers, bit for bit. */
+    /** Numbers drawn in advance, on demand, and beyond those in advance are equal bit for bit. */
     void noiseDrawnAtOnceIsTheSame()
     {
         const DriftNoise drawn(7, "berg-1", 100);
@@ -226,7 +227,7 @@ private slots:
         QVERIFY(!drawn.isOf(7, "berg-2"));
         DriftModel fresh(kSpec, 7, "berg-1", true);
         DriftModel first(kSpec, drawn, true);
-        DriftModel second(kSpec, drawn, true); // copies do not take from each other
+        DriftModel second(kSpec, drawn, true); // copies do not consume each other's numbers
         for (int i = 0; i <= 600; ++i) {
             const Point expected_m = fresh.position_m(0.5 * i);
             QVERIFY(first.position_m(0.5 * i) == expected_m);
@@ -234,7 +235,7 @@ private slots:
         }
     }
 
-    void askingAheadTakesNothing()
+    void lookingAheadUsesNoNoise()
     {
         DriftModel asked(kSpec, 7, "berg-1", true);
         DriftModel other(kSpec, 7, "berg-1", true);
@@ -248,7 +249,7 @@ private slots:
     {
         DriftModel drift(kSpec, 7, "berg-1", true);
         const double limit_mps = drift.speedLimit_mps();
-        QVERIFY(limit_mps < 4); // or it would spare nobody anything
+        QVERIFY(limit_mps < 4); // a larger limit would be useless
         Point last_m = drift.position_m(0);
         for (int second = 1; second <= 10000; ++second) {
             const Point now_m = drift.position_m(second);

@@ -57,8 +57,8 @@ class TestKalmanTrack : public QObject
     Q_OBJECT
 
 private slots:
-    /** Known velocity, perfect measurements: the paper's model, step by step. */
-    void simpleModel()
+    /** With known velocity and perfect measurements it is the paper's model, step by step. */
+    void exactMeasurementsGiveTheSimpleModel()
     {
         const Point velocity_mps(0.2, -0.1);
         Track track{
@@ -81,8 +81,8 @@ private slots:
         }
     }
 
-    /** Without process noise it is least squares: the normal equations, solved at once. */
-    void leastSquares()
+    /** Without process noise the filter is least squares: the normal equations, solved at once. */
+    void withoutProcessNoiseItIsLeastSquares()
     {
         Random random(11, 0);
         Track filter{.sigma_m2 = 1e9, .velocity_m2ps2 = 1e6};
@@ -105,11 +105,11 @@ private slots:
     }
 
     /**
-     * Consistency over 100 runs with velocities drawn from their variance, looks of 15 s every
-     * 200 s and noisy measurements: the mean NEES lies in its 99.9 % chi-square band (400 degrees
-     * of freedom) at each instant looked at, in view and out of view.
+     * Tests consistency over 100 runs with velocities drawn from their variance, samples during 15
+     * s every 200 s and noisy measurements: the mean NEES lies in its 99.9 % chi-square band (400
+     * degrees of freedom) at each instant examined, in view and out of view.
      */
-    void consistent()
+    void estimatesAreConsistent()
     {
         constexpr int kRuns = 100;
         constexpr double kLow = 313.4 / kRuns; // chi-square quantiles 0.0005 and 0.9995
@@ -139,8 +139,7 @@ private slots:
                      std::to_string(sum[i] / kRuns).c_str());
     }
 
-    /** The test above can fail: a filter that thinks its measurements too good is not consistent.
-     */
+    /** The test above can fail: a filter that overrates its measurements is not consistent. */
     void overconfidenceShows()
     {
         double sum = 0;
@@ -176,20 +175,19 @@ private slots:
         QCOMPARE(filter.sigma_m2, 0.0);
     }
 
-    /** Looks of one iceberg, of two icebergs and of two seeds have nothing to do with each other.
-     */
-    void lookDrawsAreIndependent()
+    /** Samples of one iceberg, of two icebergs and of two seeds are independent. */
+    void sampleDrawsAreIndependent()
     {
         const auto mixed = [](auto first, auto second) {
             double sum = 0;
-            for (std::int64_t look = 0; look < 4000; ++look)
-                sum += first(look).noise.x() * second(look).noise.x();
+            for (std::int64_t sample = 0; sample < 4000; ++sample)
+                sum += first(sample).noise.x() * second(sample).noise.x();
             return sum / 4000; // sd 1 / sqrt(4000) = 0.016
         };
         const auto draw = [](std::uint64_t seed, std::uint64_t stream) {
-            return [=](std::int64_t look) { return lookDraw(seed, stream, look); };
+            return [=](std::int64_t sample) { return sampleDraw(seed, stream, sample); };
         };
-        const auto later = [](std::int64_t look) { return lookDraw(1, 77, look + 1); };
+        const auto later = [](std::int64_t sample) { return sampleDraw(1, 77, sample + 1); };
         QVERIFY(std::abs(mixed(draw(1, 77), later)) < 0.08);
         QVERIFY(std::abs(mixed(draw(1, 77), draw(1, 78))) < 0.08);
         QVERIFY(std::abs(mixed(draw(1, 77), draw(2, 77))) < 0.08);

@@ -51,7 +51,7 @@ private slots:
             COMPARE_NEAR((corners_m[i] - expected_m[i]).norm(), 0, 1e-9);
     }
 
-    /** Everything in the square to be covered is passed within half a track spacing and a bit. */
+    /** Every point of the square is passed within half a track spacing and a little more. */
     void expandingSquareCovers()
     {
         Random random(2, 0);
@@ -64,13 +64,17 @@ private slots:
                 const Point p_m = random.uniform(-reach_m, reach_m) * along +
                                   random.uniform(-reach_m, reach_m) * left;
                 QVERIFY(distanceToPath(p_m, corners_m) <= 540 / std::sqrt(2.0) + 1e-6);
-                // Seen by a camera 600 m across, 0.9 of which is the spacing, except in corners.
+                // A camera 600 m across, 0.9 of which is the spacing, sees every point except in
+                // corners.
             }
         }
         QCOMPARE(expandingSquare(540, 0, 0).size(), 1U);
     }
 
-    /** 5,000 km of doubt and a view of a metre: a gigabyte of corners that nobody flies. */
+    /**
+     * A position uncertain by 5,000 km and a view of a metre would make a gigabyte of useless
+     * corners.
+     */
     void expandingSquareIsBounded()
     {
         const std::vector<Point> corners_m = expandingSquare(0.9, 15e6, 0);
@@ -89,7 +93,7 @@ private slots:
             COMPARE_NEAR((corners_m[i] - corners_m[i - 1]).norm(), 1000, 1e-9);
         for (const std::size_t home : {0U, 3U, 6U, 9U})
             COMPARE_NEAR(corners_m[home].norm(), 0, 1e-9);
-        // Each triangle starts straight on where the last one came home.
+        // Each triangle starts straight on where the last one ended.
         for (const std::size_t home : {3U, 6U}) {
             const Point in_m = corners_m[home] - corners_m[home - 1];
             const Point out_m = corners_m[home + 1] - corners_m[home];
@@ -112,20 +116,23 @@ private slots:
     }
 
     /** The normal distribution cut at 3.2 standard deviations keeps 0.99 of its variance. */
-    void variance()
+    void gridKeepsTheVariance()
     {
         const LostSearch search = squareSearch(400);
         COMPARE_NEAR(search.variance_m2() / (400.0 * 400.0), 1.0, 0.03);
     }
 
-    /** After a look at the middle what is left is farther out: by the formula of Bayes. */
-    void aLookMovesTheChancesOutwards()
+    /**
+     * After a sample at the middle the remaining probability is farther out, by the formula of
+     * Bayes.
+     */
+    void aSampleMovesTheChancesOutwards()
     {
         // 21 cells over +- 3.2: the view ends midway between two of them.
         constexpr double kInside_sd = 1.12;
         LostSearch search = squareSearch(300 / kInside_sd);
         const double before_m2 = search.variance_m2();
-        search.miss(viewAt({5000, 0}), {0, 0}, 1); // elsewhere
+        search.miss(viewAt({5000, 0}), {0, 0}, 1); // a view elsewhere
         COMPARE_NEAR(search.variance_m2() / before_m2, 1, 1e-12);
         search.miss(viewAt({0, 0}), {0, 0}, 1);
         double left = 0;
@@ -152,8 +159,10 @@ private slots:
         QVERIFY(unsure.chances()[middle] > 0);
     }
 
-    /** All cells seen in vain: nothing can be concluded, and nothing is divided by zero. */
-    void nothingLeft()
+    /**
+     * If all cells were seen without a sighting, nothing follows, and nothing is divided by zero.
+     */
+    void sampleOfAllCellsChangesNothing()
     {
         LostSearch search = squareSearch(10);
         const SensorSpec wide{.fov_m = Point(1e5, 1e5)};
@@ -162,17 +171,17 @@ private slots:
             QVERIFY(std::isfinite(chance));
     }
 
-    /** A leg that sees all there is within its time: chance 1 over that time. */
+    /** A leg that sees all cells has probability 1 over its time. */
     void chancePerSecondByHand()
     {
         const LostSearch search = squareSearch(150);
-        // Reach so wide that the first leg of 540 m sweeps every cell at once.
+        // The reach is so wide that the first leg of 540 m sweeps every cell at once.
         COMPARE_NEAR(search.chancePerSecond({0, 0}, 20, 5000, 1), 20.0 / 540, 1e-9);
         COMPARE_NEAR(search.chancePerSecond({0, 0}, 20, 5000, 0.5), 10.0 / 540, 1e-9);
         QCOMPARE(search.chancePerSecond({0, 0}, 20, 0, 1) < 20.0 / 540, true);
     }
 
-    /** The likeliest place is where it should be, until that has been seen to be empty. */
+    /** The likeliest place is the datum, until a view of it has shown nothing. */
     void likeliestPlacesAreApart()
     {
         constexpr double kHalf_m = 150;
@@ -206,7 +215,7 @@ private slots:
         QVERIFY(!LostSearch({.search = SearchPattern::None}, kSensor, 300, 0).hasCorner());
     }
 
-    void restored()
+    void restoredSearchIsEqual()
     {
         LostSearch search = squareSearch(250);
         search.miss(viewAt({100, 50}), {0, 0}, 0.7);

@@ -9,7 +9,7 @@ namespace {
 
 const Point kCentre_m(1000, -500);
 
-/** 800 m along, 400 m across. */
+/** The view is 800 m along-track, 400 m cross-track. */
 FieldOfView view(FovShape shape, double psi_rad)
 {
     return {{.fov_m = {800, 400}, .shape = shape}, kCentre_m, psi_rad};
@@ -29,7 +29,7 @@ private slots:
         QCOMPARE(sensor.shape, FovShape::Body);
     }
 
-    /** Offsets from the centre, UAV flying east: x is along, y is across. */
+    /** Offsets from the centre for a UAV flying east: x is along-track, y is cross-track. */
     void shapesFlyingEast_data()
     {
         QTest::addColumn<double>("x_m");

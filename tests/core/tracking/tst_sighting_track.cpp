@@ -110,7 +110,7 @@ private slots:
         COMPARE_NEAR(east.value, truth.velocity_mps.x(), 5 * east.error);
         COMPARE_NEAR(north.value, truth.velocity_mps.y(), 5 * north.error);
         COMPARE_NEAR(growth.value, q_m2ps, 5 * growth.error);
-        QVERIFY(growth.error < 0.05 * q_m2ps); // and the test could see a bias of a quarter
+        QVERIFY(growth.error < 0.05 * q_m2ps); // the test could detect a bias of a quarter
     }
 
     /** Var(v) = q / T, the least that any unbiased estimate of a random walk's drift can have. */
@@ -166,10 +166,10 @@ private slots:
         const TrackEstimate estimate = estimateTrack(fixes);
         QCOMPARE(estimate.repeated, std::size_t{2});
         QCOMPARE(estimate.used, std::size_t{6});
-        QCOMPARE(estimate.last, std::size_t{7}); // the later word counts
+        QCOMPARE(estimate.last, std::size_t{7}); // the later fix counts
     }
 
-    void onlyEqualTimes()
+    void equalTimesLeaveNoVelocity()
     {
         const std::vector<Fix> fixes(5, Fix{.time_s = 7, .position_m = {1, 2}});
         const TrackEstimate estimate = estimateTrack(fixes);
@@ -197,7 +197,7 @@ private slots:
         COMPARE_NEAR(*estimate.q_m2ps, 0, 1e-9);
     }
 
-    /** Every second fix elsewhere: two tracks in one; the one seen last wins. */
+    /** Every second fix is elsewhere: two tracks in one; the one seen last wins. */
     void twoIcebergsUnderOneName()
     {
         std::vector<Fix> fixes = steady(20);
@@ -221,18 +221,18 @@ private slots:
         COMPARE_NEAR((*estimate.velocity_mps - Point(0, 0.2)).norm(), 0, 1e-12);
     }
 
-    void gaps()
+    void longGapsLeaveNoVelocity()
     {
         const auto two = [](double days) {
             return std::vector<Fix>{{.time_s = 0, .position_m = {0, 0}},
                                     {.time_s = days * 86400, .position_m = {days * 8640, 0}}};
         };
         COMPARE_NEAR(estimateTrack(two(10)).velocity_mps->x(), 0.1, 1e-12);
-        QVERIFY(!estimateTrack(two(20)).velocity_mps); // too long ago to tell
+        QVERIFY(!estimateTrack(two(20)).velocity_mps); // the first fix is too old
         QCOMPARE(estimateTrack(two(20)).last, std::size_t{1});
     }
 
-    void stationaryIsTold()
+    void stationaryIsReported()
     {
         std::vector<Fix> fixes =
             walk({.velocity_mps = Point::Zero(), .q_m2ps = 0, .error_m = 60}, 3);
@@ -240,11 +240,11 @@ private slots:
         QVERIFY(estimate.stationary);
         QVERIFY(estimate.velocity_mps->isZero(0) && !estimate.q_m2ps);
         QVERIFY(!estimateTrack(fixes, {.stationaryFor_s = 0}).stationary);
-        fixes.resize(5); // not a day yet
+        fixes.resize(5); // less than a day
         QVERIFY(!estimateTrack(fixes).stationary);
     }
 
-    void clampsAreTold()
+    void clampsAreReported()
     {
         const TrackRules loose{.fastest_mps = 1e6, .stationaryFor_s = 0};
         const TrackEstimate fast = estimateTrack(steady(5, Point(40, -70)), loose);
@@ -256,7 +256,7 @@ private slots:
         QVERIFY(spread.growthClamped && *spread.q_m2ps == 1e6);
     }
 
-    void hostileNumbers()
+    void numbersThatAreNotFiniteAreLeftOut()
     {
         const double nan = std::numeric_limits<double>::quiet_NaN();
         const double infinity = std::numeric_limits<double>::infinity();

@@ -20,20 +20,20 @@ Point anyPoint(Random& random, double extent_m)
 
 } // namespace
 
-/** The window planners use against the field of view that counts. */
+/** Compares the window for planners with the field of view that decides. */
 class TestViewWindow : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void shapes_data()
+    void agreesWithTheFieldOfView_data()
     {
         QTest::addColumn<FovShape>("shape");
         QTest::newRow("body") << FovShape::Body;
         QTest::newRow("north") << FovShape::North;
         QTest::newRow("disk") << FovShape::Disk;
     }
-    void shapes()
+    void agreesWithTheFieldOfView()
     {
         QFETCH(FovShape, shape);
         const SensorSpec sensor{.fov_m = Point(600, 400), .shape = shape};
@@ -49,7 +49,7 @@ private slots:
         }
     }
 
-    void crossingIsWhereThePointIsInside_data() { shapes_data(); }
+    void crossingIsWhereThePointIsInside_data() { agreesWithTheFieldOfView_data(); }
     void crossingIsWhereThePointIsInside()
     {
         QFETCH(FovShape, shape);
@@ -75,9 +75,11 @@ private slots:
         QVERIFY(crossed < 900);
     }
 
-    /** Then a narrower view sees all of it too, and every share is exactly as it would be computed.
+    /**
+     * If the whole line is inside, a narrower view sees all of it too, and every share is exactly
+     * as computed.
      */
-    void insideAllTheWay_data() { shapes_data(); }
+    void insideAllTheWay_data() { agreesWithTheFieldOfView_data(); }
     void insideAllTheWay()
     {
         QFETCH(FovShape, shape);
@@ -98,7 +100,7 @@ private slots:
         QVERIFY(shape == FovShape::Disk ? whole == 0 : whole > 100);
     }
 
-    void standingPoint()
+    void fixedPointIsInViewThroughoutOrNever()
     {
         for (const FovShape shape : {FovShape::Body, FovShape::North, FovShape::Disk}) {
             const ViewWindow window({.fov_m = Point(600, 600), .shape = shape}, 0);
@@ -110,8 +112,8 @@ private slots:
         }
     }
 
-    /** Flown past: in view right after the entry, and not before. */
-    void entryIsWhereItComesIntoView_data() { shapes_data(); }
+    /** A point that is passed is in view right after the entry, and not before. */
+    void entryIsWhereItComesIntoView_data() { agreesWithTheFieldOfView_data(); }
     void entryIsWhereItComesIntoView()
     {
         QFETCH(FovShape, shape);

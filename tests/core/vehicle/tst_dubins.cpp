@@ -72,7 +72,7 @@ private slots:
         const DubinsState end = flown(start, u_radps, dt_s, kSteps);
         COMPARE_NEAR((end.position_m - start.position_m).norm(), 0, 1e-7); // rounding only
         COMPARE_NEAR(wrapPi(end.psi_rad - start.psi_rad), 0, 1e-12);
-        // Half-way it is a diameter away, abeam on the side of the turn. The chords of equal
+        // Half-way the UAV is a diameter away, abeam on the side of the turn. The chords of equal
         // steps close to a regular polygon of side U dt.
         const DubinsState half = flown(start, u_radps, dt_s, kSteps / 2);
         const double diameter_m = 22 * dt_s / std::sin(std::abs(u_radps) * dt_s / 2);
@@ -81,7 +81,7 @@ private slots:
         QVERIFY(cross(ahead, half.position_m - start.position_m) * u_radps > 0);
     }
 
-    /** Against the exact arc: the mid-point course makes the error shrink with dt squared. */
+    /** Compared with the exact arc, the mid-point course makes the error shrink with dt squared. */
     void arcIsOfSecondOrder()
     {
         const DubinsState start{.position_m = {0, 0}, .psi_rad = -1};
@@ -159,7 +159,9 @@ private slots:
         QCOMPARE(flightTime_s(Point::Zero(), 22, {15, -10}), 0.0);
     }
 
-    /** Flown, not computed: the heading with the crab angle arrives when flightTime_s says so. */
+    /**
+     * A flight on the heading with the crab angle arrives at the time that flightTime_s returns.
+     */
     void flightTimeIsFlown()
     {
         const Point d_m(3000, -1500);

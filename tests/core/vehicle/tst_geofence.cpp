@@ -31,14 +31,14 @@ class TestGeofence : public QObject
     Q_OBJECT
 
 private slots:
-    void roomIsThatOfTheBetterCircle()
+    void clearanceIsThatOfTheBetterCircle()
     {
         const Geofence fence = fenceIn(Point::Zero());
         // Along the southern edge, 100 m inside: only the circle to the left is inside.
         const DubinsState east{.position_m = {1500, 100}, .psi_rad = 0};
         const double radius_m = fence.radius_m();
         QVERIFY(std::abs(fence.turnClearance_m(east) - std::min(100.0, 900 - 2 * radius_m)) < 1e-9);
-        // Straight at the edge, both circles stick out.
+        // Flying straight at the edge, both circles extend outside.
         const DubinsState south{.position_m = {1500, 100}, .psi_rad = -kPi / 2};
         QVERIFY(std::abs(fence.turnClearance_m(south) - (100 - radius_m)) < 1e-9);
         QVERIFY(fence.contains({500, 2500}));
@@ -63,7 +63,7 @@ private slots:
         QVERIFY(same(one.distances_m(places_m), other.distances_m(places_m), 1e-9));
     }
 
-    /** What the whole guard rests on: the circle over ground can be stayed on, in wind too. */
+    /** The whole guard relies on this: the UAV can stay on the circle over ground, in wind too. */
     void circleOverGroundIsKept_data()
     {
         QTest::addColumn<double>("wind_mps");
@@ -91,23 +91,23 @@ private slots:
                 // Steps of 10 ms leave the circle by centimetres a turn.
                 QVERIFY(std::abs((uav.position_m - centre_m).norm() - fence.radius_m()) < 1);
             }
-            QVERIFY(uav.position_m.norm() < 5); // once round in the time said
+            QVERIFY(uav.position_m.norm() < 5); // one round takes the computed time
         }
     }
 
-    void waysLeadRoundTheCorner()
+    void pathsLeadRoundTheCorner()
     {
         const Geofence fence = fenceIn(Point::Zero());
         QVERIFY(fence.cornersBetween({500, 500}, {2500, 500}).empty());
         const std::vector<Point> corners_m = fence.cornersBetween({2500, 500}, {500, 2500});
         QCOMPARE(corners_m.size(), std::size_t{1});
         const Point off_m = corners_m.front() - Point(1000, 1000);
-        // On the bisector inwards, a radius away.
+        // The corner is passed on the inward bisector, a radius away.
         QVERIFY(std::abs(off_m.norm() - fence.radius_m()) < 1e-9);
         QVERIFY(std::abs(off_m.x() - off_m.y()) < 1e-9 && off_m.x() < 0);
     }
 
-    void distancesAreThoseOfTheWays()
+    void distancesAreThoseOfThePaths()
     {
         const Geofence fence = fenceIn(Point::Zero());
         const std::vector<Point> places_m{{2500, 500}, {500, 2500}, {500, 500}};
@@ -118,7 +118,7 @@ private slots:
         QVERIFY(same(fence.distances_m(places_m), expected_m, 1e-6));
     }
 
-    void windMakesOneWayLonger()
+    void windMakesOneDirectionLonger()
     {
         const std::vector<Point> places_m{{2500, 500}, {500, 2500}};
         const Eigen::MatrixXd there_m = fenceIn({-8, 8}).distances_m(places_m);
@@ -126,8 +126,8 @@ private slots:
         QVERIFY(there_m(0, 1) < fenceIn(Point::Zero()).distances_m(places_m)(0, 1));
     }
 
-    /** Between the corners of a comb the way passes all teeth. */
-    void waysMayHaveManyCorners()
+    /** Between the corners of a comb the path passes all teeth. */
+    void pathsMayHaveManyCorners()
     {
         const std::vector<Point> comb_m{{0, 0},      {5000, 0},   {5000, 2000}, {3500, 2000},
                                         {3500, 600}, {3300, 600}, {3300, 2000}, {1700, 2000},
@@ -149,7 +149,7 @@ private slots:
                 1e-6);
     }
 
-    void homeIsReachedRoundTheCornerInTheTimeForeseen()
+    void homeIsReachedRoundTheCornerInThePredictedTime()
     {
         const Geofence fence = fenceIn({-4, 3});
         const DubinsState start{.position_m = {2500, 500}, .psi_rad = 0};
@@ -163,7 +163,7 @@ private slots:
         QVERIFY(path->time_s > air_m / 22);
     }
 
-    /** 200 m by 1000 m, between the places west and east of it. */
+    /** The hole is 200 m by 1000 m, between the places west and east of it. */
     void holesAreKeptOutOfAndFlownRound()
     {
         const std::vector<Point> wall_m{{0, -500}, {200, -500}, {200, 500}, {0, 500}};
@@ -173,7 +173,7 @@ private slots:
         QCOMPARE(fence.clearance_m({-300, 0}), 300.0);
         QCOMPARE(fence.clearance_m({-300, 0}, {300, 0}), 0.0);
         const double radius_m = fence.radius_m();
-        // Straight at the wall, both circles are beside it; along it, one of them.
+        // Flying straight at the wall both circles are beside it; along it, one of them.
         const DubinsState east{.position_m = {-radius_m / 2, 0}, .psi_rad = 0};
         QVERIFY(std::abs(fence.turnClearance_m(east) + radius_m / 2) < 1e-9);
         const DubinsState north{.position_m = {-10, 0}, .psi_rad = kPi / 2};
@@ -185,8 +185,8 @@ private slots:
         QVERIFY(fence.cornersBetween({-800, 800}, {1000, 800}).empty());
     }
 
-    /** Whatever is inside the circle is in its way, however small. */
-    void smallHolesTakeTheRoomOfTheCircle()
+    /** Any hole inside the circle blocks it, however small. */
+    void smallHolesBlockTheCircle()
     {
         const Point at_m(0, 100);
         const std::vector<Point> mast_m{at_m, at_m + Point(1, 0), at_m + Point(0, 1)};
@@ -194,8 +194,10 @@ private slots:
         QVERIFY(fence.turnClearance_m({}) < 0);
     }
 
-    /** Two squares that lie over each other, across the edge of the polygon: only corners that a
-     * UAV can pass are passed. */
+    /**
+     * Two squares overlap across the edge of the polygon: only corners that a UAV can pass are
+     * used.
+     */
     void holesMayOverlap()
     {
         const auto square_m = [](const Point& low_m) {
@@ -212,7 +214,7 @@ private slots:
         QVERIFY(fence.distances_m(std::vector<Point>{{500, 500}, {5500, 300}})(0, 1) > 5300);
     }
 
-    void whatIsInAHoleIsLookedAtFromBeside()
+    void placesInAHoleAreViewedFromBeside()
     {
         const std::vector<Point> wall_m{{0, -500}, {200, -500}, {200, 500}, {0, 500}};
         const Geofence fence({}, {}, {wall_m});
@@ -227,7 +229,7 @@ private slots:
         QVERIFY(std::abs(fence.distances_m(places_m)(0, 1) - 995) < 1e-6);
     }
 
-    void anotherWindMakesTheSameFenceAnew()
+    void anotherWindKeepsThePolygons()
     {
         const std::vector<Point> hole_m{{200, 200}, {400, 200}, {400, 300}};
         const Motion calm{};

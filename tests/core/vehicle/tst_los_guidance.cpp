@@ -10,14 +10,14 @@ namespace {
 
 constexpr double kStep_s = 0.1;
 
-/** One flight along a leg; the air may move by more than the guidance knows. */
+/** One flight along a leg; the air may move by more than the wind known to the guidance. */
 struct Flight
 {
     LosGuidance guidance;
     DubinsState uav;
     Point end_m = Point::Zero();
-    Motion motion;                         ///< what the guidance knows
-    Point disturbance_mps = Point::Zero(); ///< what it does not
+    Motion motion;                         ///< known to the guidance
+    Point disturbance_mps = Point::Zero(); ///< unknown to the guidance
     LosGuidance::Command command;
 
     void fly(double time_s)
@@ -36,7 +36,7 @@ Point direction(double angle_rad)
     return {std::cos(angle_rad), std::sin(angle_rad)};
 }
 
-/** Along a leg of 80 km in direction chi, `e_m` to the left of it, on the leg's course. */
+/** Starts along a leg of 80 km in direction chi, `e_m` to the left of it, on the leg's course. */
 Flight besideLeg(double chi_rad, double e_m, double integral_mps)
 {
     Flight flight;
@@ -124,7 +124,7 @@ private slots:
         for (int course_deg = -180; course_deg <= 180; course_deg += 15) {
             const double course_rad = radFromDeg(course_deg);
             double psi_rad = course_rad;
-            for (int i = 0; i < 1000; ++i) // let it turn until it is content
+            for (int i = 0; i < 1000; ++i) // turn until the course is reached
                 psi_rad += turnRateForCourse(psi_rad, course_rad, motion, 1) * 0.1;
             const Point ground_mps = 20 * direction(psi_rad) + motion.wind_mps;
             COMPARE_NEAR(cross(direction(course_rad), ground_mps), 0, 1e-9);
@@ -159,7 +159,7 @@ private slots:
         Flight flight = besideLeg(chi_rad, e_m, 0.5);
         flight.uav.psi_rad += psiOff_rad;
         flight.fly(60);
-        // Proportional part: Delta/U = 7 s. What the integral took in meanwhile stays as k y.
+        // The proportional part has Delta/U = 7 s; the part k y integrated meanwhile stays.
         QVERIFY2(std::abs(flight.command.crossTrack_m) < 0.1 * std::abs(e_m),
                  qPrintable(QString::number(flight.command.crossTrack_m)));
         flight.fly(2400); // eight times Delta/k = 300 s
@@ -203,10 +203,9 @@ private slots:
     void disturbanceWithIntegral_data() { disturbanceWithoutIntegral_data(); }
 
     /**
-     * With k = 0.5 m/s the same error is first built up within Delta/U and then taken away
-     * slowly. On the slow manifold e + k y = E0 (the error above) and
-     * dy/dt = Delta e/(E0^2 + Delta^2), so e = E0 exp(-t/T), T = (E0^2 + Delta^2)/(k Delta),
-     * 300 s for a small current.
+     * With k = 0.5 m/s the same error first builds up within Delta/U and is then removed slowly. On
+     * the slow manifold e + k y = E0 (the error above) and dy/dt = Delta e/(E0^2 + Delta^2), so e =
+     * E0 exp(-t/T), T = (E0^2 + Delta^2)/(k Delta), 300 s for a small current.
      */
     void disturbanceWithIntegral()
     {
@@ -251,7 +250,7 @@ private slots:
         QCOMPARE(guidance.integral_s, 12.0);
     }
 
-    /** The whole of a turn back to the leg leaves the integral as it was. */
+    /** A long turn back to the leg leaves the integral unchanged. */
     void noWindUpInALongTurn()
     {
         Flight flight = besideLeg(0, 400, 0.5);
@@ -281,7 +280,7 @@ private slots:
         QCOMPARE(command.u_radps, 0.0);
     }
 
-    void passedEnd_data()
+    void passedEndIsReported_data()
     {
         QTest::addColumn<double>("along_m");
         QTest::addColumn<double>("left_m");
@@ -294,7 +293,7 @@ private slots:
         QTest::newRow("beyond the end, far to the right") << 1001.0 << -800.0 << true;
     }
 
-    void passedEnd()
+    void passedEndIsReported()
     {
         QFETCH(double, along_m);
         QFETCH(double, left_m);

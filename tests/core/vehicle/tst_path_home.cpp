@@ -17,7 +17,7 @@ Motion inWind(double wind_mps, double towards_rad)
     return {.wind_mps = wind_mps * Point(std::cos(towards_rad), std::sin(towards_rad))};
 }
 
-/** Flies as told at each command until the place is passed; at most ten hours. */
+/** Flies the command of each interval until the place is passed; at most ten hours. */
 double flown_s(DubinsState uav, MovingPlace place, const Motion& motion, double command_s)
 {
     const auto held = std::llround(command_s / kStep_s);
@@ -26,7 +26,7 @@ double flown_s(DubinsState uav, MovingPlace place, const Motion& motion, double 
         if ((step - 1) % held == 0)
             if (const std::optional<Path> path = pathTo(uav, place, motion, command_s))
                 u_radps = turnRateOf(*path, motion, command_s);
-        // In the frame of the place.
+        // Computes in the frame of the place.
         const Point from_m = uav.position_m - place.place_m;
         uav = berg::step(uav, motion.airspeed_mps, u_radps, kStep_s, motion.wind_mps);
         place.place_m += place.drift_mps * kStep_s;
@@ -37,7 +37,7 @@ double flown_s(DubinsState uav, MovingPlace place, const Motion& motion, double 
     return 1e9;
 }
 
-/** Anywhere up to `farthest_m` from the origin, any heading. */
+/** Returns a random state up to `farthest_m` from the origin, with any heading. */
 DubinsState anywhere(Random& random, double farthest_m)
 {
     const double away_m = random.uniform(0, farthest_m);
@@ -48,13 +48,13 @@ DubinsState anywhere(Random& random, double farthest_m)
 
 } // namespace
 
-/** What endurance and home rely on: no flight home takes longer than was foreseen. */
+/** Endurance and return rely on this: no flight home takes longer than predicted. */
 class TestPathHome : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void flightsTakeNoLongerThanForeseen_data()
+    void flightsTakeNoLongerThanPredicted_data()
     {
         QTest::addColumn<double>("farthest_m");
         QTest::addColumn<double>("wind_mps");
@@ -65,7 +65,7 @@ private slots:
         QTest::newRow("near, up to 0.7 U") << 400.0 << 15.4 << 0.1;
         QTest::newRow("far, slow autopilot") << 5000.0 << 15.4 << 1.0;
     }
-    void flightsTakeNoLongerThanForeseen()
+    void flightsTakeNoLongerThanPredicted()
     {
         QFETCH(double, farthest_m);
         QFETCH(double, wind_mps);
@@ -97,24 +97,25 @@ private slots:
         const DubinsState start{.position_m = {-2200, 0}, .psi_rad = kPi / 2};
         const std::optional<Path> path = pathTo(start, {}, {}, kStep_s);
         QVERIFY(path);
-        // To the right by about a quarter, less what the turn brings it to the side.
+        // The turn is to the right by about a quarter, less the sideways shift of the turn itself.
         QVERIFY(path->turn_rad < -kPi / 2);
         QVERIFY(path->turn_rad > -kPi / 2 - 0.1);
     }
 
-    /** Inside one turning circle there is no way with a turn to that side. */
+    /** A place inside one turning circle has no path with a turn to that side. */
     void leavesTheCircleItIsIn()
     {
         const Motion calm;
         const double radius_m = calm.airspeed_mps / calm.limit_radps;
-        const DubinsState start{.position_m = {0, -radius_m}, .psi_rad = 0}; // left, round home
+        // A left turn circles round home.
+        const DubinsState start{.position_m = {0, -radius_m}, .psi_rad = 0};
         const std::optional<Path> path = pathTo(start, {}, calm, kStep_s);
         QVERIFY(path);
         QVERIFY(path->turn_rad < 0);
         QVERIFY(flown_s(start, {}, calm, kStep_s) <= path->time_s + kStep_s);
     }
 
-    void meetsWhatDrifts()
+    void reachesADriftingPlace()
     {
         Random random(5);
         for (int i = 0; i < 100; ++i) {
@@ -129,7 +130,7 @@ private slots:
         }
     }
 
-    void whatOutrunsTheUavIsOutOfReach()
+    void placesThatOutrunTheUavAreOutOfReach()
     {
         const MovingPlace away{.place_m = {1000, 0}, .drift_mps = {5, 0}};
         QVERIFY(!pathTo({}, away, inWind(17.1, kPi), kStep_s));

@@ -13,7 +13,9 @@ const std::vector<Point> kAngle_m{{0, 0},       {3000, 0},    {3000, 1000},
                                   {1000, 1000}, {1000, 3000}, {0, 3000}};
 constexpr CommandClock kClock{.dt_s = 0.1};
 
-/** Flies the path command by command; how near it comes to `home_m`, and whether it stays inside.
+/**
+ * Flies the path command by command, and records how near it comes to `home_m` and whether it stays
+ * inside.
  */
 struct Flown
 {
@@ -80,8 +82,8 @@ private slots:
         QVERIFY2(found >= 30, qPrintable(QString::number(found)));
     }
 
-    /** A turn is looked at wherever it comes near the fence, not every so many degrees. */
-    void turnsThatTouchASpikeAreSeen()
+    /** A turn is checked wherever it comes near the fence, not at fixed angles. */
+    void turnsThatTouchASpikeAreRejected()
     {
         const double radius_m = turnRadius_m({});
         // On the circle to the left, 100 degrees round it, a spike 2 m wide points inwards.

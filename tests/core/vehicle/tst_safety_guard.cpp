@@ -9,7 +9,7 @@ namespace {
 
 const std::vector<Point> kSquare_m{{0, 0}, {3000, 0}, {3000, 3000}, {0, 3000}};
 
-/** A UAV with all that its guard knows. */
+/** A UAV with all data of its guard. */
 struct Guarded
 {
     Motion motion;
@@ -40,7 +40,7 @@ private slots:
             QCOMPARE(uav.guard().limitedToFence_radps(middle, u_radps), u_radps);
     }
 
-    void whoFliesStraightAtTheFenceIsTurnedAway()
+    void commandsStraightAtTheFenceAreTurnedAway()
     {
         const Guarded uav;
         const SafetyGuard guard = uav.guard();
@@ -57,8 +57,8 @@ private slots:
         QCOMPARE(Guarded().guard(false).limitedToFence_radps(atTheEdge, 0), 0.0);
     }
 
-    /** Ten seconds of reserve besides the flight itself. */
-    void homeInTimeIsTheWayAndTheReserve()
+    /** The reserve is ten seconds in addition to the flight itself. */
+    void homeInTimeIsThePathAndTheReserve()
     {
         const Guarded uav{.sortie = SortieSpec{.endurance_s = 600, .home_m = {0, 0}}};
         const SafetyGuard guard = uav.guard(false);

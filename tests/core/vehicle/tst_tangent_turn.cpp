@@ -11,7 +11,7 @@ namespace {
 constexpr double kRadius_m = 100;
 constexpr double kSpeed_mps = 20;
 
-/** Steps the vehicle through the turn: fine enough to be exact to centimetres. */
+/** Steps the vehicle through the turn, finely enough to be exact to centimetres. */
 DubinsState stepped(DubinsState state, double turn_rad)
 {
     constexpr int kSteps = 2000;
@@ -86,15 +86,18 @@ private slots:
         const TangentTurn turn = turnOntoLine(Pose{}, {.target_m = {1000, 0}}, kRadius_m);
         QVERIFY(std::abs(turn.turn_rad) < 1e-9);
         QCOMPARE(turn.length_m, 1000.0);
-        // On the line already, the target beside it.
+        // The UAV is on the line already, the target beside it.
         const TangentTurn beside =
             turnOntoLine(Pose{}, {.target_m = {1000, -250}, .offset_m = -250}, kRadius_m);
         QVERIFY(std::abs(beside.turn_rad) < 1e-9);
         QCOMPARE(beside.length_m, 1000.0);
     }
 
-    /** Inside the left circle: no tangent from there, so round the other way. */
-    void targetInsideTheCircle()
+    /**
+     * The target is inside the left circle: there is no tangent from there, so the turn goes in
+     * the opposite direction.
+     */
+    void targetInsideTheCircleTurnsTheOtherWay()
     {
         const Point centre_m(0, kRadius_m);
         const TangentTurn turn = turnOntoLine(Pose{}, {.target_m = centre_m}, kRadius_m);
@@ -102,7 +105,10 @@ private slots:
         QVERIFY(std::abs(lateral_m(turn.end, centre_m)) < 1e-9);
     }
 
-    /** From neither circle: as far off as possible, but a proper pose. */
+    /**
+     * No tangent from either circle fits: the line passes as far off as possible, with a valid
+     * pose.
+     */
     void offsetOutOfReach()
     {
         const TangentTurn turn =

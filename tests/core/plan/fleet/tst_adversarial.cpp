@@ -16,9 +16,9 @@ using namespace berg;
 namespace {
 
 constexpr int kUsualCases = 3000;
-/** Enough for every proof of so few icebergs; one that needs more has got lost. */
+/** Enough for every proof of so few icebergs; a proof that needs more is a fault. */
 constexpr std::int64_t kPlenty = 300'000'000;
-/** Of sums of some dozens of numbers, and of the promise of a proof; relative to the cost. */
+/** Rounding of sums of some dozens of numbers, and margin of a proof; relative to the cost. */
 constexpr long double kRounding = 1e-14L;
 constexpr long double kProof = 2e-9L;
 
@@ -58,7 +58,10 @@ QString figures(long double found, long double optimum)
         .arg(static_cast<double>((found - optimum) / optimum), 0, 'g', 3);
 }
 
-/** What a bound, an order's cost and the claim that they meet must be. */
+/**
+ * Returns the fault of a bound, an order's cost and the claim that they meet; empty if there is
+ * none.
+ */
 QString faultOf(long double bound, long double cost, bool proven, long double optimum)
 {
     if (bound > optimum * (1 + kRounding))
@@ -68,7 +71,7 @@ QString faultOf(long double bound, long double cost, bool proven, long double op
     return {};
 }
 
-/** Small ones as a rule, now and then a larger one. */
+/** Returns a size, usually small, now and then larger. */
 int sizeOf(std::uint64_t seed, int most)
 {
     if (seed % 16 == 0)
@@ -76,13 +79,13 @@ int sizeOf(std::uint64_t seed, int most)
     return 2 + static_cast<int>(seed / 16 % static_cast<std::uint64_t>(most - 5));
 }
 
-/** What poor orders, limits and the like are drawn from. */
+/** Source of poor orders, limits and the like. */
 test::NastyDraw drawBeside(std::uint64_t seed)
 {
     return test::NastyDraw(seed + 1'000'000'007);
 }
 
-/** The bound on its own: no local search, any multipliers, any limit. */
+/** Tests the bound alone: no local search, any multipliers, any limit. */
 template <class Costs>
 QString faultOfBound(const TvpProblem& problem, const VisitOrder& start, test::NastyDraw draw)
 {
@@ -107,14 +110,14 @@ QString faultOfBound(const TvpProblem& problem, const VisitOrder& start, test::N
         return QStringLiteral("no order");
     if (fault.isEmpty())
         fault = faultOf(result.bound, costOf(problem, result.order), result.reached, optimum);
-    // A dozen icebergs and multipliers that tell of something else may take its time.
+    // With a dozen icebergs, multipliers of another problem may take longer.
     const bool mustProve = plenty && (!options.lambda || problem.icebergCount() <= 10);
     if (fault.isEmpty() && mustProve && !result.reached)
         fault = QStringLiteral("not proven");
     return fault;
 }
 
-/** No arc of the optimum is ever deleted. */
+/** Checks that no arc of the optimum is ever deleted. */
 QString faultOfArcs(const TvpProblem& problem, const VisitOrder& best, const VisitOrder& given,
                     std::int64_t workLimit)
 {
@@ -193,7 +196,7 @@ QString faultOfFleet(std::uint64_t seed)
                              drawBeside(seed));
 }
 
-/** What a back end says, by the cost. */
+/** Checks the claims of a back end against the cost. */
 template <class Problem, class Outcome, class Order>
 QString faultOfOutcome(const Problem& problem, const Outcome& outcome, const Order& order,
                        double shift, long double optimum)
@@ -241,7 +244,7 @@ QString faultOfBackEnds(const TvpProblem& problem, std::uint64_t seed)
     return {};
 }
 #if BERG_EXPECT_CBC
-/** On every MILP; its linear programmes are solved to about 1e-7. */
+/** Checks every MILP; the linear programmes are solved to about 1e-7. */
 QString faultOfCbc(std::uint64_t seed)
 {
     const TvpProblem problem = test::nastyProblem(seed, sizeOf(seed, 9), Criterion::Visitation);
@@ -324,8 +327,8 @@ int cases()
 } // namespace
 
 /**
- * What is called proven, or a bound, is true of problems made to break it, judged by dynamic
- * programming of the test's own. 3,000 cases; BERGWATCH_ADVERSARIAL_CASES says how many instead.
+ * Claims of a proof or a bound hold for problems made to break them; a separate dynamic programme
+ * decides. 3,000 cases, or the number in BERGWATCH_ADVERSARIAL_CASES.
  */
 class TestAdversarial : public QObject
 {
@@ -382,7 +385,7 @@ private slots:
         }
     }
 
-    /** 0 * infinity: a leg that waits for nothing more costs nothing, whatever its length. */
+    /** 0 * infinity: a leg with no sigma ahead costs nothing, whatever its length. */
     void latencyWithZeroSigmas()
     {
         Eigen::MatrixX2d points_m(4, 2);
@@ -397,7 +400,7 @@ private slots:
         while (std::next_permutation(start.begin(), start.end()));
     }
 
-    /** Relaxed paths that are a plan: there is no step to make, and the plan is to be taken. */
+    /** Relaxed paths that form a plan: no step is possible, and the plan must be accepted. */
     void relaxedPathsThatAreAPlan()
     {
         for (const std::uint64_t seed : {79U, 157U, 339U, 868U, 1419U})
@@ -407,7 +410,8 @@ private slots:
                 QString());
     }
 
-    /** Sums along an order that are 3e7 times its cost: what rounding leaves of a move is no gain.
+    /**
+     * Sums along an order are 3e7 times its cost: rounding must not count as the gain of a move.
      */
     void localSearchEnds()
     {
@@ -420,7 +424,7 @@ private slots:
         QCOMPARE(faultOfBackEnds(problem, 0), QString());
     }
 
-    /** Near the least number there is, products have no digits that a margin could allow for. */
+    /** Near the smallest numbers, products have no digits that a margin could allow for. */
     void costsWithoutDigits()
     {
         for (const double unit : {1e-150, 1e-300, 1e300}) {

@@ -14,7 +14,7 @@ using namespace berg;
 
 namespace {
 
-/** How a proof that must not be believed is made of a sound one. */
+/** Ways to make a false proof of a sound one. */
 enum class Forgery
 {
     BoundTooHigh,
@@ -68,7 +68,7 @@ private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
     /** 200 problems of many kinds. */
-    void areConfirmed_data()
+    void certificatesAreConfirmed_data()
     {
         QTest::addColumn<QString>("kind");
         QTest::addColumn<int>("count");
@@ -83,7 +83,7 @@ private slots:
         QTest::newRow("several UAVs that may visit few") << "nasty fleet" << 5;
         QTest::newRow("more than 40 icebergs") << "beyond" << 3;
     }
-    void areConfirmed()
+    void certificatesAreConfirmed()
     {
         QFETCH(QString, kind);
         QFETCH(int, count);
@@ -131,7 +131,7 @@ private slots:
         Certificate certificate = certificateOf(problem, solved(problem));
         Proof& proof = certificate.proofs.back();
         switch (static_cast<Forgery>(forgery)) {
-        case Forgery::BoundTooHigh: // of an order that is good, but not the best
+        case Forgery::BoundTooHigh: // for an order that is good, but not the best
             std::swap(proof.orders[0][0], proof.orders[0][1]);
             proof.cost = objective(problem, proof.orders[0]) + objectiveShift(problem);
             proof.bound = proof.bound * (1 + 1e-6);
@@ -154,8 +154,8 @@ private slots:
         QVERIFY2(code == 1 && output.contains(reason.toLatin1()), output.constData());
     }
 
-    /** In the text of a certificate that is right. */
-    void changedWordsAreRefused_data()
+    /** Changes in the text of a valid certificate. */
+    void changedTextsAreRefused_data()
     {
         QTest::addColumn<QString>("what");
         QTest::addColumn<QString>("by");
@@ -170,7 +170,7 @@ private slots:
         row("claim", " % of optimal", " % of optimal, or optimal", "a claim in unknown words");
         row("set", R"("sets": [)", R"("sets": [["x"],)", "a set that is no hexadecimal number");
     }
-    void changedWordsAreRefused()
+    void changedTextsAreRefused()
     {
         QFETCH(const QString, what);
         QFETCH(const QString, by);

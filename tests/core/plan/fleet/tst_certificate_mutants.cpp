@@ -21,10 +21,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** Where a value is in a document: names of members and indices of entries. */
+/** Path to a value in a document: names of members and indices of entries. */
 using Path = QStringList;
 
-/** The same with every index a star: what kind of value it is. */
+/** The path with every index replaced by a star: the kind of the value. */
 QString kindOf(Path path)
 {
     for (QString& part : path)
@@ -57,7 +57,7 @@ QJsonValue valueAt(const QJsonValue& root, const Path& path)
                    path.mid(1));
 }
 
-/** With another value at that path; undefined: with none. */
+/** Returns the document with another value at that path; an undefined value removes it. */
 QJsonValue with(const QJsonValue& root, const Path& path, const QJsonValue& value)
 {
     if (path.isEmpty())
@@ -162,7 +162,7 @@ std::vector<double> numbersOf(const QJsonValue& value)
     return numbers;
 }
 
-/** What the document says the problem is; nothing where it says none. */
+/** Returns the problem in the document, or nullopt if it holds none. */
 std::optional<FleetProblem> problemOf(const QJsonObject& root)
 {
     FleetProblem problem{.sigma_m2 = numbersOf(root["sigma"])};
@@ -198,7 +198,10 @@ std::optional<FleetProblem> problemOf(const QJsonObject& root)
     return problem;
 }
 
-/** By dynamic programming, once for each problem: most changes leave it as it is. */
+/**
+ * Computes the optimum by dynamic programming, once for each problem: most changes leave it the
+ * same.
+ */
 double optimumOf(const FleetProblem& problem)
 {
     static std::map<std::vector<double>, double> known;
@@ -226,7 +229,10 @@ FleetPlan planOf(const QJsonValue& proof)
     return plan;
 }
 
-/** What the claim allows the orders to cost above the optimum, of their cost; below 0: no claim. */
+/**
+ * Returns by how much, relative to their cost, the claim lets the orders exceed the optimum;
+ * negative without a claim.
+ */
 double claimedGap(const QString& claim)
 {
     if (claim == u"the orders are optimal")
@@ -239,7 +245,10 @@ double claimedGap(const QString& claim)
     return match.hasMatch() && isNumber ? percent / 100 : -1;
 }
 
-/** Empty when all that the proof says is true, as dynamic programming finds. */
+/**
+ * Returns the false statement of the proof, as found by dynamic programming; empty if there is
+ * none.
+ */
 QString untruthOf(FleetProblem problem, const QJsonValue& value)
 {
     const QJsonObject proof = value.toObject();
@@ -259,7 +268,7 @@ QString untruthOf(FleetProblem problem, const QJsonValue& value)
     return {};
 }
 
-/** Cost and bound of the first proof made honest again, whatever it claims. */
+/** Corrects cost and bound of the first proof, whatever it claims. */
 QJsonValue honest(const QJsonValue& root)
 {
     const std::optional<FleetProblem> read = problemOf(root.toObject());
@@ -282,7 +291,9 @@ Certificate certificateOf(const FleetProblem& problem, const FleetPlan& plan)
     return {.problem = problem, .proofs = {certify(problem, plan)}};
 }
 
-/** Each way of proving, one UAV and several, good orders and poor ones. */
+/**
+ * Returns valid certificates: each proof method, one UAV and several, good orders and poor ones.
+ */
 Certificate sound(int k)
 {
     const auto seed = static_cast<std::uint64_t>(k);
@@ -305,14 +316,14 @@ Certificate sound(int k)
 
 } // namespace
 
-/** Certificates changed at random: what the checker accepts is true. */
+/** Changes certificates at random: the claims that the checker accepts must be true. */
 class TestCertificateMutants : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** The worst of six orders; cost and bound are right, the claim is not. */
-    void falseWordsAreRefused_data()
+    /** The order is the worst of six; cost and bound are right, the claim is not. */
+    void falseClaimsAreRefused_data()
     {
         QTest::addColumn<QString>("claim");
         QTest::addColumn<bool>("isTrue");
@@ -331,7 +342,7 @@ private slots:
         QTest::newRow("other words") << u"the orders are within reach"_s << false;
         QTest::newRow("optimal") << u"the orders are optimal"_s << false;
     }
-    void falseWordsAreRefused()
+    void falseClaimsAreRefused()
     {
         QFETCH(const QString, claim);
         QFETCH(const bool, isTrue);
@@ -347,8 +358,10 @@ private slots:
         QCOMPARE(accepted(1).size(), isTrue ? 1U : 0U);
     }
 
-    /** 4,000 changes to values of every kind, some with cost and bound made honest after it. */
-    void whatIsAcceptedIsTrue()
+    /**
+     * Makes 4,000 changes to values of every kind, some with cost and bound corrected afterwards.
+     */
+    void acceptedClaimsAreTrue()
     {
         constexpr int kSound = 40;
         constexpr int kOfEach = 100;
@@ -387,7 +400,7 @@ private slots:
                 ++acceptances;
             }
         }
-        // All that a certificate may hold: 29 kinds of member and entry, and three lists of lists.
+        // A certificate has 29 kinds of member and entry, and three lists of lists.
         QCOMPARE(changes.size(), 32U);
         for (const auto& [kind, count] : changes)
             QVERIFY2(count > 3, qPrintable(kind));
@@ -410,7 +423,7 @@ private:
         QVERIFY(file.open(QIODevice::WriteOnly));
         QVERIFY(file.write(text(root.toObject())) > 0);
     }
-    /** Which of the first files the checker accepts. */
+    /** Returns which of the first files the checker accepts. */
     [[nodiscard]] std::set<int> accepted(int count) const
     {
         QStringList files;

@@ -60,7 +60,7 @@ constexpr double kRounding = 1e-11; // relative
 
 } // namespace
 
-/** `FleetGraph`, `FleetOrders` and `bestCover`: nothing that may be the optimum is ever lost. */
+/** `FleetGraph`, `FleetOrders` and `bestCover` never lose a part of the optimum. */
 class TestFleetCover : public QObject
 {
     Q_OBJECT
@@ -117,7 +117,7 @@ private slots:
     }
 
 #if BERG_EXPECT_CBC
-    /** CBC's partitioning is ours. */
+    /** CBC's partitioning equals ours. */
     void cbcAgrees_data()
     {
         test::addFleetRows(false);
@@ -135,14 +135,14 @@ private slots:
         QCOMPARE(relaxed.bestCost(none, bestCoverByCbc), -1.0);
     }
 
-    void cbcEndsWhenCut()
+    void cbcEndsWhenStopped()
     {
         const FleetProblem problem = test::randomFleet(35, 2, 8, 1);
         const Relaxed relaxed(problem);
         FleetOrders orders(2, 8);
         QVERIFY(orders.add(relaxed.graphs[0], relaxed.lambda, relaxed.slack(), 100'000, {}));
-        const CutQuestion cut = [] { return true; };
-        QVERIFY(!bestCoverByCbc(orders, relaxed.slack(), 1'000'000, cut).complete);
+        const StopCheck isStopped = [] { return true; };
+        QVERIFY(!bestCoverByCbc(orders, relaxed.slack(), 1'000'000, isStopped).complete);
         QVERIFY(!bestCoverByCbc(orders, relaxed.slack(), 1, {}).complete);
     }
 #endif
@@ -161,8 +161,8 @@ private slots:
         FleetOrders orders(2, 8);
         QVERIFY(!orders.add(relaxed.graphs[0], relaxed.lambda, relaxed.slack(), 10, {}));
         FleetGraph graph = relaxed.graphs[0];
-        const CutQuestion cut = [] { return true; };
-        QVERIFY(!graph.trim(relaxed.lambda, relaxed.slack(), cut));
+        const StopCheck isStopped = [] { return true; };
+        QVERIFY(!graph.trim(relaxed.lambda, relaxed.slack(), isStopped));
         QVERIFY(!relaxed.graphs[0]
                      .refined(NgSets(8), relaxed.lambda, relaxed.slack(), {.arcs = 3}, {})
                      .graph);

@@ -55,8 +55,10 @@ double lengthOf(const PlanRequest& request, const Orders& orders)
     return length_m;
 }
 
-/** What is wrong with an answer, whatever the policy; empty when nothing is. `round`: each order
- * may hold what others hold, but the first. */
+/**
+ * Returns the fault of an answer of any policy; empty if there is none. With `round`, orders may
+ * share icebergs, but not their first ones.
+ */
 QString faultOf(const PlanRequest& request, const PlanAnswer& answer, bool round)
 {
     if (answer.uavs.size() != request.uavs.size())
@@ -98,7 +100,7 @@ void addPolicyRows()
 
 } // namespace
 
-/** What every policy does for a fleet, and what each one does. */
+/** Properties of every policy for fleets, and of each one. */
 class TestFleetPolicies : public QObject
 {
     Q_OBJECT
@@ -153,7 +155,7 @@ private slots:
             }
     }
 
-    /** One that remembers its routes, over a random walk of pictures. */
+    /** Tests policies that keep their routes over a random walk of requests. */
     void everyAnswerIsAPlanInFlight_data() { addPolicyRows(); }
     void everyAnswerIsAPlanInFlight()
     {
@@ -168,7 +170,7 @@ private slots:
             const QString fault = faultOf(request, answer, part);
             QVERIFY2(fault.isEmpty() || (part && fault == QStringLiteral("one left out")),
                      qPrintable(fault));
-            // The next picture: one target is in view, and sometimes a UAV is out of service.
+            // In the next request one target is in view, and sometimes a UAV is out of service.
             const Ids& order =
                 answer.uavs[static_cast<std::size_t>(random.below(answer.uavs.size()))].order;
             request = order.empty() ? all : withoutIceberg(all, order.front());
@@ -216,7 +218,7 @@ private slots:
         const PlanAnswer answer = flown.plan(request, {.stop = stop.get_token()});
         QCOMPARE(answer.uavs.size(), std::size_t{2});
         if (kind == PolicyKind::Nearest || kind == PolicyKind::Uncertainty)
-            return; // done before anyone could ask
+            return; // the solve ended before the stop
         QVERIFY(answer.outcome.reason == StopReason::Cancelled);
         QVERIFY(answer.outcome.status == SolveStatus::None);
         QVERIFY(answer.uavs[0].order.empty() && answer.uavs[1].order.empty());
@@ -259,7 +261,7 @@ private slots:
         }
     }
 
-    /** mu is that of the UAVs and icebergs that have a part in the plan. */
+    /** mu depends only on the UAVs and icebergs of the plan. */
     void outsidersDoNotChangeThePlan()
     {
         const PlanRequest three = withoutUav(randomFleetRequest(14, 3, 6), 1);
@@ -298,8 +300,8 @@ private slots:
             {{0, 0}, {10000, 0}},
             {{1, {1000, 0}, 2}, {2, {2000, 0}, 5}, {4, {4000, 0}, 5}, {9, {9000, 0}, 1}});
         QVERIFY((ordersOf(Flown(PolicyKind::Nearest).plan(request)) == Orders{{1, 2, 4}, {9}}));
-        // 2 to the first (2 km), 4 to the second, which has none yet, 1 to the first, 9 (from 4: 5
-        // km).
+        // Iceberg 2 goes to the first UAV (2 km), 4 to the second, which has none yet, 1 to the
+        // first, 9 (from 4: 5 km).
         QVERIFY((ordersOf(Flown(PolicyKind::Uncertainty).plan(request)) == Orders{{2, 1}, {4, 9}}));
         QVERIFY((ordersOf(Flown(PolicyKind::Path).plan(request)) == Orders{{1, 2, 4}, {9}}));
     }
@@ -311,7 +313,7 @@ private slots:
             {{1, {1000, 0}, 2}, {2, {2000, 0}, 5}, {8, {8000, 0}, 5}, {9, {9000, 0}, 1}});
         Flown path(PolicyKind::Path);
         QVERIFY((ordersOf(path.plan(all)) == Orders{{1, 2}, {9, 8}}));
-        // A UAV whose part is flown waits for the others.
+        // A UAV that has flown its part waits for the others.
         QVERIFY((ordersOf(path.plan(withoutIceberg(all, 1))) == Orders{{2}, {9, 8}}));
         QVERIFY((ordersOf(path.plan(withoutIceberg(all, 2))) == Orders{{}, {9, 8}}));
         QVERIFY((ordersOf(path.plan(withoutIceberg(all, 9))) == Orders{{}, {8}}));
@@ -333,24 +335,24 @@ private slots:
         QCOMPARE(orders[0].front(), 4);
         QCOMPARE(orders[1].front(), 0);
         QCOMPARE(std::abs(orders[0][1] - 4), 1);
-        // The same direction: from 4 the other one comes to 0 after four.
+        // Both fly the same direction: from 4 the other one comes to 0 after four.
         QCOMPARE(orders[0][4], 0);
         QCOMPARE(orders[1][4], 4);
         COMPARE_NEAR(tour.plan(all).outcome.objective, 8000.0, 1e-6);
 
-        // The first one's target is seen: on to the next. The second one keeps its own.
+        // The first UAV's target is seen, so it continues to the next. The second one keeps its
+        // own.
         const Orders next = ordersOf(tour.plan(withoutIceberg(all, 4)));
         QCOMPARE(next[0].front(), orders[0][1]);
         QCOMPARE(next[1].front(), 0);
-        // What only the other may visit is passed over.
+        // Icebergs that only the other UAV may visit are passed over.
         PlanRequest barred = all;
         barred.uavs[0].available[static_cast<std::size_t>(orders[0][1])] = false;
         QCOMPARE(ordersOf(tour.plan(barred))[0].front(), orders[0][2]);
     }
 
-    /** The rest of the last plan, repaired where it no longer holds, is what the solve starts from.
-     */
-    void hintsAreMended()
+    /** The solve starts from the rest of the last plan, repaired where it no longer holds. */
+    void hintsAreRepaired()
     {
         PlanRequest request = randomFleetRequest(16, 3, 30);
         Flown flown(PolicyKind::Visitation);

@@ -9,7 +9,7 @@ using namespace berg;
 
 namespace {
 
-/** 4 icebergs, the last of which belongs to the second of 2 UAVs. */
+/** 4 icebergs, of which the last is assigned to the second of 2 UAVs. */
 FleetProblem withOwner()
 {
     FleetProblem problem = test::randomFleet(1, 2, 4, 1);
@@ -71,7 +71,7 @@ private slots:
         QCOMPARE(weight.mu, 2 * 7.0 / 400.0 / std::sqrt(2.0)); // of two UAVs
     }
 
-    void isFleetPlan_data()
+    void recognisesFleetPlans_data()
     {
         QTest::addColumn<FleetPlan>("plan");
         QTest::addColumn<bool>("valid");
@@ -86,7 +86,7 @@ private slots:
         QTest::addRow("too many routes") << FleetPlan{{1, 3}, {4, 2}, {}} << false;
         QTest::addRow("another UAV's iceberg") << FleetPlan{{1, 3, 4}, {2}} << false;
     }
-    void isFleetPlan()
+    void recognisesFleetPlans()
     {
         QFETCH(FleetPlan, plan);
         QFETCH(bool, valid);
@@ -115,7 +115,7 @@ private slots:
             QVERIFY2(test::names(issues, field), field);
 
         problem = withOwner();
-        problem.distance_m[1] *= 1e90; // beyond measure with mu alone
+        problem.distance_m[1] *= 1e90; // too large with mu alone
         problem.mu = 1e20;
         QCOMPARE(validate(problem).size(), std::size_t{1});
         QVERIFY(test::names(validate(problem), "mu"));

@@ -8,7 +8,7 @@ using namespace berg;
 
 namespace {
 
-/** Icebergs in turn to their owner, else to the UAVs in turn. */
+/** Assigns each iceberg to its UAV, else to the UAVs in rotation. */
 FleetPlan anyPlan(const FleetProblem& problem)
 {
     FleetPlan plan(problem.distance_m.size());
@@ -113,7 +113,7 @@ private slots:
         const FleetCosts costs(problem);
         SearchEffort effort;
         FleetSearch search(costs, effort);
-        search.take(anyPlan(problem));
+        search.accept(anyPlan(problem));
         search.descend();
         QVERIFY(isFleetPlan(problem, search.best()));
         QVERIFY(isRelocationOptimum(problem, search.best()));
@@ -137,7 +137,7 @@ private slots:
     {
         const FleetProblem problem = test::randomFleet(26, 3, 40, 1);
         const FleetCosts costs(problem);
-        SearchEffort effort{.cut = {}, .limit = 200'000};
+        SearchEffort effort{.isStopped = {}, .limit = 200'000};
         FleetSearch search(costs, effort);
         search.startGreedily();
         search.descend();

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kProven = 2e-9; // the margin of a proof
 
-/** What is wrong with an outcome, given the optimum; empty when nothing is. */
+/** Returns the fault of an outcome, given the optimum; empty if there is none. */
 QString faultOf(const FleetProblem& problem, const SolveOutcome& outcome, double optimum)
 {
     const double scale = optimum + objectiveShift(problem);
@@ -70,7 +70,7 @@ private slots:
         }
     }
 
-    /** Proven by CBC on what our bound leaves. */
+    /** CBC proves the optimum among the orders that our bound leaves. */
     void cbcAgreesWithTheEngine_data() { test::addFleetRows(false); }
     void cbcAgreesWithTheEngine()
     {
@@ -87,7 +87,7 @@ private slots:
         QCOMPARE(outcome.source, problem.mu > 0 ? AnswerSource::Cbc : AnswerSource::Assignment);
     }
 
-    /** The engine's proof against dynamic programming. */
+    /** Compares the engine's proof with dynamic programming. */
     void engineAgreesWithSubsets_data() { test::addFleetRows(false); }
     void engineAgreesWithSubsets()
     {
@@ -99,7 +99,7 @@ private slots:
         }
     }
 
-    /** Without a bound it is as good as dynamic programming all the same. */
+    /** Without a bound the search is as good as dynamic programming. */
     void latencyIsFoundBySearch()
     {
         for (const int uavs : {2, 3}) {
@@ -122,7 +122,7 @@ private slots:
         }
     }
 
-    void oddProblems_data()
+    void oddProblemsAreSolved_data()
     {
         QTest::addColumn<double>("sigma_m2");
         QTest::addColumn<double>("scale");
@@ -131,7 +131,7 @@ private slots:
         QTest::addRow("all in one place") << 5.0 << 0.0;
         QTest::addRow("nothing costs anything") << 0.0 << 0.0;
     }
-    void oddProblems()
+    void oddProblemsAreSolved()
     {
         QFETCH(double, sigma_m2);
         QFETCH(double, scale);
@@ -147,8 +147,10 @@ private slots:
         }
     }
 
-    /** At tau = 0 the places are given by sigma; who takes which by distance. UAVs at 0 and 10 km
-     * on a line. */
+    /**
+     * At tau = 0 sigma decides the positions, and distance which UAV takes which. UAVs are at 0 and
+     * 10 km on a line.
+     */
     void tiesGoToTheShorterPlan()
     {
         const std::vector<double> places_m{9000, 1000, 4000, 6000};
@@ -165,7 +167,7 @@ private slots:
             QVERIFY(outcome.status == SolveStatus::Optimal);
             QCOMPARE(outcome.plan, (FleetPlan{{2, 3}, {1, 4}}));
         }
-        // Both of the most uncertain ones for the second UAV.
+        // The two most uncertain icebergs are assigned to the second UAV.
         test::assign(problem, 2, 1);
         test::assign(problem, 1, 1);
         const SolveOutcome outcome = solveFleet(problem, Backend::Auto, {});
@@ -173,7 +175,7 @@ private slots:
         QCOMPARE(outcome.plan[1].front(), 1);
     }
 
-    /** The assignment against dynamic programming, and many icebergs in no time. */
+    /** Compares the assignment with dynamic programming, and plans many icebergs quickly. */
     void ranksAreOptimal()
     {
         for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
@@ -188,7 +190,7 @@ private slots:
         QVERIFY(solveFleet(large, Backend::Auto, {}).status == SolveStatus::Optimal);
     }
 
-    void noIcebergs()
+    void noIcebergsNeedNoWork()
     {
         const FleetProblem problem{.distance_m = {3, Eigen::MatrixXd::Zero(1, 1)}, .sigma_m2 = {0}};
         const SolveOutcome outcome = solveFleet(problem, Backend::Auto, {});
@@ -232,7 +234,7 @@ private slots:
 
     void solvingMayBeForbidden()
     {
-        const ForbidSolving guard;
+        const NoBlockingScope guard;
         const FleetProblem problem = test::randomFleet(47, 2, 5, 1);
         QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)solveFleet(problem, Backend::Auto, {}));
     }
@@ -320,15 +322,15 @@ private slots:
         QVERIFY(!solveFleet(problem, Backend::Heuristic, {.hint = FleetPlan(3)}).hintUsed);
     }
 
-    /** What an optimal plan lacks is put back where it costs least. */
-    void hintsAreMended()
+    /** Icebergs that an optimal plan lacks are inserted where they cost least. */
+    void hintsAreRepaired()
     {
         const FleetProblem problem = test::randomFleet(52, 3, 20, 1);
         const FleetPlan best = solveFleet(problem, Backend::Exact, {}).plan;
         FleetPlan broken = best;
         const int taken = broken[0].back();
         broken[0].pop_back();
-        broken[1].push_back(broken[2].front()); // there twice: the second time goes
+        broken[1].push_back(broken[2].front()); // it is there twice; the second visit is removed
         broken[2].insert(broken[2].begin(), 99);
         const SolveOutcome outcome =
             solveFleet(problem, Backend::Heuristic, {.workLimit = 1, .hint = broken});
@@ -364,8 +366,8 @@ private slots:
         QCOMPARE(reports.back().objective, outcome.objective);
     }
 
-    /** Whatever else runs at the same time. */
-    void repeats()
+    /** Solves repeat whatever else runs at the same time. */
+    void solvesRepeatExactly()
     {
         const FleetProblem problem = test::randomFleet(54, 4, 40, 0.5);
         const SolveOptions options{.workLimit = 40'000'000};
@@ -379,7 +381,7 @@ private slots:
         QCOMPARE(outcomes[0].work, outcomes[1].work);
     }
 
-    /** An iceberg handed to another UAV is visited by it, and the rest is the best for that. */
+    /** An iceberg assigned to another UAV is visited by it, and the rest is optimal for that. */
     void assignmentsAreKept()
     {
         FleetProblem problem = test::randomFleet(55, 3, 18, 1);

@@ -29,7 +29,7 @@ private slots:
         }
     }
 
-    void endsWhenCut()
+    void endsWhenStopped()
     {
         const FleetProblem problem = test::randomFleet(12, 2, 10, 1);
         int asked = 0;

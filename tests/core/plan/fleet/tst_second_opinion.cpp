@@ -31,7 +31,7 @@ class TestSecondOpinion : public QObject
     Q_OBJECT
 
 private slots:
-    void verdicts_data()
+    void verdictsFollowBoundsAndPlans_data()
     {
         QTest::addColumn<SolveOutcome>("first");
         QTest::addColumn<SolveOutcome>("second");
@@ -53,7 +53,7 @@ private slots:
         row("first has no plan", {}, proven(-10), Verdict::NotVerified);
     }
 
-    void verdicts()
+    void verdictsFollowBoundsAndPlans()
     {
         QFETCH(SolveOutcome, first);
         QFETCH(SolveOutcome, second);
@@ -63,7 +63,7 @@ private slots:
     }
 
 #if BERG_EXPECT_CBC
-    void asksTheOtherSolver_data()
+    void usesTheOtherSolver_data()
     {
         QTest::addColumn<Backend>("backend");
         QTest::addColumn<int>("icebergs");
@@ -77,7 +77,7 @@ private slots:
         QTest::newRow("cbc") << Backend::Cbc << 9 << AnswerSource::Exact << none;
     }
 
-    void asksTheOtherSolver()
+    void usesTheOtherSolver()
     {
         QFETCH(Backend, backend);
         QFETCH(int, icebergs);
@@ -91,7 +91,7 @@ private slots:
         QCOMPARE(opinion.verdict, Verdict::Agrees);
     }
 
-    void takesTheFormulationAskedFor()
+    void usesTheRequestedFormulation()
     {
         const TvpProblem problem = randomProblem(3, 5, 1, Route::Open);
         const SolveOutcome first = makeSolver(Backend::Exact)->solve(problem, {});

@@ -24,8 +24,8 @@ std::int64_t peak_bytes()
 } // namespace
 
 /**
- * Solves keep to the memory they are given, by what the system sees. The peak of a process never
- * falls, so rows go from small limits to large ones.
+ * Solves keep to their memory limit, as measured by the system. The peak of a process never falls,
+ * so rows go from small limits to large ones.
  */
 class TestSolverMemory : public QObject
 {
@@ -77,12 +77,12 @@ private slots:
                             {.workLimit = kWork, .memoryLimit_bytes = limit});
             QVERIFY(outcome.status != SolveStatus::None);
         }
-        // Beside the limit, "about": what malloc keeps for later.
+        // The limit is approximate: malloc keeps some memory.
         QVERIFY2(peak_bytes() - before <= limit + limit / 10,
                  qPrintable(QString::number(peak_bytes() - before)));
     }
 
-    /** UAVs that fly the same between icebergs share those costs. */
+    /** UAVs that fly the same distances between icebergs share those costs. */
     void costsAreShared()
     {
         const FleetProblem alike = test::randomFleet(6, 20, 50, 1, test::FleetKind::Closed);
@@ -91,12 +91,12 @@ private slots:
         QCOMPARE(FleetCosts(unlike).bytes(), FleetCosts::mostBytesFor(unlike));
     }
 
-    /** A graph that cannot be refined any more, and no room for the states: that is the end. */
+    /** A graph that cannot be refined any more and no memory for the states end the proof. */
     void noRoomForTheStates()
     {
         const FleetProblem problem = test::randomFleet(47, 5, 2, 1, test::FleetKind::Assigned);
         const FleetBoundResult result =
-            improveFleetBound(FleetCosts(problem), inTurn(problem),
+            improveFleetBound(FleetCosts(problem), roundRobinPlan(problem),
                               {.workLimit = 10'000'000, .memoryLimit_bytes = 2000});
         QVERIFY(result.memoryOut && !result.reached);
         QVERIFY(result.work < 1'000'000);

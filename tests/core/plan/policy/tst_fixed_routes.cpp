@@ -14,7 +14,7 @@ using Ids = std::vector<int>;
 
 namespace {
 
-/** Round the icebergs alone: the UAV's place has no part in it. */
+/** Returns the length of the cycle of the icebergs alone, without the UAV. */
 double cycleLength_m(const PlanRequest& request, const Ids& ids)
 {
     double length_m = 0;
@@ -53,7 +53,7 @@ private:
     }
 
 private slots:
-    /** What was assigned to it is flown to although one that is on its way home had it. */
+    /** A UAV flies to an iceberg assigned to it although one that is on its way home had it. */
     void assignedIcebergsAreNotWaitedFor()
     {
         const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
@@ -68,15 +68,18 @@ private slots:
         others.uavs.erase(others.uavs.begin());
         others.uavs[0].available = {false, true, false, false, false};
         others.uavs[1].available = {false, false, false, true, true};
-        QVERIFY(path->plan(others, {}).uavs[0].order.empty()); // the first one comes back to it
+        QVERIFY(path->plan(others, {}).uavs[0].order.empty()); // the first UAV returns to it later
         others.uavs[0].assigned = {2};
         const PlanAnswer answer = path->plan(others, {});
         QCOMPARE(answer.uavs[0].order, Ids{2});
         QCOMPARE(answer.uavs[1].order, (Ids{4, 5}));
     }
 
-    /** What appears to one UAV alone, its part being flown, need not wait for the others' parts. */
-    void aUavWhosePartIsFlownHasWhatIsKeptForIt()
+    /**
+     * An iceberg that appears to one UAV alone, after it has flown its part, need not wait for the
+     * others.
+     */
+    void aUavWhosePartIsFlownGetsItsOwnIcebergs()
     {
         const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
         const PlanRequest all = fleetRequestOf(
@@ -91,7 +94,7 @@ private slots:
         QVERIFY(!answer.uavs[0].order.empty());
         QCOMPARE(answer.uavs[1].order, std::vector<int>{4});
         QCOMPARE(path->plan(now, {}).uavs[1].order, std::vector<int>{4});
-        // Assigned in flight, although it is in the other one's part.
+        // The iceberg is assigned in flight, although it is in the other UAV's part.
         now.uavs[0].available = {true, true, false, false};
         now.uavs[1].available = {false, false, true, false};
         QCOMPARE(path->plan(now, {}).uavs[1].order, std::vector<int>{3});
@@ -117,7 +120,7 @@ private slots:
         for (int k = 0; k < 5; ++k) {
             PlanRequest request = requestOf({-500, 500}, randomPlaces(random, icebergs));
             for (double& sigma_m2 : request.sigma_m2)
-                sigma_m2 *= 1000; // as large as the distances, and of no account
+                sigma_m2 *= 1000; // as large as the distances, but without influence
             const PlanAnswer answer = policy(PolicyKind::Path)->plan(request, {});
             double shortest_m = 1e300;
             forEachOrder(request, [&](const Ids& ids) {
@@ -128,7 +131,7 @@ private slots:
         }
     }
 
-    /** The path is flown to its end though the picture changes; only then is a new one made. */
+    /** The path is flown to its end although the icebergs change; only then is a new one made. */
     void pathContinuesItsSequence()
     {
         const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
@@ -148,19 +151,19 @@ private slots:
         QCOMPARE(again.uavs[0].order.size(), std::size_t{4}); // all but the one in view
     }
 
-    /** An iceberg seen on the way is passed over when its turn comes. */
+    /** An iceberg seen during an earlier leg is skipped when its turn comes. */
     void pathPassesOverWhatIsInView()
     {
         const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
         const Ids order = path->plan(five(), {}).uavs[0].order;
         const PlanAnswer answer = path->plan(without(five(), {order[0], order[1]}), {});
         QVERIFY((answer.uavs[0].order == Ids{order[2], order[3], order[4]}));
-        // It stays passed over, also when it is out of view again.
+        // It stays passed over when it is out of view again.
         const PlanAnswer next = path->plan(without(five(), {order[2]}), {});
         QVERIFY((next.uavs[0].order == Ids{order[3], order[4]}));
     }
 
-    /** In view long before its turn: it stays in the sequence. */
+    /** An iceberg in view long before its turn stays in the sequence. */
     void pathKeepsWhatIsInViewEarly()
     {
         const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
@@ -224,7 +227,7 @@ private slots:
             const Ids back(order.rbegin(), order.rend());
             COMPARE_NEAR(std::min(cycleLength_m(request, order), cycleLength_m(request, back)),
                          shortest_m, 1e-9);
-            // Of all ways to enter such a cycle, none lets the uncertain wait less.
+            // No other entry into this cycle has a smaller sum of waiting.
             double leastWaiting = 1e300;
             forEachOrder(request, [&](const Ids& ids) {
                 const Ids other(ids.rbegin(), ids.rend());
@@ -236,7 +239,7 @@ private slots:
         }
     }
 
-    /** Round after round in the same sequence, from one solve. */
+    /** The tour repeats the same sequence, from one solve. */
     void tourGoesRoundAndRound()
     {
         const std::unique_ptr<Policy> tour = policy(PolicyKind::Tour);
@@ -251,8 +254,8 @@ private slots:
         QCOMPARE(m_script.problems.size(), std::size_t{1});
     }
 
-    /** Its outcome is that of the cycle, with the first iceberg in the UAV's place. */
-    void tourTellsWhatWasSolved()
+    /** The outcome of the tour is that of the cycle, with the first iceberg in the UAV's place. */
+    void tourReportsWhatWasSolved()
     {
         const PlanRequest request = five();
         const PlanAnswer answer = policy(PolicyKind::Tour)->plan(request, {});

@@ -39,7 +39,7 @@ class TestFleetCurve : public QObject
     Q_OBJECT
 
 private slots:
-    /** Every tau has its best plan, whatever sets the UAVs apart. */
+    /** Every tau has its best plan, whatever the differences between the UAVs. */
     void fleetsByBruteForce_data()
     {
         QTest::addColumn<int>("kind");
@@ -69,7 +69,9 @@ private slots:
         }
     }
 
-    /** More than are proven: no gap, the same again, and no plan worse than the planner's by much.
+    /**
+     * With more icebergs than can be proven the curve has no gap, repeats, and is close to the
+     * planner's.
      */
     void manyOfSeveralUavs()
     {
@@ -88,7 +90,7 @@ private slots:
         QVERIFY(fleetObjective(problem, curve.intervals[at].plan) + shift < 1.02 * planned);
     }
 
-    void ofSeveralUavsIsThatOfThePlanShown()
+    void curveHoldsThePlanShown()
     {
         for (std::int64_t seed = 1; seed <= 4; ++seed) {
             Scenario scenario = withUavs(randomScenario(seed, {.icebergs = 8}), 2);
@@ -105,7 +107,7 @@ private slots:
         }
     }
 
-    void stoppedOfSeveralUavs()
+    void stoppedCurveIsValid()
     {
         const FleetProblem problem = randomFleet(1, 3, 20, 1);
         std::stop_source source;

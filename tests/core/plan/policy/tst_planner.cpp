@@ -20,14 +20,16 @@ SolveOutcome inOrder(const VisitOrder& order)
     return {.status = SolveStatus::Feasible, .plan = {order}};
 }
 
-/** The script's next answers, whatever the problem. */
+/** Returns a function that gives the script's next answers, whatever the problem. */
 auto answering(const SolveOutcome& outcome)
 {
     return [outcome](const TvpProblem&) { return outcome; };
 }
 
-/** What a `ScriptedPolicy` answers, and what it was asked. Of the process, because `PolicyMaker` is
- * a plain function. */
+/**
+ * Answers of a `ScriptedPolicy`, and the requests it received. Global, because `PolicyMaker` is a
+ * plain function.
+ */
 struct PolicyScript
 {
     std::function<PlanAnswer(const PlanRequest&)> answer;
@@ -50,7 +52,7 @@ std::unique_ptr<Policy> makeScriptedPolicy(const PlannerSettings&, const TvpSolv
     return std::make_unique<ScriptedPolicy>();
 }
 
-/** UAVs 20 and 21 beside the icebergs of `five()`. */
+/** A request of UAVs 20 and 21 for the icebergs of `five()`. */
 PlanRequest twoForFive()
 {
     return fleetRequestOf({{0, 0}, {4000, 0}}, kFive);
@@ -83,7 +85,7 @@ class TestPlanner : public QObject
 private:
     SolverScript m_script;
 
-    /** Planner on the script, with the order 3, 10, 42, 5, 7 in hand. */
+    /** Returns a planner with the script, which has the order 3, 10, 42, 5, 7. */
     [[nodiscard]] std::unique_ptr<Planner> plannerWithOrder(const PlannerSettings& settings = {})
     {
         auto planner =
@@ -111,8 +113,10 @@ private slots:
         QVERIFY(!answer.fellBack);
     }
 
-    /** In flight a solve begins with the multipliers of the last ones, by iceberg; a cancelled one
-     * leaves none. */
+    /**
+     * In flight a solve begins with the multipliers of the last ones, by iceberg; a cancelled one
+     * stores none.
+     */
     void multipliersStayWithTheirIcebergs()
     {
         const std::unique_ptr<Planner> planner = plannerWithOrder();
@@ -131,7 +135,10 @@ private slots:
         QVERIFY(m_script.options.at(3).multipliers.empty());
     }
 
-    /** The paper's second advantage: no solution in time, so the next of the last plan. */
+    /**
+     * The paper's second advantage: without a solution in time, the next iceberg of the last plan
+     * is flown.
+     */
     void fallsBackToTheRestOfTheLastPlan_data()
     {
         QTest::addColumn<StopReason>("reason");
@@ -149,7 +156,7 @@ private slots:
         QVERIFY((first.uavs[0].order == Ids{10, 42, 5, 7}));
         QVERIFY(first.fellBack);
         QCOMPARE(first.outcome.reason, reason);
-        // And again from there: 10 reached, 42 seen on the way.
+        // The next fallback starts from there: 10 is reached, 42 was seen meanwhile.
         const PlanAnswer second = planner->plan(without(five(), {10, 42}), {});
         QVERIFY((second.uavs[0].order == Ids{5, 7}));
         QVERIFY(second.fellBack);
@@ -162,7 +169,7 @@ private slots:
         const PlanAnswer answer = planner.plan(five(), {});
         QVERIFY(answer.uavs[0].order == Ids{10});
         QVERIFY(answer.fellBack);
-        // Of those the last plan holds none is left: again the nearest, now 7.
+        // No iceberg of the last plan is left, so the nearest is next again, now 7.
         const PlanAnswer next = planner.plan(without(five(), {10}), {});
         QVERIFY(next.uavs[0].order == Ids{7});
         QVERIFY(next.fellBack);
@@ -185,7 +192,7 @@ private slots:
         QVERIFY(!answer.fellBack);
     }
 
-    /** Icebergs that are gone for good are not flown to. */
+    /** Icebergs that have disappeared are not flown to. */
     void fallBackForgetsWhatIsGone()
     {
         const std::unique_ptr<Planner> planner = plannerWithOrder();
@@ -241,7 +248,8 @@ private slots:
     {
         const std::unique_ptr<Planner> planner = plannerWithOrder();
         std::vector<Place> seven = kFive;
-        seven.insert(seven.begin(), {77, {4000, 4000}, 3}); // node 1: the others move up by one
+        // It becomes node 1; the others move up by one.
+        seven.insert(seven.begin(), {77, {4000, 4000}, 3});
         seven.push_back({88, {100, 100}, 3});
         (void)planner->plan(requestOf({0, 0}, seven), {});
         // 3, 10, 42, 5, 7 are nodes 5, 2, 4, 6, 3; then 77 and 88.
@@ -280,10 +288,10 @@ private slots:
         const std::unique_ptr<Planner> planner = plannerWithOrder();
         planner->setSettings({.policy = PolicyKind::Nearest});
         QVERIFY((planner->plan(without(five(), {3}), {}).uavs[0].order == Ids{10, 7, 5, 42}));
-        QVERIFY(m_script.problems.empty()); // no solver at work
+        QVERIFY(m_script.problems.empty()); // no solver was called
         planner->setSettings({});
         (void)planner->plan(without(five(), {3, 10}), {});
-        // The warm start is what the other policy left: 7, 5, 42 of the nodes 7, 42, 5.
+        // The warm start is the order of the other policy: 7, 5, 42 of the nodes 7, 42, 5.
         QVERIFY((m_script.options.at(0).hint == FleetPlan{{1, 3, 2}}));
     }
 
@@ -306,7 +314,7 @@ private slots:
         }
     }
 
-    /** Without a solver of its own it takes the back end of the settings, also after a change. */
+    /** Without a given solver it uses the back end of the settings, also after a change. */
     void ownBackEndOfTheSettings()
     {
         Planner planner({.backend = Backend::Exact});
@@ -331,7 +339,8 @@ private slots:
         QVERIFY(!first.fellBack);
         QVERIFY(g_script.requests[0].uavs[0].lastRest.empty());
 
-        // The other way round, 10 in view, and 3 no longer for the second one.
+        // Now the UAVs are exchanged, 10 is in view, and 3 is no longer available to the second
+        // UAV.
         PlanRequest next = withoutIceberg(twoForFive(), 10);
         next.uavs[1].available[3] = false;
         std::swap(next.uavs[0], next.uavs[1]);
@@ -342,7 +351,10 @@ private slots:
         QVERIFY(g_script.requests[2].uavs[0].lastRest.empty());
     }
 
-    /** To what is left of the last orders, else to the nearest that no other one flies to. */
+    /**
+     * UAVs fly to the rest of their last orders, else to the nearest iceberg that no other one
+     * flies to.
+     */
     void fleetsFallBack_data()
     {
         QTest::addColumn<bool>("throws");
@@ -369,7 +381,7 @@ private slots:
         g_script.answer = fail;
         const PlanAnswer second = planner.plan(withoutIceberg(twoForFive(), 7), {});
         QVERIFY((ordersOf(second) == std::vector<Ids>{{10, 3}, {42}}));
-        // Nothing is left for the second one.
+        // The second UAV has nothing left to visit.
         PlanRequest busy = withoutUav(twoForFive(), 1);
         QVERIFY((ordersOf(planner.plan(busy, {})) == std::vector<Ids>{{10, 3}, {}}));
         busy = withoutUav(busy, 0);
@@ -391,7 +403,7 @@ private slots:
         QVERIFY((g_script.requests.back().uavs[1].lastRest == Ids{42, 3, 5}));
     }
 
-    /** Whatever a policy answers. */
+    /** No two UAVs fly to one iceberg, whatever the policy answers. */
     void noTwoUavsFlyToOneIceberg()
     {
         Planner planner({}, nullptr, makeScriptedPolicy);
@@ -414,7 +426,7 @@ private slots:
         QVERIFY((g_script.requests.back().uavs[0].lastRest == Ids{7, 10}));
     }
 
-    /** Flown on, each plan starts from the rest of the one before it. */
+    /** In flight each plan starts from the rest of the previous one. */
     void fleetsAreReplannedWarm()
     {
         Planner planner({});

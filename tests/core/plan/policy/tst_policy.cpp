@@ -17,7 +17,7 @@ Q_DECLARE_METATYPE(Ids)
 
 namespace {
 
-/** mu by Eq. (10)-(14), written out once more. */
+/** Computes mu by Eq. (10)-(14) independently. */
 double muByHand(const TvpProblem& problem, double tau)
 {
     std::vector<double> sorted = problem.sigma_m2;
@@ -30,7 +30,7 @@ double muByHand(const TvpProblem& problem, double tau)
     return tau * f1Max / (average_m * (n - 1));
 }
 
-/** UAV and available icebergs alone. */
+/** Returns the problem of the UAV and the available icebergs alone. */
 TvpProblem subProblem(const PlanRequest& request)
 {
     std::vector<int> nodes{0};
@@ -80,7 +80,7 @@ private slots:
     {
         const PlanAnswer answer = policy(PolicyKind::Nearest)->plan(five(), {});
         QVERIFY((answer.uavs[0].order == Ids{10, 7, 5, 42, 3}));
-        QVERIFY(m_script.problems.empty()); // it asks no solver
+        QVERIFY(m_script.problems.empty()); // no solver was called
         // Distances 1000, 1803, 2236, 5000, 1500 m; mu = 0 in the request: the reward alone.
         COMPARE_NEAR(fleetDistance(answer.problem, answer.outcome.plan),
                      1000 + std::sqrt(3.25e6) + std::sqrt(5e6) + 5000 + 1500, 1e-9);
@@ -91,7 +91,8 @@ private slots:
     void uncertaintyByHand()
     {
         const PlanAnswer answer = policy(PolicyKind::Uncertainty)->plan(five(), {});
-        // 7 and 3 both have 9: the smaller node (7 comes first in the request), not the smaller id.
+        // 7 and 3 both have 9: the smaller node comes first (7, first in the request), not the
+        // smaller id.
         QVERIFY((answer.uavs[0].order == Ids{7, 3, 42, 10, 5}));
         QVERIFY(m_script.problems.empty());
     }
@@ -124,7 +125,7 @@ private slots:
         const PlannerSettings settings{.tau = tau, .route = route};
         const std::unique_ptr<Policy> policy = makePolicy(settings, *m_solver);
         for (int k = 0; k < 5; ++k) {
-            // One iceberg more, which is in view and must have no part in it, not even in mu.
+            // One more iceberg is in view and must not affect the plan, not even mu.
             PlanRequest request = requestOf({-500, 500}, randomPlaces(random, icebergs + 1));
             request = without(request, {request.ids[static_cast<std::size_t>(k % icebergs)]});
             const PlanAnswer answer = policy->plan(request, {});
@@ -157,8 +158,10 @@ private slots:
             QTest::newRow(route.name.data()) << route.value;
     }
 
-    /** What a uniform wind adds to one direction of a leg and takes from the other adds up to what
-     * depends on the ends of an order. It has no part in the choice, but in what is flown. */
+    /**
+     * The differences that a uniform wind makes between directions of legs sum to a value that
+     * depends on the ends of an order. They do not affect the choice, but the flight time.
+     */
     void windMakesNoOtherOrder()
     {
         QFETCH(Route, route);
@@ -166,7 +169,7 @@ private slots:
         const std::unique_ptr<Policy> policy = makePolicy(settings, *m_solver);
         const PlanRequest calm = five();
         PlanRequest windy = calm;
-        constexpr double kPerPlace_m = 150; // nodes further down wind have higher numbers
+        constexpr double kPerPlace_m = 150; // nodes farther downwind have higher numbers
         Eigen::MatrixXd& all_m = windy.uavs[0].distance_m;
         for (int i = 0; i < all_m.rows(); ++i)
             for (int j = 0; j < all_m.cols(); ++j)
@@ -193,11 +196,13 @@ private slots:
             QVERIFY(pathLength_m(request, direct) <= pathLength_m(request, other) + 1e-9);
         });
         const Ids uncertain = order(1e-6);
-        // Of the two with sigma 9, mu D decides: 7, 3, 42, ... is shorter than 3, 7, 42, ...
+        // mu D decides between the two with sigma 9: 7, 3, 42, ... is shorter than 3, 7, 42, ...
         QVERIFY((uncertain == Ids{7, 3, 42, 10, 5}));
     }
 
-    /** With every sigma 0 the plan is by distance alone, not by mu = 0, which says nothing. */
+    /**
+     * With every sigma 0 the plan is by distance alone, not by mu = 0, which would give no order.
+     */
     void nothingUncertainMeansShortestPath()
     {
         std::vector<Place> places = kFive;
@@ -226,7 +231,10 @@ private slots:
         });
     }
 
-    /** The sum of sigma times arrival time, whatever tau and route say, over those available. */
+    /**
+     * The plan minimises the sum of sigma times arrival time over the available icebergs, whatever
+     * tau and route are.
+     */
     void latencyIsTheOptimum()
     {
         const PlanRequest request = without(five(), {42});
@@ -268,7 +276,7 @@ private slots:
         }
     }
 
-    /** Whatever is in view, the first of the order is not, and there is one if there can be. */
+    /** The first iceberg of the order is never in view, and there is one if possible. */
     void firstIsAlwaysAvailable_data()
     {
         QTest::addColumn<PolicyKind>("kind");
@@ -282,7 +290,8 @@ private slots:
         const std::unique_ptr<Policy> lasting = policy(kind);
         Random random(2);
         for (unsigned mask = 0; mask < 32; ++mask) {
-            // Each mask on a new policy, and a random walk of masks on one that remembers.
+            // Tests each mask on a new policy, and a random walk of masks on one that keeps its
+            // state.
             for (const bool remembers : {false, true}) {
                 const unsigned bits = remembers ? static_cast<unsigned>(random.below(32)) : mask;
                 PlanRequest request = five();
@@ -303,7 +312,7 @@ private slots:
         }
     }
 
-    /** It was given nothing when another UAV was nearer to everything, and circled. */
+    /** Once, a UAV got no iceberg if another UAV was nearer to all of them, and circled. */
     void eachUavHasAFirst_data()
     {
         QTest::addColumn<PolicyKind>("kind");
@@ -327,11 +336,11 @@ private slots:
         QFETCH(PolicyKind, kind);
         const std::unique_ptr<Policy> lonely = policy(kind);
         QVERIFY(lonely->plan(requestOf({0, 0}, {}), {}).uavs[0].order.empty());
-        // And when the first one comes it is flown to.
+        // When the first iceberg appears, it is flown to.
         QVERIFY((lonely->plan(requestOf({0, 0}, {kFive[0]}), {}).uavs[0].order == Ids{10}));
     }
 
-    /** Those that plan anew each time hold every available iceberg and no other. */
+    /** Policies that plan each time hold every available iceberg and no other. */
     void ordersHoldTheAvailable_data()
     {
         QTest::addColumn<PolicyKind>("kind");
@@ -386,7 +395,7 @@ private slots:
             QTest::newRow(nameOf(kPolicyNames, kind).c_str()) << kind;
     }
 
-    /** Without order there is no plan; the next call asks the solver again. */
+    /** Without an order there is no plan; the next call calls the solver again. */
     void noOrderFromTheSolver()
     {
         QFETCH(PolicyKind, kind);
@@ -403,8 +412,8 @@ private slots:
     void cancelledSolveIsNotKept_data() { noOrderFromTheSolver_data(); }
 
     /**
-     * A cancelled solve may come with the best order so far. The caller makes the same call
-     * again later, and then it must be as if nothing had happened.
+     * A cancelled solve may return the best order so far. The caller repeats the call later, and
+     * must get the result of a first call.
      */
     void cancelledSolveIsNotKept()
     {

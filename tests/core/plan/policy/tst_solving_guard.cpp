@@ -19,7 +19,7 @@ private slots:
         const Scenario scenario = randomScenario(1, {.icebergs = 3});
         Mission mission(scenario);
         {
-            const ForbidSolving guard;
+            const NoBlockingScope guard;
             QVERIFY_THROWS_EXCEPTION(std::logic_error, mission.advance(1));
             QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)planFromStart(scenario));
             QCOMPARE(mission.simulation().time_s(), 0.0);
@@ -29,16 +29,16 @@ private slots:
 
     void endsWithTheLastOne()
     {
-        const ForbidSolving outer;
+        const NoBlockingScope outer;
         {
-            const ForbidSolving inner;
+            const NoBlockingScope inner;
         }
         QVERIFY_THROWS_EXCEPTION(std::logic_error, requireSolvingAllowed());
     }
 
     void otherThreadsAreFree()
     {
-        const ForbidSolving guard;
+        const NoBlockingScope guard;
         double flown_s = 0;
         std::thread([&flown_s] {
             Mission mission(randomScenario(1, {.icebergs = 3}));

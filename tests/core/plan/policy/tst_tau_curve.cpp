@@ -20,19 +20,19 @@ using namespace berg::test;
 
 namespace {
 
-/** What an instance of the tests is made of. */
+/** Kinds of test instances. */
 enum class Shape
 {
     Plain,      ///< sigma 1 .. 10, ties likely
-    Asymmetric, ///< as in wind
+    Asymmetric, ///< distances as in wind
     RealSigma,
-    FewSigmas,  ///< two values: most of the order is a matter of distance at tau -> 0
+    FewSigmas,  ///< two values: distance decides most of the order at tau -> 0
     SomeZero,   ///< icebergs in view have sigma 0
     Coincident, ///< pairs of icebergs at the same place
     Grid        ///< a regular grid with equal sigma: many equal orders
 };
 
-/** Of one UAV. */
+/** Returns the curve of one UAV. */
 TauCurve tauCurve(const TvpProblem& problem, const TauCurveOptions& options)
 {
     return berg::tauCurve(problemOf(problem), {}, options);
@@ -71,7 +71,7 @@ double costAt(TvpProblem problem, const VisitOrder& order, double tau)
     return objective(problem, order) + objectiveShift(problem);
 }
 
-/** Every order of a small problem, as the pair that decides its line. */
+/** Returns every order of a small problem as the pair that decides its line. */
 std::vector<std::pair<double, double>> allLines(const TvpProblem& problem)
 {
     std::set<std::pair<double, double>> lines;
@@ -83,7 +83,9 @@ std::vector<std::pair<double, double>> allLines(const TvpProblem& problem)
     return {lines.begin(), lines.end()};
 }
 
-/** What holds for every curve: no gap, orders and figures that agree, both figures falling. */
+/**
+ * Checks properties of every curve: no gap, orders and figures that agree, both figures decreasing.
+ */
 void checkShape(const TauCurve& curve, const TvpProblem& problem, double tauMax)
 {
     QVERIFY(!curve.intervals.empty());
@@ -171,7 +173,7 @@ private slots:
     }
 
     /** Right of 0 the ties of the sort are broken by distance. */
-    void atZeroTiesGoToTheShorterWay()
+    void atZeroTiesGoToTheShorterPath()
     {
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             const TvpProblem problem = makeProblem(Shape::FewSigmas, seed, 6, Route::Open);
@@ -188,7 +190,7 @@ private slots:
         }
     }
 
-    /** Sigmas that differ by rounding are ties: no interval of its own for each of their orders. */
+    /** Sigmas that differ by rounding are ties: their orders get no intervals. */
     void roundingMakesNoIntervals()
     {
         for (const int icebergs : {7, 15}) {
@@ -246,7 +248,7 @@ private slots:
         }
     }
 
-    void nothingAndOneToVisit()
+    void noneOrOneToVisitGivesOneInterval()
     {
         const TauCurve none = tauCurve(makeProblem(Shape::Plain, 1, 0, Route::Open), {});
         QVERIFY(none.complete);
@@ -259,7 +261,7 @@ private slots:
     }
 
     /** By the rule for sigma all 0 the distance alone counts, whatever tau. */
-    void sigmaAllZeroIsTheShortestWay()
+    void sigmaAllZeroIsTheShortestPath()
     {
         for (const int icebergs : {6, 16}) {
             TvpProblem problem = makeProblem(Shape::Plain, 3, icebergs, Route::Open);
@@ -273,8 +275,8 @@ private slots:
         }
     }
 
-    /** All icebergs where the UAV is: no way to weigh, the sort is best for every tau. */
-    void noDistancesAtAll()
+    /** All icebergs are at the UAV: distance has no weight, and the sort is best for every tau. */
+    void noDistancesGiveOneInterval()
     {
         TvpProblem problem = makeProblem(Shape::Plain, 3, 5, Route::Open);
         problem.distance_m.setZero();
@@ -358,7 +360,7 @@ private slots:
         }
     }
 
-    /** Searches end with it as well: a curve of hundreds of icebergs has as many intervals. */
+    /** The limit ends searches as well: a curve of hundreds of icebergs has as many intervals. */
     void workLimitEndsSearches()
     {
         const TvpProblem problem = makeProblem(Shape::RealSigma, 8, 200, Route::Open);
@@ -374,7 +376,7 @@ private slots:
         }
     }
 
-    void repeats()
+    void curvesRepeatExactly()
     {
         for (const int icebergs : {9, 18}) {
             const TvpProblem problem = makeProblem(Shape::RealSigma, 3, icebergs, Route::Closed);
@@ -393,7 +395,7 @@ private slots:
         QVERIFY(tauCurve(problem, {}).complete);
     }
 
-    void isThatOfThePlanShown_data()
+    void curveHoldsThePlanShown_data()
     {
         QTest::addColumn<Route>("route");
         QTest::addColumn<bool>("windy");
@@ -403,7 +405,7 @@ private slots:
     }
 
     /** The curve at the scenario's tau holds the plan that the mission starts with. */
-    void isThatOfThePlanShown()
+    void curveHoldsThePlanShown()
     {
         QFETCH(Route, route);
         QFETCH(bool, windy);

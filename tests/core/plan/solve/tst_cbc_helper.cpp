@@ -47,7 +47,7 @@ TvpProblem small()
     return randomProblem(5, 6, 1, Route::Open);
 }
 
-/** Not proven in any test's time. */
+/** A problem that no test has time to prove. */
 TvpProblem endless()
 {
     return randomProblem(3, 12, 0.5, Route::Open);
@@ -81,13 +81,13 @@ QByteArray printed(const CbcFrame& frame)
 
 } // namespace
 
-/** Whatever becomes of `bergwatch-cbc` is an outcome or an error here, and never our end. */
+/** Any failure of `bergwatch-cbc` is an outcome or an error here, and never ends this process. */
 class TestCbcHelper : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void missing()
+    void missingHelperIsReported()
     {
         qputenv("BERGWATCH_CBC", "/nowhere/bergwatch-cbc");
         try {
@@ -101,7 +101,7 @@ private slots:
         QVERIFY(makeSolver(Backend::Cbc) != nullptr);
     }
 
-    void faults_data()
+    void helperFaultsAreReported_data()
     {
         QTest::addColumn<QByteArray>("script");
         QTest::addColumn<QString>("words");
@@ -114,7 +114,7 @@ private slots:
         row("killed at once", "kill -9 $$", "signal 9 (Killed)");
         row("ends after the greeting", hello + "exit 0", "exit code 0");
         row("garbage", "echo 'no message of ours, but long enough' >&0; exec sleep 20",
-            "no message");
+            "not a message");
         row("other version",
             "printf '\\102\\103\\127\\102\\0\\0\\0\\0\\4\\0\\0\\0\\0\\0\\0\\0\\11\\0\\0\\0' >&0; "
             "exec sleep 20",
@@ -124,23 +124,23 @@ private slots:
             "another kind");
         row("an order of another problem",
             hello + "printf '" + printed(cbcFrame(none)) + "' >&0; exec sleep 20",
-            "none of the problem's");
+            "does not fit the problem");
         row("too long a message",
             hello + "printf '\\107\\103\\127\\102\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\100' >&0; exec "
                     "sleep 20",
-            "no message");
+            "not a message");
         row("says why not",
             hello + "printf '" + printed(cbcFrame(CbcFailure{"no pivot"})) + "' >&0; exec sleep 20",
             "cbc: no pivot");
     }
-    void faults()
+    void helperFaultsAreReported()
     {
         QFETCH(QByteArray, script);
         QFETCH(QString, words);
         const FakeHelper fake(script);
         const QString said = wordsOf(small());
         QVERIFY2(said.contains(words), qPrintable(said));
-        // With an order to fall back on it is an outcome.
+        // With a known order the failure is an outcome.
         const SolveOutcome outcome =
             CbcSolver(Formulation::Printed).solve(small(), withHint(small()));
         QCOMPARE(outcome.status, SolveStatus::Feasible);
@@ -195,7 +195,10 @@ private slots:
         QCOMPARE(outcome.reason, StopReason::MemoryLimit);
     }
 
-    /** Branching goes on for seconds after the best order is found; the bound is told meanwhile. */
+    /**
+     * Branching continues for seconds after the best order is found; the bound is reported
+     * meanwhile.
+     */
     void theBoundOfAStoppedSolveIsKept()
     {
         const TvpProblem problem = endless();
@@ -225,7 +228,7 @@ private slots:
             const SolveOutcome outcome = solveFleet(problem, Backend::Cbc, {});
             QVERIFY(isFleetPlan(problem, outcome.plan));
             if (outcome.status == SolveStatus::Optimal)
-                continue; // proven before any orders were put together
+                continue; // proven before any orders were combined
             ++asked;
             QCOMPARE(outcome.status, SolveStatus::Feasible);
             QCOMPARE(outcome.reason, StopReason::Unable);
@@ -234,7 +237,7 @@ private slots:
         QVERIFY(asked > 0);
     }
 
-    void byHandItSaysWhatItIsFor()
+    void startedByHandItPrintsItsPurpose()
     {
         QProcess process;
         process.start(QString::fromStdString(cbcHelperPath().string()), {QStringLiteral("--help")});
@@ -252,7 +255,7 @@ private slots:
         std::vector<CbcFrame> frames;
         for (const char byte : bytes) {
             buffer.add({&byte, 1});
-            while (const std::optional<CbcFrame> frame = buffer.taken())
+            while (const std::optional<CbcFrame> frame = buffer.nextFrame())
                 frames.push_back(*frame);
         }
         QCOMPARE(frames.size(), std::size_t{2});
@@ -314,13 +317,14 @@ private slots:
         QCOMPARE(read.options.hint, asked.options.hint);
     }
 
-    /** No prefix and no changed byte of a request does anything but fail, or is another request. */
+    /** Any prefix and any changed byte of a request fails, or is another request. */
     void brokenRequestsAreFaults()
     {
         const CbcFrame whole = cbcFrame(CbcProblem{.problem = small(), .options = {}});
         for (std::size_t length = 0; length < whole.payload.size(); ++length) {
-            const CbcFrame cut{.kind = whole.kind, .payload = whole.payload.substr(0, length)};
-            QVERIFY_THROWS_EXCEPTION(CbcWireFault, static_cast<void>(cbcProblemOf(cut)));
+            const CbcFrame truncated{.kind = whole.kind,
+                                     .payload = whole.payload.substr(0, length)};
+            QVERIFY_THROWS_EXCEPTION(CbcWireFault, static_cast<void>(cbcProblemOf(truncated)));
         }
         int refused = 0;
         for (std::size_t place = 0; place < whole.payload.size(); ++place) {

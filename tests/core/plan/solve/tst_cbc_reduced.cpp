@@ -42,7 +42,7 @@ private slots:
                 }
     }
 
-    /** Far beyond what the other formulations prove: against the engine's own proof. */
+    /** These sizes are far beyond the other formulations, so the engine's own proof is compared. */
     void reducedAgreesWithTheEngine_data()
     {
         QTest::addColumn<int>("icebergs");
@@ -84,7 +84,7 @@ private slots:
         }
     }
 
-    /** A stop at any time leaves a true answer: an order no worse than the hint, a valid bound. */
+    /** A stop at any time leaves a valid answer: an order no worse than the hint, a valid bound. */
     void reducedCanBeStopped()
     {
         const TvpProblem problem = randomProblem(8, 30, 1, Route::Open);

@@ -39,7 +39,7 @@ TvpProblem endless()
 }
 const Formulation kEndlessFormulation = Formulation::Printed;
 
-/** Collects what is written to a file descriptor while it lives. */
+/** Collects the output to a file descriptor during its lifetime. */
 class Capture
 {
 public:
@@ -118,7 +118,7 @@ private slots:
         }
     }
 
-    void specialCases_data()
+    void specialCasesAreSolved_data()
     {
         QTest::addColumn<TvpProblem>("problem");
         const TvpProblem plain = randomProblem(5, 5, 1, Route::Open);
@@ -156,7 +156,7 @@ private slots:
         QTest::newRow("two arcs all but barred") << problem;
     }
 
-    void specialCases()
+    void specialCasesAreSolved()
     {
         QFETCH(TvpProblem, problem);
         const double best = bruteForce(problem).objective;
@@ -377,7 +377,7 @@ private slots:
             static_cast<void>(CbcSolver(kEndlessFormulation).solve(endless(), options)));
     }
 
-    void fourAtOnce()
+    void fourThreadsSolveAtOnce()
     {
         const CbcSolver position(Formulation::Position);
         const CbcSolver printed(Formulation::Printed);
@@ -421,7 +421,7 @@ private slots:
         QCOMPARE(written, 0L);
     }
 
-    void whyNot_data()
+    void unsupportedProblemsAreNamed_data()
     {
         QTest::addColumn<Formulation>("formulation");
         QTest::addColumn<int>("icebergs");
@@ -443,14 +443,14 @@ private slots:
                    "the MILP formulation reduced is offered for at most 60 icebergs, not for 61");
     }
 
-    void whyNot()
+    void unsupportedProblemsAreNamed()
     {
         QFETCH(Formulation, formulation);
         QFETCH(int, icebergs);
         QFETCH(QString, reason);
         const TvpProblem problem = randomProblem(1, icebergs, 1, Route::Open);
         const CbcSolver solver(formulation);
-        const std::optional<IssueReason> why = solver.whyNot(problem);
+        const std::optional<IssueReason> why = solver.unsupportedReason(problem);
         QCOMPARE(why.has_value(), !reason.isEmpty());
         if (!why)
             return;

@@ -24,7 +24,7 @@ VisitOrder shuffled(int icebergs, std::uint64_t seed)
     return order;
 }
 
-/** Reports of a solve, and what is wrong with them given the optimum; empty when nothing is. */
+/** Reports of a solve, and their fault given the optimum; empty if there is none. */
 class Reports
 {
 public:
@@ -65,7 +65,7 @@ private:
 
 } // namespace
 
-/** What is particular to this back end; the rest is in the conformance suite. */
+/** Properties of this back end; the conformance suite tests the common ones. */
 class TestExactSolver : public QObject
 {
     Q_OBJECT
@@ -73,7 +73,7 @@ class TestExactSolver : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    /** Two sizes that both methods can do: they never see each other's answer. */
+    /** Two sizes for both methods, which never see each other's answer. */
     void agreesWithDynamicProgramming_data()
     {
         QTest::addColumn<int>("icebergs");
@@ -100,7 +100,7 @@ private slots:
         }
     }
 
-    /** Where the one method hands over to the other. */
+    /** Tests the size at which one method takes over from the other. */
     void usesTheFasterMethod()
     {
         const auto work = [](int icebergs, const SolveOptions& options) {
@@ -110,7 +110,7 @@ private slots:
         };
         QCOMPARE(work(14, {}), SubsetSolver::workFor(14));
         QVERIFY(work(15, {}) < SubsetSolver::workFor(15));
-        // A table that the limits do not allow is not begun with.
+        // A table that the limits do not allow is not begun.
         SolveOptions options;
         options.memoryLimit_bytes = SubsetSolver::bytesFor(14) - 1;
         QVERIFY(work(14, options) != SubsetSolver::workFor(14));
@@ -125,7 +125,7 @@ private slots:
     /** Any number of icebergs is a sort without distances; proofs have their limit. */
     void refusesWhatItCannotProve()
     {
-        QVERIFY(!ExactSolver().whyNot(test::randomProblem(1, 127, 1, Route::Open)));
+        QVERIFY(!ExactSolver().unsupportedReason(test::randomProblem(1, 127, 1, Route::Open)));
         const TvpProblem large = test::randomProblem(1, 128, 1, Route::Open);
         const SolveOutcome outcome = ExactSolver().solve(large, {});
         QVERIFY(outcome.reason == StopReason::Unable);
@@ -146,7 +146,7 @@ private slots:
                 QTest::addRow("tau %g, %s", tau, closed ? "closed, wind" : "open") << tau << closed;
     }
 
-    /** No other method proves this size, so the bound is held against better and better limits. */
+    /** No other method proves this size, so the bound is compared with increasing limits. */
     void provesFortyIcebergs()
     {
         QFETCH(double, tau);
@@ -165,7 +165,7 @@ private slots:
         QVERIFY(bounded != reports.all().end());
         QVERIFY(bounded->objective > outcome.objective || bounded->bound < outcome.objective);
 
-        // From another start: the same optimum.
+        // Another start gives the same optimum.
         options = {};
         options.hint = {shuffled(40, 1)};
         const SolveOutcome hinted = ExactSolver().solve(problem, options);
@@ -174,7 +174,7 @@ private slots:
                      kProven * (outcome.objective + objectiveShift(problem)));
     }
 
-    void difficultProblems_data()
+    void difficultProblemsAreProven_data()
     {
         QTest::addColumn<int>("oddity");
         QTest::addColumn<bool>("closed");
@@ -185,8 +185,8 @@ private slots:
         QTest::newRow("grid") << static_cast<int>(test::Oddity::Grid) << true;
     }
 
-    /** Ties and the like do not make it take forever: two hundred times the usual work. */
-    void difficultProblems()
+    /** Ties and the like do not take forever: two hundred times the usual work is the limit. */
+    void difficultProblemsAreProven()
     {
         QFETCH(int, oddity);
         QFETCH(bool, closed);
@@ -198,8 +198,8 @@ private slots:
         QVERIFY(ExactSolver().solve(problem, options).status == SolveStatus::Optimal);
     }
 
-    /** Wherever the work limit cuts: bounds and orders that are true, and the same each time. */
-    void anyWorkLimit()
+    /** At any work limit bounds and orders are valid, and repeat. */
+    void anyWorkLimitLeavesValidAnswers()
     {
         for (const int number : {3, 20, 40, 64}) {
             const TvpProblem problem = test::variedProblem(17, number);
@@ -234,7 +234,7 @@ private slots:
         }
     }
 
-    /** Cancelled at any of its reports it ends there, with what it reported. */
+    /** A solve cancelled at any of its reports ends there, with the result it reported. */
     void cancelledAtAnyReport()
     {
         const TvpProblem problem = test::randomProblem(5, 36, 3, Route::Closed, true);
@@ -257,13 +257,13 @@ private slots:
             QCOMPARE(outcome.objective, last.objective);
             QVERIFY(outcome.bound == last.bound);
             QVERIFY(outcome.bound.value_or(optimum) <= optimum);
-            QVERIFY(reports <= atReport + 1); // what it had when it noticed
+            QVERIFY(reports <= atReport + 1); // the result at the time of the stop
             QVERIFY(atReport < 1000);
         }
     }
 
-    /** Less memory, less of a proof, but a valid bound at every limit. */
-    void memoryLimit()
+    /** Less memory proves less, but the bound is valid at every limit. */
+    void memoryLimitLeavesAValidBound()
     {
         const TvpProblem problem = test::randomProblem(6, 40, 3, Route::Open);
         const double optimum = ExactSolver().solve(problem, {}).objective;

@@ -102,7 +102,7 @@ private slots:
         }
     }
 
-    /** No self-loop, no subtour, no repeated position: nothing but the n! orders is feasible. */
+    /** There is no self-loop, no subtour, no repeated position: only the n! orders are feasible. */
     void onlyOrdersAreFeasible_data()
     {
         QTest::addColumn<bool>("printed");
@@ -145,14 +145,14 @@ private slots:
         COMPARE_NEAR(best, bruteForce(problem).objective, roundingOf(problem, best));
     }
 
-    void sizes()
+    void modelsHaveTheirSizes()
     {
         const TvpProblem problem = randomProblem(1, 20, 1, Route::Open);
         QCOMPARE(printedModel(problem).columns.size(), std::size_t{21 * 21 + 21});
         QCOMPARE(positionModel(problem).columns.size(), std::size_t{20 + 19 * 20 * 19});
     }
 
-    /** With the arcs of two orders, those two are what is feasible. */
+    /** With the arcs of two orders, only those two are feasible. */
     void fewerArcsFewerOrders()
     {
         const TvpProblem problem = randomProblem(2, 4, 1, Route::Closed);
@@ -202,7 +202,7 @@ private slots:
         const std::vector<double> nothing(model.columns.size(), 0.0);
         QVERIFY(decode(model, nothing).empty());
 
-        // 0 -> 1 -> 2 and, apart from it, 3 -> 4 -> 3.
+        // The arcs are 0 -> 1 -> 2 and, separately, 3 -> 4 -> 3.
         std::vector<double> subtour = nothing;
         for (std::size_t c = 0; c < model.arcs.size(); ++c) {
             const int arc = 10 * model.arcs[c].from + model.arcs[c].to;

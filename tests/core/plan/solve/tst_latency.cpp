@@ -13,11 +13,11 @@ using berg::test::ascending;
 
 namespace {
 
-/** Of proofs, relative to the cost; and of sums of some hundred terms. */
+/** Margin of proofs, relative to the cost, and of sums of some hundred terms. */
 constexpr double kProof = 2e-9;
 constexpr double kRounding = 1e-11;
 
-/** All a solve without proof may say of a problem with this optimum. */
+/** Returns whether a solve without proof claims nothing false about a problem with this optimum. */
 bool isHonest(const TvpProblem& problem, const SolveOutcome& outcome, double optimum)
 {
     return isVisitOrder(problem, outcome.order()) &&
@@ -58,7 +58,8 @@ private slots:
                            .route = Route::Closed,
                            .criterion = Criterion::Latency};
         problem.distance_m << 0, 10, 40, 1000, 0, 20, 1000, 30, 0;
-        // Reached after 10 and 30 m; after 40 and 70 m. The way back costs nothing.
+        // The icebergs are reached after 10 and 30 m, or after 40 and 70 m. The return leg costs
+        // nothing.
         QCOMPARE(objective(problem, VisitOrder{1, 2}), 0.5 * (2 * 10 + 5 * 30));
         QCOMPARE(objective(problem, VisitOrder{2, 1}), 0.5 * (5 * 40 + 2 * 70));
         QCOMPARE(objectiveShift(problem), 0.0);
@@ -66,7 +67,7 @@ private slots:
         QVERIFY(restrictedTo(problem, VisitOrder{2}).criterion == Criterion::Latency);
     }
 
-    /** By arrival times, by legs, and laid out for the solvers. */
+    /** Computes the objective by arrival times, by legs, and in the layout of the solvers. */
     void threeFormulasAgree()
     {
         for (int k = 0; k < 48; ++k) {
@@ -171,7 +172,7 @@ private slots:
         }
     }
 
-    /** However coarse or early, a bound is a bound. */
+    /** A bound is valid, however coarse or early. */
     void boundsAreBounds()
     {
         for (int k = 0; k < 144; k += 3) {
@@ -202,10 +203,10 @@ private slots:
         QVERIFY(outcome.status == SolveStatus::Feasible);
         QVERIFY(isVisitOrder(problem, outcome.order()));
         QVERIFY(outcome.bound && *outcome.bound > 0 && *outcome.bound < outcome.objective);
-        QVERIFY(makeSolver(Backend::Exact)->whyNot(problem).has_value());
+        QVERIFY(makeSolver(Backend::Exact)->unsupportedReason(problem).has_value());
     }
 
-    /** The same order every time; among equals the smallest numbers first, up to 16 icebergs. */
+    /** The order repeats; among equals the smallest numbers come first, up to 16 icebergs. */
     void tiesAreDeterministic()
     {
         for (const int n : {5, 16, 20}) {
@@ -231,7 +232,7 @@ private slots:
         QCOMPARE(open.objective, closed.objective);
     }
 
-    void limits_data()
+    void limitsAreOutcomes_data()
     {
         QTest::addColumn<int>("reason");
         QTest::newRow("time") << static_cast<int>(StopReason::TimeLimit);
@@ -240,7 +241,7 @@ private slots:
         QTest::newRow("gap") << static_cast<int>(StopReason::GapReached);
         QTest::newRow("cancelled") << static_cast<int>(StopReason::Cancelled);
     }
-    void limits()
+    void limitsAreOutcomes()
     {
         QFETCH(int, reason);
         const auto wanted = static_cast<StopReason>(reason);

@@ -25,14 +25,14 @@ VisitOrder shuffled(int icebergs, std::uint64_t seed)
     return order;
 }
 
-/** What is wrong with a proof from a random order; empty when nothing is. */
+/** Returns the fault of a proof from a random order; empty if there is none. */
 QString faultOfProof(const TvpProblem& problem, double optimum, int number)
 {
     const VisitCosts costs(problem);
     const VisitOrder start = shuffled(problem.icebergCount(), static_cast<std::uint64_t>(number));
     LayeredBoundOptions options{.workLimit = kPlenty};
     if (number % 2 == 1)
-        options.manyArcs = 0; // by way of the gaps that are certified first
+        options.manyArcs = 0; // so that intermediate gaps are certified first
     double last = 0;
     bool monotone = true;
     options.onImproved = [&](const VisitOrder&, double bound) {
@@ -55,7 +55,7 @@ QString faultOfProof(const TvpProblem& problem, double optimum, int number)
     return {};
 }
 
-/** All arcs that the order runs on. */
+/** Returns whether all arcs of the order are there. */
 bool runsOn(const std::vector<MilpArc>& arcs, const VisitOrder& order)
 {
     const auto less = [](const MilpArc& a, const MilpArc& b) {
@@ -80,7 +80,7 @@ class TestLayeredBound : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    /** The proof on its own: no local search, a random order to start from; 1,080 problems. */
+    /** Tests the proof alone: no local search, a random order to start from; 1,080 problems. */
     void agreesWithTryingAllOrders_data()
     {
         QTest::addColumn<int>("icebergs");
@@ -101,7 +101,7 @@ private slots:
         }
     }
 
-    /** The same above what can be tried out; 504 problems. */
+    /** Tests sizes too large to try out all orders; 504 problems. */
     void agreesWithDynamicProgramming_data()
     {
         QTest::addColumn<int>("icebergs");
@@ -121,7 +121,10 @@ private slots:
         }
     }
 
-    /** Any multipliers give valid bounds and a proof; the final ones of before a quicker one. */
+    /**
+     * Any multipliers give valid bounds and a proof; the final ones of an earlier call give a
+     * quicker one.
+     */
     void startsFromMultipliers()
     {
         const TvpProblem problem = test::randomProblem(6, 15, 1, Route::Open);
@@ -145,7 +148,9 @@ private slots:
         COMPARE_NEAR(rough.bound, cold.bound, 3e-9 * cold.bound);
     }
 
-    /** Suggestions are taken when better, their work is counted, and they end with the work. */
+    /**
+     * Suggestions are accepted if better, their work is counted, and they end with the work limit.
+     */
     void takesSuggestions()
     {
         const TvpProblem problem = test::randomProblem(6, 13, 1, Route::Open);
@@ -158,7 +163,7 @@ private slots:
             return OrderSuggestion{work + most == kPlenty ? best : VisitOrder{}, 1000};
         };
         const BoundResult result = improveBound(costs, ascending(13), options);
-        QCOMPARE(asked, 1); // before the gap is looked at
+        QCOMPARE(asked, 1); // before the gap is checked
         QVERIFY(result.order == best);
         QVERIFY(result.work > 1000);
     }
@@ -187,7 +192,7 @@ private slots:
             }
     }
 
-    /** The point of it: next to nothing is left when the order is optimal. */
+    /** The purpose: few arcs remain when the order is optimal. */
     void fewArcsSurvive()
     {
         const TvpProblem problem = test::randomProblem(8, 15, 1, Route::Open);
@@ -196,9 +201,9 @@ private slots:
         const std::vector<MilpArc> arcs = survivingArcs(costs, best, {.workLimit = kPlenty});
         QVERIFY(runsOn(arcs, best));
         QVERIFY(arcs.size() <= 100); // of 2955
-        const std::vector<MilpArc> cut =
-            survivingArcs(costs, best, {.workLimit = kPlenty, .cut = [] { return true; }});
-        QVERIFY(runsOn(cut, best));
+        const std::vector<MilpArc> stoppedArcs =
+            survivingArcs(costs, best, {.workLimit = kPlenty, .isStopped = [] { return true; }});
+        QVERIFY(runsOn(stoppedArcs, best));
     }
 
     void equalCostsAreProvenToo()
@@ -212,7 +217,7 @@ private slots:
         COMPARE_NEAR(result.bound, costs.total(ascending(9)), 1e-8 * result.bound);
     }
 
-    void stopsAtTheGapAskedFor()
+    void stopsAtTheRequestedGap()
     {
         const TvpProblem problem = test::randomProblem(2, 14, 1, Route::Open);
         const VisitCosts costs(problem);
@@ -227,7 +232,7 @@ private slots:
         }
     }
 
-    /** Whenever it is stopped, what it holds is valid, and more work gives no worse bound. */
+    /** Whenever the work ends, the result is valid, and more work gives no worse bound. */
     void anyWorkLimitLeavesABound()
     {
         const TvpProblem problem = test::randomProblem(3, 14, 3, Route::Closed);
@@ -245,7 +250,7 @@ private slots:
         COMPARE_NEAR(last, optimum, 3e-9 * optimum);
     }
 
-    void anyCutLeavesABound()
+    void anyStopLeavesABound()
     {
         const TvpProblem problem = test::randomProblem(3, 14, 3, Route::Closed);
         const VisitCosts costs(problem);
@@ -253,15 +258,15 @@ private slots:
         int allowed = 0;
         for (bool reached = false; !reached; allowed = 2 * allowed + 1) {
             int asked = 0;
-            const BoundResult result =
-                improveBound(costs, ascending(14),
-                             {.workLimit = kPlenty, .cut = [&] { return asked++ >= allowed; }});
+            const BoundResult result = improveBound(
+                costs, ascending(14),
+                {.workLimit = kPlenty, .isStopped = [&] { return asked++ >= allowed; }});
             QVERIFY(isVisitOrder(problem, result.order));
             QVERIFY(result.bound <= optimum * (1 + 1e-12));
             reached = result.reached;
             QVERIFY(reached || asked > allowed);
         }
-        QVERIFY(allowed > 100); // it is asked often
+        QVERIFY(allowed > 100); // the check is called often
     }
 
     void reportsGetBetter()
@@ -285,14 +290,16 @@ private slots:
         QVERIFY(result.bound >= bound);
     }
 
-    /** Too many icebergs for the memory sets: the relaxation without memory only. */
+    /**
+     * With too many icebergs for the memory sets only the relaxation without memory is computed.
+     */
     void boundsLargeProblems()
     {
         const TvpProblem problem = test::randomProblem(5, 140, 1, Route::Open);
         const VisitCosts costs(problem);
         const BoundResult result = improveBound(costs, ascending(140), {.workLimit = 100'000'000});
         QVERIFY(!result.reached);
-        // The largest cost that an order cannot avoid: each iceberg's shortest leg.
+        // No order can avoid each iceberg's shortest leg.
         double shortestLegs = 0;
         for (int j = 1; j <= 140; ++j) {
             double shortest = costs.leg(0, j);

@@ -9,11 +9,13 @@ using namespace berg;
 
 namespace {
 
-/** Costs are some hundreds: far above rounding, far below a difference between orders. */
+/**
+ * Costs are some hundreds, so this is far above rounding and far below a difference between orders.
+ */
 constexpr double kRounding = 1e-9;
 
-/** Multipliers as an ascent might leave them: of the size of the costs, in no order. */
-Multipliers roughPrices(const VisitCosts& costs, double cutoff, std::uint64_t seed)
+/** Returns multipliers like those of an ascent: of the size of the costs, in no order. */
+Multipliers roughMultipliers(const VisitCosts& costs, double cutoff, std::uint64_t seed)
 {
     Random random(seed);
     Eigen::VectorXd lambda = Eigen::VectorXd::Zero(costs.icebergs + 1);
@@ -33,7 +35,7 @@ std::vector<VisitOrder> allOrders(int icebergs)
     return all;
 }
 
-/** True when the order is a path of the graph. */
+/** Returns whether the order is a path of the graph. */
 bool holds(const LayeredGraph<VisitCosts>& graph, const VisitOrder& order)
 {
     int node = 0;
@@ -48,7 +50,7 @@ bool holds(const LayeredGraph<VisitCosts>& graph, const VisitOrder& order)
     return true;
 }
 
-/** Every iceberg remembers all others: what is left has no cycles. */
+/** Every iceberg remembers all others, so no cycles are left. */
 NgSets fullMemory(int icebergs)
 {
     NgSets sets(icebergs);
@@ -116,7 +118,7 @@ private slots:
                         << closed << asymmetric << tau;
     }
 
-    /** A bound is a bound at any multipliers; both ways to compute it agree. */
+    /** A bound is valid at any multipliers; both methods to compute it agree. */
     void boundsAreBelowEveryOrder_data() { problems_data(); }
     void boundsAreBelowEveryOrder()
     {
@@ -125,7 +127,7 @@ private slots:
         for (const VisitOrder& order : allOrders(7))
             optimum = std::min(optimum, costs.total(order));
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-            const Multipliers multipliers = roughPrices(costs, 10 * optimum, seed);
+            const Multipliers multipliers = roughMultipliers(costs, 10 * optimum, seed);
             LayeredPaths paths(costs);
             const double plain = paths.sweep(multipliers, {});
             QVERIFY(plain <= optimum + kRounding);
@@ -152,7 +154,7 @@ private slots:
         const TvpProblem problem = fetched(6);
         const VisitCosts costs(problem);
         const double optimum = test::bruteForce(problem).objective + objectiveShift(problem);
-        const Multipliers multipliers = roughPrices(costs, 10 * optimum, 3);
+        const Multipliers multipliers = roughMultipliers(costs, 10 * optimum, 3);
         LayeredPaths paths(costs);
         (void)paths.sweep(multipliers, {});
         LayeredGraph graph(costs, paths, multipliers);
@@ -177,7 +179,7 @@ private slots:
         for (const std::size_t wanted : {1U, 5U, 40U, 300U}) {
             const double cutoff =
                 (costs.total(orders[wanted - 1]) + costs.total(orders[wanted])) / 2;
-            Multipliers multipliers = roughPrices(costs, cutoff, wanted);
+            Multipliers multipliers = roughMultipliers(costs, cutoff, wanted);
             LayeredPaths paths(costs);
             (void)paths.sweep(multipliers, {});
             LayeredGraph graph(costs, paths, multipliers);
@@ -188,7 +190,7 @@ private slots:
             };
             QVERIFY(allHeld(graph));
             for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-                multipliers = roughPrices(costs, cutoff, 100 * seed);
+                multipliers = roughMultipliers(costs, cutoff, 100 * seed);
                 (void)graph.sweep(multipliers);
                 const std::int64_t before = graph.arcCount();
                 QVERIFY(graph.trim(multipliers, {}));
@@ -206,21 +208,21 @@ private slots:
         }
     }
 
-    /** The point of deleting: at good multipliers little is left. */
-    void deletesWhatIsTooDear()
+    /** The purpose of deletion: at good multipliers little is left. */
+    void deletesWhatIsTooCostly()
     {
         const TvpProblem problem = test::randomProblem(5, 8, 1, Route::Open);
         const VisitCosts costs(problem);
         const double optimum = test::bruteForce(problem).objective + objectiveShift(problem);
-        Multipliers multipliers = roughPrices(costs, 10 * optimum, 1);
+        Multipliers multipliers = roughMultipliers(costs, 10 * optimum, 1);
         LayeredPaths paths(costs);
         (void)paths.sweep(multipliers, {});
         LayeredGraph graph(costs, paths, multipliers);
         (void)graph.sweep(multipliers);
         graph = graph.refined(fullMemory(8), multipliers, {}, {}).graph.value();
 
-        // All memory: at any multipliers the shortest path is the optimum, so a cutoff just
-        // above it leaves that path alone, one below it nothing.
+        // With full memory the shortest path is the optimum at any multipliers, so a cutoff just
+        // above it leaves that path alone, and one below it nothing.
         multipliers.cutoff = optimum * (1 + 1e-6);
         (void)graph.sweep(multipliers);
         QVERIFY(graph.trim(multipliers, {}));
@@ -240,7 +242,7 @@ private slots:
         const TvpProblem problem = fetched(7);
         const VisitCosts costs(problem);
         const double optimum = test::bruteForce(problem).objective + objectiveShift(problem);
-        Multipliers multipliers = roughPrices(costs, 1.2 * optimum, 2);
+        Multipliers multipliers = roughMultipliers(costs, 1.2 * optimum, 2);
         LayeredPaths paths(costs);
         (void)paths.sweep(multipliers, {});
         LayeredGraph graph(costs, paths, multipliers);
@@ -249,7 +251,7 @@ private slots:
         COMPARE_NEAR(found.bound, optimum, kRounding);
         COMPARE_NEAR(costs.total(found.order), optimum, kRounding);
 
-        // Nothing is cheaper than the cutoff.
+        // No order is cheaper than the cutoff.
         multipliers.cutoff = 0.99 * optimum;
         const GraphSearchResult nothing = searchGraph(graph, multipliers, {.mostStates = 100'000});
         QCOMPARE(nothing.bound, std::numeric_limits<double>::infinity());
@@ -262,7 +264,7 @@ private slots:
         const TvpProblem problem = fetched(8);
         const VisitCosts costs(problem);
         const double optimum = test::bruteForce(problem).objective + objectiveShift(problem);
-        const Multipliers multipliers = roughPrices(costs, 2 * optimum, 4);
+        const Multipliers multipliers = roughMultipliers(costs, 2 * optimum, 4);
         LayeredPaths paths(costs);
         (void)paths.sweep(multipliers, {});
         LayeredGraph graph(costs, paths, multipliers);
@@ -275,19 +277,20 @@ private slots:
         }
     }
 
-    void stopsWhenCut()
+    void stopsWhenAsked()
     {
         const VisitCosts costs(test::randomProblem(5, 8, 1, Route::Open));
-        const Multipliers multipliers = roughPrices(costs, 1e6, 1);
-        const CutQuestion cut = [] { return true; };
+        const Multipliers multipliers = roughMultipliers(costs, 1e6, 1);
+        const StopCheck isStopped = [] { return true; };
         LayeredPaths paths(costs);
-        QCOMPARE(paths.sweep(multipliers, cut), -std::numeric_limits<double>::infinity());
+        QCOMPARE(paths.sweep(multipliers, isStopped), -std::numeric_limits<double>::infinity());
         (void)paths.sweep(multipliers, {});
         LayeredGraph graph(costs, paths, multipliers);
         (void)graph.sweep(multipliers);
-        QCOMPARE(graph.sweep(multipliers, cut), -std::numeric_limits<double>::infinity());
+        QCOMPARE(graph.sweep(multipliers, isStopped), -std::numeric_limits<double>::infinity());
         (void)graph.sweep(multipliers);
-        const Refinement<VisitCosts> whenCut = graph.refined(fullMemory(8), multipliers, {}, cut);
+        const Refinement<VisitCosts> whenCut =
+            graph.refined(fullMemory(8), multipliers, {}, isStopped);
         QVERIFY(!whenCut.graph && !whenCut.memoryOut);
         const Refinement<VisitCosts> manyArcs =
             graph.refined(fullMemory(8), multipliers, {.arcs = 100}, {});
@@ -296,10 +299,10 @@ private slots:
             graph.refined(fullMemory(8), multipliers, {.bytes = 1000}, {});
         QVERIFY(!large.graph && large.memoryOut);
         const GraphSearchResult found =
-            searchGraph(graph, multipliers, {.mostStates = 10, .cut = cut});
+            searchGraph(graph, multipliers, {.mostStates = 10, .isStopped = isStopped});
         QCOMPARE(found.bound, -std::numeric_limits<double>::infinity());
         QVERIFY(found.order.empty());
-        QVERIFY(!graph.trim(multipliers, cut));
+        QVERIFY(!graph.trim(multipliers, isStopped));
     }
 
 private:

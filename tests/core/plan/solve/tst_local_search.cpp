@@ -19,7 +19,7 @@ double gapOf(const TvpProblem& problem, const SolveOutcome& outcome)
 
 } // namespace
 
-/** What is particular to this back end; the rest is in the conformance suite. */
+/** Properties of this back end; the conformance suite tests the common ones. */
 class TestLocalSearch : public QObject
 {
     Q_OBJECT
@@ -27,7 +27,7 @@ class TestLocalSearch : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    /** 18 icebergs: what it proves is the optimum of the dynamic programme. */
+    /** With 18 icebergs it proves the optimum of the dynamic programme. */
     void provesMiddlingProblems_data() { test::addProblemRows(); }
     void provesMiddlingProblems()
     {
@@ -40,7 +40,7 @@ private slots:
         COMPARE_NEAR(outcome.objective, exact.objective, 2e-9 * scale); // the proof's margin
     }
 
-    /** The size that planning has to be good at. */
+    /** Planning must be good at this size. */
     void certifiesFortyIcebergs_data() { test::addProblemRows(); }
     void certifiesFortyIcebergs()
     {
@@ -50,7 +50,7 @@ private slots:
         QVERIFY(outcome.status == SolveStatus::Optimal || gapOf(problem, outcome) > 0);
     }
 
-    /** Work ends it where the time of an impatient caller would, but the same each time. */
+    /** The work limit ends it after about a second, but always at the same result. */
     void endsByItself()
     {
         const TvpProblem problem = test::randomProblem(35, 100, 3, Route::Open);
@@ -59,10 +59,10 @@ private slots:
         QVERIFY(outcome.status == SolveStatus::Feasible);
         QVERIFY(outcome.reason == StopReason::Finished);
         QVERIFY(gapOf(problem, outcome) <= 0.05);
-        // Limits are looked at between sweeps and rounds.
+        // Limits are checked between sweeps and rounds.
         QVERIFY(outcome.work <= 1'000'000'000);
 
-        options.workLimit = 10 * outcome.work; // a limit, not a wish
+        options.workLimit = 10 * outcome.work; // a limit, not a target
         const SolveOutcome again = LocalSearch().solve(problem, options);
         QCOMPARE(again.work, outcome.work);
         QVERIFY(again.plan == outcome.plan);
@@ -76,7 +76,7 @@ private slots:
         QVERIFY(less.bound.value() <= outcome.bound.value());
     }
 
-    /** A re-plan: a small part of the work, the same each time, and a gap all the same. */
+    /** A re-plan does a small part of the work, repeats, and has a gap. */
     void endsSoonInFlight_data()
     {
         QTest::addColumn<int>("icebergs");
@@ -107,7 +107,7 @@ private slots:
         QVERIFY(again.multipliers == next.multipliers);
     }
 
-    /** Whatever the multipliers are worth, what is proven with them is the optimum. */
+    /** With any multipliers, a proof finds the optimum. */
     void provesWithAnyMultipliers_data()
     {
         QTest::addColumn<double>("multiplier");
@@ -145,7 +145,10 @@ private slots:
         QVERIFY(gap <= 0.05 + 1e-12);
     }
 
-    /** First an order without bound, then better ones, then bounds; the last is the answer. */
+    /**
+     * The first report has an order without bound, then better ones and bounds follow; the last is
+     * the answer.
+     */
     void reportsGetBetter()
     {
         const TvpProblem problem = test::randomProblem(37, 30, 1, Route::Closed);
@@ -168,7 +171,7 @@ private slots:
         QVERIFY(reports.back().bound.has_value());
     }
 
-    /** Cancelled at any of its reports, it hands back the order reported last. */
+    /** A solve cancelled at any of its reports returns the order reported last. */
     void keepsTheOrderInHandWhenCancelled_data()
     {
         QTest::addColumn<int>("atReport");
@@ -194,7 +197,7 @@ private slots:
         QVERIFY(outcome.status == SolveStatus::Feasible);
         QVERIFY(outcome.reason == StopReason::Cancelled);
         QCOMPARE(outcome.objective, reported);
-        QVERIFY(reports <= atReport + 1); // what it had when it noticed
+        QVERIFY(reports <= atReport + 1); // the result at the time of the stop
     }
 
     void noTimeStillGivesAnOrder()
@@ -214,7 +217,7 @@ private slots:
         const TvpProblem problem = test::randomProblem(40, 16, 1, Route::Open);
         const VisitOrder best = ExactSolver().solve(problem, {}).order();
         SolveOptions options;
-        options.timeLimit_s = 0; // nothing but the hint is looked at
+        options.timeLimit_s = 0; // only the hint is used
         options.hint = {best};
         const SolveOutcome outcome = LocalSearch().solve(problem, options);
         QVERIFY(outcome.order() == best);
@@ -230,12 +233,12 @@ private slots:
         QVERIFY(outcome.order() == sigmaOrder(problem));
     }
 
-    /** Sizes around those where the method changes, and the largest that are meant to work. */
+    /** Tests sizes around those where the method changes, and the largest supported ones. */
     void worksForManyIcebergs_data()
     {
         QTest::addColumn<int>("icebergs");
         QTest::addColumn<double>("gap");
-        // Gaps: twice to four times what was measured when this was written.
+        // The allowed gaps are two to four times the measured ones.
         QTest::newRow("127: the last size with memory") << 127 << 0.1;
         QTest::newRow("128: the first without") << 128 << 0.2;
         QTest::newRow("500") << 500 << 0.5;

@@ -38,7 +38,7 @@ private slots:
         } while (std::next_permutation(order.begin(), order.end()));
     }
 
-    /** 0 -> 1 -> 2 -> 1 is a path of the layered network; going straight back is what is cut. */
+    /** 0 -> 1 -> 2 -> 1 is a path of the layered network; the cut excludes going straight back. */
     void goingStraightBackIsCut()
     {
         const MilpModel model = positionModel(randomProblem(1, 3, 1, Route::Open));
@@ -84,7 +84,7 @@ private slots:
         }
     }
 
-    /** Nothing to gain anywhere: the order stays as it is, ties in the mean by node number. */
+    /** No move gains anything: the order stays, ties in the mean by node number. */
     void tiesKeepTheOrder()
     {
         TvpProblem problem = randomProblem(2, 5, 1, Route::Open);

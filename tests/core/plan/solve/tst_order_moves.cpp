@@ -83,7 +83,7 @@ private slots:
         }
     }
 
-    /** Every delta is the difference of the costs before and after, counted anew. */
+    /** Every delta is the difference of the costs before and after, computed independently. */
     void deltasAreDifferencesOfCost_data() { problems_data(); }
     void deltasAreDifferencesOfCost()
     {
@@ -106,7 +106,7 @@ private slots:
         }
     }
 
-    /** Of the moves with an end of the piece, or a partner, at the position. */
+    /** Finds the best move among those with an end of the piece, or a partner, at the position. */
     void findsTheBestMove_data() { problems_data(); }
     void findsTheBestMove()
     {
@@ -164,7 +164,7 @@ private slots:
         QVERIFY(moves.order() == result);
     }
 
-    /** The diagonal of a problem may hold anything, the way back is free when open. */
+    /** The diagonal of a problem may hold anything; the return leg is free on open routes. */
     void legsHoldWhatIsFlown()
     {
         TvpProblem problem = test::randomProblem(2, 4, 1, Route::Open);

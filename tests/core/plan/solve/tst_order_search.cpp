@@ -50,7 +50,7 @@ private slots:
         int improving = 0;
         for (int position = 1; position <= 60; ++position)
             improving += moves.bestMoveAt(position).delta < -1e-9 * costs.total(search.best());
-        // Icebergs are not looked at again as long as their neighbours stay: a few may be missed.
+        // Icebergs are not examined again while their neighbours stay: a few moves may be missed.
         QVERIFY2(improving <= 6, QByteArray::number(improving).constData());
     }
 
@@ -62,17 +62,17 @@ private slots:
         QVERIFY(search.best().empty());
         VisitOrder order(12);
         std::iota(order.begin(), order.end(), 1);
-        search.take(order);
+        search.accept(order);
         QVERIFY(search.best() == order);
         search.descend();
         const VisitOrder best = search.best();
         QVERIFY(costs.total(best) < costs.total(order));
-        search.take(order);
+        search.accept(order);
         search.startGreedily();
         QVERIFY(costs.total(search.best()) <= costs.total(best));
     }
 
-    /** Ended by its limit or by a cut it keeps what it has, and the limit is the same each time. */
+    /** If its limit or a stop ends the search it keeps its result, and the limit repeats. */
     void keepsToTheEffort()
     {
         const TvpProblem problem = test::randomProblem(36, 40, 1, Route::Open);
@@ -81,7 +81,7 @@ private slots:
         for (std::int64_t limit = 1; limit < 10'000'000; limit *= 3) {
             VisitOrder first;
             for (int repeat = 0; repeat < 2; ++repeat) {
-                SearchEffort effort{.cut = {}, .limit = limit};
+                SearchEffort effort{.isStopped = {}, .limit = limit};
                 OrderSearch search(costs, effort);
                 search.startGreedily();
                 search.descend();
@@ -89,7 +89,7 @@ private slots:
                 search.disturb(100'000);
                 QVERIFY(isVisitOrder(problem, search.best()));
                 QVERIFY(effort.spent());
-                QVERIFY(effort.work < limit + 20'000); // one look, and one greedy order
+                QVERIFY(effort.work < limit + 20'000); // one iceberg examined, and one greedy order
                 QVERIFY(repeat == 0 || search.best() == first);
                 first = search.best();
             }
@@ -97,7 +97,7 @@ private slots:
             last = costs.total(first);
         }
         int asked = 0;
-        SearchEffort effort{.cut = [&asked] { return ++asked > 20; }};
+        SearchEffort effort{.isStopped = [&asked] { return ++asked > 20; }};
         OrderSearch search(costs, effort);
         search.startGreedily();
         search.disturb(100'000);

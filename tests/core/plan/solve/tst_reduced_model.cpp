@@ -14,13 +14,13 @@ using namespace berg::test;
 
 namespace {
 
-/** Whether every arc of the order has its column. */
+/** Returns whether every arc of the order has its column. */
 bool holds(const MilpModel& milp, const VisitOrder& order)
 {
     return decode(milp, encode(milp, order)) == order;
 }
 
-/** All but rounding of the cost that is never negative, sum(sigma t) + mu D. */
+/** Returns the rounding of the cost that is never negative, sum(sigma t) + mu D. */
 double roundingOf(const TvpProblem& problem, double objective)
 {
     return 1e-12 * (std::abs(objective) + objectiveShift(problem));
@@ -89,7 +89,10 @@ private slots:
         }
     }
 
-    /** All orders cost 0, and a relative margin is none: what is kept must still be solvable. */
+    /**
+     * All orders cost 0, so a relative margin has no effect: the remaining model must still be
+     * solvable.
+     */
     void withoutAnyCostTheIncumbentIsKept()
     {
         TvpProblem problem = randomProblem(32, 6, 0, Route::Open);
@@ -108,7 +111,7 @@ private slots:
         }
     }
 
-    /** The point of it: a small part of the columns. */
+    /** The purpose: a small part of the columns remains. */
     void keepsFewColumns()
     {
         for (const std::uint64_t seed : {1U, 2U, 3U}) {

@@ -10,7 +10,7 @@ using berg::test::ascending;
 
 namespace {
 
-/** The order of the node numbers. */
+/** Returns the order of the node numbers. */
 /** All legs and all sigmas alike: every order costs the same. */
 TvpProblem indifferent(int icebergs)
 {
@@ -27,7 +27,7 @@ TvpProblem indifferent(int icebergs)
 
 } // namespace
 
-/** What is particular to this back end; the rest is in the conformance suite. */
+/** Properties of this back end; the conformance suite tests the common ones. */
 class TestSubsetSolver : public QObject
 {
     Q_OBJECT
@@ -59,7 +59,7 @@ private slots:
         }
     }
 
-    /** 20 icebergs is the most; nobody tries all orders, so it is held against itself. */
+    /** 20 icebergs are too many to try out all orders, so the result is compared with itself. */
     void largestSizeIsConsistent()
     {
         TvpProblem problem = test::randomProblem(3, 20, 1, Route::Open);
@@ -80,12 +80,12 @@ private slots:
     void refusesWhatDoesNotFit()
     {
         const TvpProblem problem = test::randomProblem(1, 21, 1, Route::Open);
-        QVERIFY(SubsetSolver().whyNot(problem).has_value());
+        QVERIFY(SubsetSolver().unsupportedReason(problem).has_value());
         const SolveOutcome outcome = SubsetSolver().solve(problem, {});
         QVERIFY(outcome.status == SolveStatus::None);
         QVERIFY(outcome.reason == StopReason::Unable);
         QVERIFY(!outcome.detail.empty());
-        QVERIFY(!SubsetSolver().whyNot(test::randomProblem(1, 20, 1, Route::Open)));
+        QVERIFY(!SubsetSolver().unsupportedReason(test::randomProblem(1, 20, 1, Route::Open)));
     }
 
     void tiesGoToTheSmallestNumbers()
@@ -108,10 +108,10 @@ private slots:
         QVERIFY(reports[1].plan.front() == outcome.order());
         QCOMPARE(reports[1].bound.value(), outcome.objective);
         QCOMPARE(reports[1].objective, outcome.objective);
-        QVERIFY(!outcome.hintUsed); // the optimum owes nothing to it
+        QVERIFY(!outcome.hintUsed); // the optimum does not come from the hint
     }
 
-    void cutShort_data()
+    void limitsLeaveTheHint_data()
     {
         QTest::addColumn<int>("reason");
         QTest::addColumn<bool>("hinted");
@@ -128,7 +128,7 @@ private slots:
         }
     }
 
-    void cutShort()
+    void limitsLeaveTheHint()
     {
         QFETCH(int, reason);
         QFETCH(bool, hinted);

@@ -99,8 +99,8 @@ private slots:
         QVERIFY(!weight.distanceOnly);
     }
 
-    /** One iceberg: F1max = sigma, D_est = mean of the two ways. */
-    void oneIceberg()
+    /** With one iceberg F1max = sigma and D_est = mean of both directions. */
+    void oneIcebergByHand()
     {
         TvpProblem problem{
             .distance_m = Eigen::MatrixXd(2, 2), .sigma_m2 = {0, 4}, .mu = 0, .route = {}};

@@ -101,7 +101,7 @@ private slots:
         QCOMPARE(relativeGap(problem, 0, -1), 0.0);
     }
 
-    /** The same objective by an independently written formula, over all orders. */
+    /** Compares the objective with an independently written formula, over all orders. */
     void objectiveAgreesWithVisitingNumbers_data()
     {
         QTest::addColumn<bool>("closed");
@@ -179,9 +179,9 @@ private slots:
         problem.distance_m.diagonal().setConstant(kNan); // ignored
         QVERIFY(validate(problem).empty());
         QVERIFY(validate(test::randomProblem(1, 0, 1, Route::Open)).empty());
-        problem.mu = 1e-320; // beside sigma no leg counts then
+        problem.mu = 1e-320; // then legs cost nothing beside sigma
         QVERIFY(validate(problem).empty());
-        problem.mu = 1e300; // factors are free as long as the product is in order
+        problem.mu = 1e300; // factors are free as long as the product is in range
         problem.distance_m *= 1e-300;
         QVERIFY(validate(problem).empty());
     }

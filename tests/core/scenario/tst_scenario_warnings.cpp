@@ -1,5 +1,5 @@
-#include "core/scenario/advice.h"
 #include "core/scenario/presets.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/scenario/validate.h"
 #include "tests/support/random_scenario.h"
 #include "tests/support/scenario_builder.h"
@@ -15,7 +15,7 @@ namespace {
 
 using Change = std::function<void(Scenario&)>;
 
-/** A change that leads to exactly one finding, and a slighter one that leads to none. */
+/** A change that causes exactly one finding, and a smaller one that causes none. */
 struct Case
 {
     const char* name;
@@ -47,7 +47,7 @@ Iceberg& tracked(Scenario& s, double begin_m, double end_s)
     return s.icebergs[0];
 }
 
-/** As the first, so far ahead of it and so much higher. */
+/** Adds a UAV like the first, `ahead_m` ahead and `above_m` higher. */
 Uav& addUav(Scenario& s, double ahead_m, double above_m)
 {
     Uav uav = s.uavs[0];
@@ -158,7 +158,7 @@ const std::vector<Case>& cases()
         {"out of reach by current",
          [](S& s) {
              s.icebergs[1].position_m = {22400, 0};
-             s.icebergs[1].appears_s = 900; // by then nothing has moved it
+             s.icebergs[1].appears_s = 900; // too late to have drifted
              s.icebergs[1].position_m.x() = 22500;
              s.current_mps = {0.5, 0};
          },
@@ -232,7 +232,7 @@ const std::vector<Case>& cases()
     return all;
 }
 
-/** What there is to say besides that the area is no border yet. */
+/** Returns the findings other than the hint that the area is no fence. */
 std::vector<Issue> adviceInArea(Scenario scenario, double half_m)
 {
     scenario.area_m = square(half_m);
@@ -255,13 +255,13 @@ class TestAdvice : public QObject
 private slots:
     void calmSeaNeedsNone() { QVERIFY(validate(calmSea()).empty()); }
 
-    void oneFinding_data()
+    void faultGivesExactlyOneFinding_data()
     {
         QTest::addColumn<int>("row");
         for (std::size_t i = 0; i < cases().size(); ++i)
             QTest::newRow(cases()[i].name) << static_cast<int>(i);
     }
-    void oneFinding()
+    void faultGivesExactlyOneFinding()
     {
         QFETCH(const int, row);
         const Case& expected = cases()[static_cast<std::size_t>(row)];
@@ -278,7 +278,7 @@ private slots:
             QVERIFY2(issue.reason.id != expected.id, issue.field.c_str());
     }
 
-    /** 55 s for each other UAV of the layer. */
+    /** The reserve must cover 55 s for each other UAV of the layer. */
     void reserveForWaiting()
     {
         Scenario s = calmSea();
@@ -286,7 +286,8 @@ private slots:
         s.uavs[1].spec.reserve_s = 54;
         QVERIFY(isOne(validate(s), Issue{Severity::Warning,
                                          "uavs[1].endurance_s",
-                                         {.id = IssueId::CrowdedReturn, .arguments = {55.0}}}));
+                                         {.id = IssueId::CrowdedReturn,
+                                          .arguments = {Amount{55, Quantity::Seconds}}}}));
         Scenario enough = s;
         enough.uavs[1].spec.reserve_s = 55;
         QVERIFY(validate(enough).empty());
@@ -298,7 +299,7 @@ private slots:
         QVERIFY(validate(free).empty());
     }
 
-    void area()
+    void icebergsOutsideTheAreaAreReported()
     {
         Scenario s = calmSea();
         QVERIFY(adviceInArea(s, 2100).empty());
@@ -318,7 +319,7 @@ private slots:
         QVERIFY(
             isOne(adviceInArea(s, 2250),
                   Issue{Severity::Hint, "icebergs[1].velocity_mps", {.id = IssueId::LeavesArea}}));
-        s.icebergs[1].appears_s = 1001; // never comes
+        s.icebergs[1].appears_s = 1001; // after the end of the run
         QVERIFY(!adviceInArea(s, 2100).empty());
         for (const Issue& issue : adviceInArea(s, 2100))
             QVERIFY(issue.reason.id != IssueId::LeavesArea);
@@ -483,9 +484,9 @@ private slots:
     {
         AnyScenario any(3);
         for (int i = 0; i < 300; ++i)
-            QVERIFY(!hasErrors(advice(any.draw())));
+            QVERIFY(!hasErrors(scenarioWarnings(any.draw())));
     }
 };
 
 QTEST_APPLESS_MAIN(TestAdvice)
-#include "tst_advice.moc"
+#include "tst_scenario_warnings.moc"

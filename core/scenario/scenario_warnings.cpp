@@ -1,13 +1,13 @@
-#include "core/scenario/advice.h"
+#include "core/scenario/scenario_warnings.h"
 
 #include "core/base/angles.h"
 #include "core/plan/solve/engine.h"
 #include "core/scenario/airspace.h"
-#include "core/scenario/checks.h"
 #include "core/scenario/drift_advice.h"
 #include "core/scenario/fence.h"
 #include "core/scenario/findings.h"
 #include "core/scenario/recovery.h"
+#include "core/scenario/text_checks.h"
 #include "core/scenario/weather.h"
 #include "core/vehicle/safety_guard.h"
 
@@ -20,16 +20,16 @@ namespace berg {
 namespace {
 
 /**
- * Of 100 returns to one pad 99 wait less than so long for each other UAV of the layer; measured
+ * 99 of 100 returns to one pad wait less than this time for each other UAV of the layer, measured
  * with two to six UAVs over fields with hardly room for them (`tests/bench/RESULTS.md`).
  */
 constexpr double kWaitForOne_s = 55;
 
-/** Nearer than this two icebergs are one, entered or imported twice. */
+/** Icebergs closer than this are one iceberg, entered or imported twice. */
 constexpr double kSamePlace_m = 1;
-/** Icebergs drift at some tenths of a metre a second; more is a slip of unit or sign. */
+/** Icebergs drift at some tenths of a metre per second; more suggests a wrong unit or sign. */
 constexpr double kFastDrift_mps = 2;
-/** Beyond this the back end exact may take a minute. */
+/** With more icebergs the exact back end may take a minute. */
 constexpr std::size_t kQuickProof = 80;
 constexpr auto kMostProven = static_cast<std::size_t>(kMostProvenByEngine);
 
@@ -45,16 +45,16 @@ DubinsState startOf(const Uav& uav)
     return {.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)};
 }
 
-/** One UAV and what it comes near enough to. */
+/** One UAV with the distances at which it reaches or sees an iceberg. */
 struct Flyer
 {
     const Uav& uav;
-    std::string path;                      ///< in the file
-    double reach_m = 0;                    ///< farthest from it that counts as reached
-    double seen_m = 0;                     ///< so near it is seen, whatever its heading
-    double surely_m = 0;                   ///< nearer than this it is reached whatever the heading
-    bool isWide = false;                   ///< its turns are wider than what it sees of its side
-    std::shared_ptr<const Geofence> fence; ///< null: it may fly anywhere
+    std::string path;    ///< path in the file
+    double reach_m = 0;  ///< largest distance that counts as reached
+    double seen_m = 0;   ///< distance at which an iceberg is in view at any heading
+    double surely_m = 0; ///< distance at which it is reached at any heading
+    bool isWide = false; ///< true if its turn radius exceeds `surely_m`
+    std::shared_ptr<const Geofence> fence; ///< null if it may fly anywhere
 };
 
 Flyer flyerOf(const Scenario& scenario, std::size_t i)
@@ -70,16 +70,16 @@ Flyer flyerOf(const Scenario& scenario, std::size_t i)
             .isWide = turnRadius_m(uav.spec) > surely_m};
 }
 
-/** The findings about one scenario without errors. */
-class Adviser
+/** Collects the findings about one scenario without errors. */
+class ScenarioWarnings
 {
 public:
-    explicit Adviser(const Scenario& scenario) : m_s(scenario)
+    explicit ScenarioWarnings(const Scenario& scenario) : m_s(scenario)
     {
         for (std::size_t i = 0; i < m_s.uavs.size(); ++i) {
             Flyer flyer = flyerOf(m_s, i);
             const UavSpec& spec = flyer.uav.spec;
-            // Of many corners a fence takes long to make, and UAVs are often alike.
+            // A fence with many corners takes long to build, so UAVs of one kind share it.
             const auto alike = std::find_if(m_flyers.begin(), m_flyers.end(), [&](const Flyer& f) {
                 return f.uav.spec.airspeed_mps == spec.airspeed_mps &&
                        f.uav.spec.maxBank_deg == spec.maxBank_deg &&
@@ -124,7 +124,7 @@ private:
     {
         return iceberg.appears_s <= m_s.duration_s;
     }
-    /** Of the estimate, which drifts from time 0 on, whenever the iceberg appears. */
+    /** Returns the estimate, which drifts from time 0 on, even before the iceberg appears. */
     [[nodiscard]] Point estimateAt(const Iceberg& iceberg, double time_s) const
     {
         return iceberg.position_m + (iceberg.velocity_mps + m_s.current_mps) * time_s;
@@ -133,7 +133,10 @@ private:
     {
         return estimateAt(iceberg, std::max(iceberg.appears_s, m_s.duration_s));
     }
-    /** Straight until it is reached or comes into view, without the turn at the start. */
+    /**
+     * Returns the time of a straight flight until the place is reached or in view, without the
+     * first turn.
+     */
     [[nodiscard]] double timeOf_s(const Flyer& flyer, const Point& from_m, const Point& to_m) const
     {
         const Point path_m = to_m - from_m;
@@ -143,7 +146,7 @@ private:
         return flightTime_s(path_m * ((distance_m - flyer.reach_m) / distance_m),
                             flyer.uav.spec.airspeed_mps, m_s.wind_mps);
     }
-    /** Whether this is so of every UAV that may visit the iceberg. */
+    /** Returns true if the test holds for every UAV that may visit the iceberg. */
     template <class Test>
     [[nodiscard]] bool allVisitors(const Iceberg& iceberg, const Test& test) const
     {
@@ -176,33 +179,33 @@ private:
     Findings m_found{Findings::Kind::All};
 };
 
-void Adviser::adviseUnused()
+void ScenarioWarnings::adviseUnused()
 {
-    std::optional<Issue> unknown; // the first of them
-    const auto look = [&unknown](const std::string& extraJson) {
+    std::optional<Issue> unknown; // first one found
+    const auto inspect = [&unknown](const std::string& extraJson) {
         if (!unknown)
             unknown = unknownMembers({}, extraJson);
     };
-    const auto lookInAll = [&look](const auto& parts) {
+    const auto inspectAll = [&inspect](const auto& parts) {
         for (const auto& part : parts)
-            look(part.extraJson);
+            inspect(part.extraJson);
     };
     for (const std::string* extraJson :
          {&m_s.extraJson, &m_s.plannerExtraJson, &m_s.originExtraJson, &m_s.observerExtraJson,
           &m_s.weather.extraJson})
-        look(*extraJson);
+        inspect(*extraJson);
     if (m_s.asset)
-        look(m_s.asset->extraJson);
+        inspect(m_s.asset->extraJson);
     if (m_s.operation)
-        look(m_s.operation->extraJson);
+        inspect(m_s.operation->extraJson);
     if (m_s.groundStation)
-        look(m_s.groundStation->extraJson);
-    lookInAll(m_s.airspace);
-    lookInAll(m_s.noFly);
-    lookInAll(m_s.uavs);
-    lookInAll(m_s.icebergs);
+        inspect(m_s.groundStation->extraJson);
+    inspectAll(m_s.airspace);
+    inspectAll(m_s.noFly);
+    inspectAll(m_s.uavs);
+    inspectAll(m_s.icebergs);
     for (const Iceberg& iceberg : m_s.icebergs)
-        look(iceberg.trackExtraJson);
+        inspect(iceberg.trackExtraJson);
     if (unknown)
         m_found.hint({}, IssueId::UnknownMembers, unknown->reason.arguments);
     if (!m_s.area_m.empty() && !m_s.geofence)
@@ -214,7 +217,7 @@ void Adviser::adviseUnused()
                              IssueId::VelocitySdUnused);
 }
 
-void Adviser::adviseUavs()
+void ScenarioWarnings::adviseUavs()
 {
     for (const Flyer& flyer : m_flyers) {
         if (isOutside(flyer.uav.position_m))
@@ -232,8 +235,8 @@ void Adviser::adviseUavs()
         m_found.warn("planner.reach_radius_m", IssueId::ReachBeyondView);
 }
 
-/** Reports each UAV that starts near one before it; at one place with it, as a warning. */
-void Adviser::adviseLayers()
+/** Reports each UAV that starts near an earlier one; at the same place this is a warning. */
+void ScenarioWarnings::adviseLayers()
 {
     for (auto flyer = m_flyers.begin(); flyer != m_flyers.end(); ++flyer) {
         double nearest_m = m_s.separation_m;
@@ -244,22 +247,24 @@ void Adviser::adviseLayers()
         if (nearest_m >= m_s.separation_m)
             continue;
         if (nearest_m <= kLandingRadius_m)
-            m_found.warn(flyer->path + ".altitude_m", IssueId::SameLayer, {kLayerHeight_m});
+            m_found.warn(flyer->path + ".altitude_m", IssueId::SameLayer,
+                         {Amount{kLayerHeight_m, Quantity::Height}});
         else
-            m_found.hint(flyer->path + ".altitude_m", IssueId::SameLayer, {kLayerHeight_m});
+            m_found.hint(flyer->path + ".altitude_m", IssueId::SameLayer,
+                         {Amount{kLayerHeight_m, Quantity::Height}});
     }
 }
 
-void Adviser::adviseRecovery()
+void ScenarioWarnings::adviseRecovery()
 {
     const std::vector<double> withheld_s = withheldAtStart_s(m_s);
     for (std::size_t i = 0; i < m_flyers.size(); ++i)
         if (withheld_s[i] > 0)
             m_found.warn(m_flyers[i].path + ".endurance_s", IssueId::RecoverySlot,
-                         {std::round(withheld_s[i])});
+                         {Amount{std::round(withheld_s[i]), Quantity::Seconds}});
 }
 
-void Adviser::adviseEndurance(const Flyer& flyer)
+void ScenarioWarnings::adviseEndurance(const Flyer& flyer)
 {
     const Uav& uav = flyer.uav;
     const std::optional<SortieSpec> sortie = sortieOf(uav);
@@ -271,14 +276,15 @@ void Adviser::adviseEndurance(const Flyer& flyer)
         pathTo(startOf(uav), {.place_m = sortie->home_m}, motionOf(m_s, uav), m_s.dt_s);
     if (!flyer.fence && (!home || home->time_s + kHomeReserve_s > sortie->endurance_s))
         m_found.warn(flyer.path + ".endurance_s", IssueId::NoPathHome);
-    const auto isKeptApart = [&](const Flyer& other) {
+    const auto sharesLayer = [&](const Flyer& other) {
         return &other != &flyer && m_s.separation_m > 0 &&
                std::abs(other.uav.spec.altitude_m - uav.spec.altitude_m) < kLayerHeight_m;
     };
     const double wait_s =
-        kWaitForOne_s * static_cast<double>(std::ranges::count_if(m_flyers, isKeptApart));
+        kWaitForOne_s * static_cast<double>(std::ranges::count_if(m_flyers, sharesLayer));
     if (reserve_s(uav.spec) < wait_s)
-        m_found.warn(flyer.path + ".endurance_s", IssueId::CrowdedReturn, {wait_s});
+        m_found.warn(flyer.path + ".endurance_s", IssueId::CrowdedReturn,
+                     {Amount{wait_s, Quantity::Seconds}});
     bool visits = false;
     bool returns = false;
     for (const Iceberg& iceberg : m_s.icebergs) {
@@ -293,7 +299,7 @@ void Adviser::adviseEndurance(const Flyer& flyer)
         m_found.warn(flyer.path + ".endurance_s", IssueId::NoRoundTrip);
 }
 
-void Adviser::adviseFences()
+void ScenarioWarnings::adviseFences()
 {
     bool isFenced = false;
     for (const Flyer& flyer : m_flyers) {
@@ -313,8 +319,8 @@ void Adviser::adviseFences()
     adviseShutOff();
 }
 
-/** Paths home inside the fence: from the start, and from home for the next sortie. */
-void Adviser::adviseReturn(const Flyer& flyer, const SortieSpec& sortie)
+/** Checks the paths home inside the fence: from the start, and from home on the next sortie. */
+void ScenarioWarnings::adviseReturn(const Flyer& flyer, const SortieSpec& sortie)
 {
     const Uav& uav = flyer.uav;
     const CommandClock clock{
@@ -331,7 +337,7 @@ void Adviser::adviseReturn(const Flyer& flyer, const SortieSpec& sortie)
         m_found.warn(flyer.path + ".home_m", IssueId::HomeNearFence);
 }
 
-void Adviser::adviseShutOff()
+void ScenarioWarnings::adviseShutOff()
 {
     const auto isShutOffFrom = [](const Flyer& flyer, const Point& place_m) {
         return flyer.fence && (flyer.fence->isOutOfReach(place_m, flyer.surely_m) ||
@@ -348,7 +354,7 @@ void Adviser::adviseShutOff()
     }
 }
 
-void Adviser::adviseAsset()
+void ScenarioWarnings::adviseAsset()
 {
     if (m_s.asset && std::any_of(m_s.icebergs.begin(), m_s.icebergs.end(), [&](const Iceberg& b) {
             return b.appears_s == 0 && (b.position_m - m_s.asset->position_m).norm() < b.radius_m;
@@ -356,7 +362,7 @@ void Adviser::adviseAsset()
         m_found.warn("asset.position_m", IssueId::AssetInIce);
 }
 
-void Adviser::adviseIceberg(std::size_t i)
+void ScenarioWarnings::adviseIceberg(std::size_t i)
 {
     const Iceberg& iceberg = m_s.icebergs[i];
     const std::string path = entryPath("icebergs", i);
@@ -371,7 +377,7 @@ void Adviser::adviseIceberg(std::size_t i)
         adviseTrack(iceberg, path);
 }
 
-void Adviser::adviseTrack(const Iceberg& iceberg, const std::string& path)
+void ScenarioWarnings::adviseTrack(const Iceberg& iceberg, const std::string& path)
 {
     if (iceberg.track.time_s.back() < m_s.duration_s)
         m_found.hint(path + ".track", IssueId::TrackShort);
@@ -380,7 +386,7 @@ void Adviser::adviseTrack(const Iceberg& iceberg, const std::string& path)
         m_found.warn(path + ".track", IssueId::TrackFar);
 }
 
-void Adviser::adviseSamePlace()
+void ScenarioWarnings::adviseSamePlace()
 {
     const std::vector<Iceberg>& all = m_s.icebergs;
     std::vector<std::size_t> byEast(all.size());
@@ -402,8 +408,10 @@ void Adviser::adviseSamePlace()
             m_found.warn(entryPath("icebergs", i) + ".position_m", IssueId::SamePlace);
 }
 
-/** Of an iceberg that a UAV catches up with the end is the easiest instant to be there. */
-void Adviser::adviseReach()
+/**
+ * Compares only start and end: if a UAV can catch up with an iceberg, it can be there at the end.
+ */
+void ScenarioWarnings::adviseReach()
 {
     std::vector<std::size_t> far;
     std::size_t coming = 0;
@@ -429,7 +437,7 @@ void Adviser::adviseReach()
         m_found.warn(entryPath("icebergs", i) + ".position_m", IssueId::OutOfReach);
 }
 
-void Adviser::advisePlanner()
+void ScenarioWarnings::advisePlanner()
 {
     const std::size_t count = m_s.icebergs.size();
     const PlannerSettings& planner = m_s.planner;
@@ -440,7 +448,7 @@ void Adviser::advisePlanner()
     if (std::all_of(m_s.icebergs.begin(), m_s.icebergs.end(),
                     [](const Iceberg& iceberg) { return initialSigma_m2(iceberg) == 0; }))
         m_found.hint("icebergs", IssueId::NoSigma);
-    if (planner.tau == 0) // sorting proves itself
+    if (planner.tau == 0) // sorting gives the optimum
         return;
     const bool exact = planner.backend == Backend::Exact;
     if (count > kMostProven && exact)
@@ -462,10 +470,10 @@ std::optional<Issue> unknownMembers(const std::string& field, const std::string&
     return Issue{Severity::Hint, field, {.id = IssueId::UnknownMembers, .arguments = {first}}};
 }
 
-std::vector<Issue> advice(const Scenario& scenario)
+std::vector<Issue> scenarioWarnings(const Scenario& scenario)
 {
-    require(!scenario.uavs.empty(), "advice: the scenario has errors");
-    return Adviser(scenario).findings();
+    require(!scenario.uavs.empty(), "scenarioWarnings: the scenario has errors");
+    return ScenarioWarnings(scenario).findings();
 }
 
 } // namespace berg

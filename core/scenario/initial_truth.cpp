@@ -1,4 +1,4 @@
-#include "core/scenario/true_start.h"
+#include "core/scenario/initial_truth.h"
 
 #include "core/base/random.h"
 
@@ -6,14 +6,14 @@
 
 namespace berg {
 
-TrueStart trueStart(const Iceberg& iceberg, const ObserverSpec& observer, std::uint64_t seed,
-                    bool noise)
+InitialTruth initialTruth(const Iceberg& iceberg, const ObserverSpec& observer, std::uint64_t seed,
+                          bool noise)
 {
-    TrueStart start{.position_m = iceberg.position_m, .velocity_mps = iceberg.velocity_mps};
+    InitialTruth start{.position_m = iceberg.position_m, .velocity_mps = iceberg.velocity_mps};
     if (observer.model == ObserverModel::Simple || !noise || !iceberg.track.empty())
         return start;
     Random random(seed, stableHash(iceberg.id + "/start"));
-    // Since it was last seen the velocity that nobody knows has carried it away.
+    // The unknown velocity has carried the iceberg away since it was last seen.
     const double sd_m = std::sqrt(iceberg.sigma0_m2 + iceberg.q_m2ps * iceberg.observed_s);
     for (Eigen::Index axis = 0; axis < 2; ++axis)
         start.position_m[axis] += sd_m * random.normal();
@@ -36,7 +36,7 @@ TrueStart trueStart(const Iceberg& iceberg, const ObserverSpec& observer, std::u
 DriftSpec trueDrift(const Iceberg& iceberg, const ObserverSpec& observer, std::uint64_t seed,
                     bool noise, const Point& current_mps, double start_s)
 {
-    const TrueStart start = trueStart(iceberg, observer, seed, noise);
+    const InitialTruth start = initialTruth(iceberg, observer, seed, noise);
     const bool isConstant = observer.model == ObserverModel::Simple;
     return {.position_m = start.position_m,
             .start_s = start_s,

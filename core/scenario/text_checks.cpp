@@ -1,4 +1,4 @@
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@ namespace berg {
 
 namespace {
 
-/** Value of `count` digits at `from`, -1 when one of them is no digit. */
+/** Returns the value of `count` digits at `from`, or -1 if one of them is not a digit. */
 int digits(std::string_view text, std::size_t from, std::size_t count)
 {
     int value = 0;
@@ -46,7 +46,7 @@ std::string printable(std::string_view text)
 {
     constexpr std::size_t kLongest = 40;
     std::size_t end = std::min(text.size(), kLongest);
-    // Never cut inside a character.
+    // A multi-byte character is never cut.
     while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
         --end;
     std::string shown(text.substr(0, end));
@@ -58,11 +58,11 @@ std::string printable(std::string_view text)
 
 bool isUtf8(std::string_view text)
 {
-    // By count of the bytes that follow the lead: a smaller code point is an overlong form.
+    // Smallest code point by number of bytes after the lead; a smaller one is an overlong form.
     constexpr std::array<std::uint32_t, 4> kSmallest{0, 0x80, 0x800, 0x10000};
     for (std::size_t i = 0; i < text.size();) {
         const auto lead = static_cast<unsigned char>(text[i++]);
-        const int ones = std::countl_one(lead); // 0, or all bytes of the character
+        const int ones = std::countl_one(lead); // 0, or the number of bytes of the character
         const std::size_t following = ones == 0 ? 0 : static_cast<std::size_t>(ones - 1);
         if (ones == 1 || ones > 4 || text.size() - i < following)
             return false;
@@ -82,7 +82,7 @@ bool isUtf8(std::string_view text)
 
 bool isUtcTime(std::string_view text)
 {
-    // YYYY-MM-DDThh:mm:ss, then an optional fraction, then Z.
+    // Format: YYYY-MM-DDThh:mm:ss, then an optional fraction, then Z.
     constexpr std::string_view kPattern = "dddd-dd-ddTdd:dd:dd";
     constexpr std::size_t kMostFractionDigits = 9;
     const std::size_t length = kPattern.size();

@@ -1,4 +1,4 @@
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <QTest>
 
@@ -12,7 +12,7 @@ class TestChecks : public QObject
     Q_OBJECT
 
 private slots:
-    void utcTime_data()
+    void utcTimesAreRecognised_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<bool>("valid");
@@ -44,14 +44,14 @@ private slots:
         QTest::newRow("trailing text") << "2024-05-01T06:07:08ZZ" << false;
         QTest::newRow("short year") << "24-05-01T06:07:08Z" << false;
     }
-    void utcTime()
+    void utcTimesAreRecognised()
     {
         QFETCH(const QString, text);
         QFETCH(const bool, valid);
         QCOMPARE(isUtcTime(text.toStdString()), valid);
     }
 
-    void utf8_data()
+    void utf8IsRecognised_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<bool>("valid");
@@ -73,14 +73,14 @@ private slots:
         QTest::newRow("byte FF") << QByteArray("\xFF") << false;
         QTest::newRow("Latin-1") << QByteArray("Gr\xF8nland") << false;
     }
-    void utf8()
+    void utf8IsRecognised()
     {
         QFETCH(const QByteArray, text);
         QFETCH(const bool, valid);
         QCOMPARE(isUtf8({text.data(), static_cast<std::size_t>(text.size())}), valid);
     }
 
-    void limits_data()
+    void numbersOutsideLimitsAreReported_data()
     {
         QTest::addColumn<double>("value");
         QTest::addColumn<bool>("above");
@@ -98,7 +98,7 @@ private slots:
         QTest::newRow("infinite") << kInfinity << false << "must be a finite number";
         QTest::newRow("minus infinite") << -kInfinity << true << "must be a finite number";
     }
-    void limits()
+    void numbersOutsideLimitsAreReported()
     {
         QFETCH(const double, value);
         QFETCH(const bool, above);
@@ -128,4 +128,4 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(TestChecks)
-#include "tst_checks.moc"
+#include "tst_text_checks.moc"

@@ -1,6 +1,6 @@
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
-#include "core/sim/unseen.h"
+#include "core/sim/revisit_intervals.h"
 #include "tests/support/scenario_builder.h"
 
 #include <QtTest>
@@ -20,7 +20,10 @@ Rows rowsOf(const Recorder& recorder)
     return rows;
 }
 
-/** One sample a second; each letter is the iceberg's: v in view, - not, . not there yet. */
+/**
+ * Makes a record with one sample per second; the letters mean: v in view, - not in view, . not
+ * there yet.
+ */
 std::pair<std::vector<Sample>, Rows> recordOf(const std::string& letters)
 {
     std::vector<Sample> samples;
@@ -35,8 +38,8 @@ std::pair<std::vector<Sample>, Rows> recordOf(const std::string& letters)
 }
 
 /**
- * Steps out of view of each iceberg, counted on the flying world itself and by another rule: the
- * longest row of steps without a sighting. In steps.
+ * Counts steps out of view of each iceberg in the flying world with another rule: the longest row
+ * of steps without a sighting.
  */
 struct Counted
 {
@@ -63,7 +66,7 @@ Counted countedSteps(const Scenario& scenario)
                 row[at] = 0;
                 continue;
             }
-            ++row[at]; // this step is unseen at one of its ends at least
+            ++row[at]; // the step is unseen at one of its ends at least
             ++counted.total[at];
             counted.longest[at] = std::max(counted.longest[at], row[at]);
             if (mission.simulation().track(i).inView)
@@ -80,7 +83,7 @@ class TestUnseen : public QObject
     Q_OBJECT
 
 private slots:
-    void intervals_data()
+    void intervalsOfWrittenRecords_data()
     {
         QTest::addColumn<QString>("letters");
         QTest::addColumn<QList<double>>("ends");
@@ -103,7 +106,7 @@ private slots:
         row("nothing", "", {});
     }
 
-    void intervals()
+    void intervalsOfWrittenRecords()
     {
         QFETCH(QString, letters);
         QFETCH(QList<double>, ends);
@@ -126,7 +129,7 @@ private slots:
         QVERIFY((unseen.front() == std::vector<UnseenInterval>{{0, 4}, {4, 6}}));
     }
 
-    void figures()
+    void longestAndTotalTimeUnseen()
     {
         const std::vector<UnseenInterval> intervals{{0, 10}, {20, 50}, {60, 90}};
         QVERIFY((unseenTime(intervals) == UnseenTime{.longest_s = 30, .total_s = 70}));
@@ -159,7 +162,8 @@ private slots:
         const auto unseen =
             unseenIntervals(mission.recorder().samples(), rowsOf(mission.recorder()));
         QCOMPARE(unseen.size(), counted.longest.size());
-        // Sampled at each step only rounding is left; else each end may be an interval off.
+        // If every step is sampled only rounding remains; otherwise each end may differ by an
+        // interval.
         const double tolerance_s = interval_s > scenario.dt_s ? 2 * interval_s : 1e-6;
         for (std::size_t i = 0; i < unseen.size(); ++i) {
             const UnseenTime time = unseenTime(unseen[i]);
@@ -170,7 +174,7 @@ private slots:
         }
     }
 
-    /** Cutting the record is the same as asking for an earlier time. */
+    /** Cutting the record equals asking for an earlier time. */
     void aCutRecordAgrees()
     {
         Scenario scenario = randomScenario(7);
@@ -191,4 +195,4 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(TestUnseen)
-#include "tst_unseen.moc"
+#include "tst_revisit_intervals.moc"

@@ -1,4 +1,4 @@
-#include "core/sim/unseen.h"
+#include "core/sim/revisit_intervals.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,13 +7,13 @@ namespace berg {
 
 namespace {
 
-/** Where one iceberg stands while the samples are gone through. */
+/** State of one iceberg while the samples are scanned. */
 struct Watch
 {
     bool known = false;
-    bool seen = false; ///< at the sample before
+    bool seen = false; ///< seen at the previous sample
     double sigma_m2 = 0;
-    double since_s = 0; ///< last seen, or known of since
+    double since_s = 0; ///< last sighting, or start of monitoring
 };
 
 } // namespace
@@ -33,7 +33,7 @@ unseenIntervals(std::span<const Sample> samples, std::span<const std::vector<Ice
         for (std::size_t i = 0; i < rows[k].size(); ++i) {
             const IcebergSample& now = rows[k][i];
             Watch& watch = watches[i];
-            if (!now.active) { // not there yet, outside the area or removed
+            if (!now.active) { // before it appears, outside the area or removed
                 if (std::exchange(watch.known, false) && !watch.seen && time_s > watch.since_s)
                     unseen[i].push_back({.from_s = watch.since_s, .to_s = time_s});
                 continue;
@@ -45,7 +45,8 @@ unseenIntervals(std::span<const Sample> samples, std::span<const std::vector<Ice
                 unseen[i].push_back({.from_s = watch.since_s, .to_s = time_s});
                 watch.since_s = time_s;
             }
-            // Out of view again at once: what follows is unseen although this instant is not.
+            // An iceberg seen between two samples is out of view at the later one, so it is unseen
+            // from there.
             watch.seen = now.inView;
             watch.known = true;
             watch.sigma_m2 = now.sigma_m2;

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/base/issue.h"
+#include "core/scenario/limits.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace berg {
+
+/** Returns why a number is outside the limits, or nullopt if it is within them. */
+[[nodiscard]] std::optional<IssueReason> outOfLimits(double value, const Limits& limits);
+
+/** Returns the path of a list entry, such as "icebergs[3]". */
+[[nodiscard]] std::string entryPath(const std::string& list, std::size_t i);
+
+/**
+ * Returns a name from a file in a form fit for a message: its first 40 bytes at most, followed by
+ * "..." if it was longer, with "?" in place of each control character.
+ */
+[[nodiscard]] std::string printable(std::string_view text);
+
+/**
+ * Returns true for `YYYY-MM-DDThh:mm[:ss[.fraction]]Z` with a date of the Gregorian calendar and a
+ * fraction of at most nine digits.
+ */
+[[nodiscard]] bool isUtcTime(std::string_view text);
+
+/** Returns true if the bytes are well-formed UTF-8 (no overlong form, no surrogate). */
+[[nodiscard]] bool isUtf8(std::string_view text);
+
+} // namespace berg
